@@ -9,6 +9,7 @@
 
 #include "beam/boundary_follow.h"
 #include "continuation/curve.h"
+#include "core/grow.h"
 #include "core/report.h"
 
 #define BESIDE 1e-5     /* relative offset in speed of the two counts of growing modes */
@@ -24,17 +25,12 @@ enum hawser_status hawser__boundary_keep(struct hawser__boundary_work *work,
                                          struct hawser_report *report)
 {
 	struct hawser_beam_boundary *boundary = work->boundary;
-	struct hawser_beam_boundary_point *more;
 
 	if (boundary->points >= work->most)
 		return hawser__fail(report, HAWSER_ERR_CONVERGENCE, "beam",
 		                    "%d points were not enough for the boundary", work->most);
-	if (boundary->points%256 == 0) {
-		more = realloc(boundary->point, (size_t)(boundary->points + 256)*sizeof *more);
-		if (!more)
-			return hawser__no_memory(report, "beam");
-		boundary->point = more;
-	}
+	if (hawser__more(&boundary->point, boundary->points, sizeof *boundary->point))
+		return hawser__no_memory(report, "beam");
 	boundary->point[boundary->points++] = *point;
 	return HAWSER_OK;
 }

@@ -19,6 +19,7 @@
 #include <string.h>
 
 #include "beam/change.h"
+#include "core/grow.h"
 #include "core/report.h"
 
 #define CLEAR 0.6          /* smallest share (of a row's sum) of a clear partner */
@@ -39,7 +40,7 @@ struct work {
 	const struct hawser_beam_sweep_options *options;
 	struct hawser__beam_sample *stop; /* [stops] */
 	int *at;       /* [stops][branches] pair of a branch */
-	int stops, capacity, branches, watched;
+	int stops, branches, watched;
 	double *share; /* [pairs][pairs] */
 	size_t shares;
 };
@@ -164,20 +165,10 @@ static enum hawser_status append(struct work *work, struct hawser__beam_sample *
 {
 	size_t b = (size_t)work->branches;
 
-	if (work->stops == work->capacity) {
-		int capacity = work->capacity ? 2*work->capacity : 256;
-		struct hawser__beam_sample *stops = realloc(work->stop, (size_t)capacity*sizeof *stops);
-		int *places;
-
-		if (stops)
-			work->stop = stops;
-		places = stops ? realloc(work->at, (size_t)capacity*b*sizeof *places) : NULL;
-		if (!places) {
-			hawser__beam_sample_clear(stop);
-			return hawser__no_memory(report, "beam");
-		}
-		work->at = places;
-		work->capacity = capacity;
+	if (hawser__more(&work->stop, work->stops, sizeof *work->stop) ||
+	    hawser__more(&work->at, work->stops, b*sizeof *work->at)) {
+		hawser__beam_sample_clear(stop);
+		return hawser__no_memory(report, "beam");
 	}
 	memcpy(work->at + (size_t)work->stops*b, at, b*sizeof *at);
 	work->stop[work->stops++] = *stop;
@@ -260,13 +251,9 @@ static enum hawser_status add_event(struct hawser_beam_sweep *sweep,
                                     const struct hawser_beam_event *event,
                                     struct hawser_report *report)
 {
-	struct hawser_beam_event *more = realloc(sweep->event,
-	                                         (size_t)(sweep->events + 1)*sizeof *more);
-
-	if (!more)
+	if (hawser__more(&sweep->event, sweep->events, sizeof *sweep->event))
 		return hawser__no_memory(report, "beam");
-	sweep->event = more;
-	more[sweep->events++] = *event;
+	sweep->event[sweep->events++] = *event;
 	return HAWSER_OK;
 }
 

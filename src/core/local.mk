@@ -6,6 +6,7 @@ noinst_LTLIBRARIES += %D%/libcore.la
 	%D%/digits.h \
 	%D%/file.c \
 	%D%/file.h \
+	%D%/grow.h \
 	%D%/hold.c \
 	%D%/hold.h \
 	%D%/hot.h \

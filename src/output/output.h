@@ -34,7 +34,7 @@ struct hawser__table {
 	const void *context;
 	void *owned; /* freed by _clear; or NULL */
 	struct hawser__cell *cell; /* [cells] row-major */
-	size_t cells, capacity;
+	size_t cells;
 	int failed; /* 1: an allocation failed */
 };
 /* Numbers with an SI unit are shown in the units that the user has chosen (units.h). */

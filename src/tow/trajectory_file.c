@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/grow.h"
 #include "core/locale.h"
 #include "core/report.h"
 #include "tow/trajectory.h"
@@ -21,8 +22,8 @@ struct table {
 	const char *path;
 	int line, named;
 	int column[COLUMNS]; /* where t, x, y, z are */
-	struct hawser_waypoint *point; /* [count], room for [room] */
-	int count, room;
+	struct hawser_waypoint *point; /* [count] */
+	int count;
 };
 
 /* A line of names; fails if one of the four is not there. */
@@ -60,15 +61,8 @@ static enum hawser_status add(struct table *table, const double value[COLUMNS],
 	if (table->count == MOST)
 		return hawser__fail(report, HAWSER_ERR_SCENE, where, "%s:%d: more than %d waypoints: leave "
 		                    "out some of them", table->path, table->line, MOST);
-	if (table->count == table->room) {
-		int room = table->room ? 2*table->room : 64;
-		struct hawser_waypoint *more = realloc(table->point, (size_t)room*sizeof *more);
-
-		if (!more)
-			return hawser__no_memory(report, where);
-		table->point = more;
-		table->room = room;
-	}
+	if (hawser__more(&table->point, table->count, sizeof *table->point))
+		return hawser__no_memory(report, where);
 	one = &table->point[table->count];
 	memset(one, 0, sizeof *one);
 	one->t = value[0];

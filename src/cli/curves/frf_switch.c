@@ -11,6 +11,7 @@
 
 #include "cli/curves/frf_cover.h"
 #include "cli/frame/view.h"
+#include "core/grow.h"
 #include "core/report.h"
 
 #define SAME 1e-4 /* relative distance of two events that are taken for one; chosen */
@@ -22,14 +23,12 @@ enum { MOST_BORN = 24 };
 static int miss(struct cli_cover *cover, const char *format, ...) HAWSER_PRINTF(2, 3);
 static int miss(struct cli_cover *cover, const char *format, ...)
 {
-	struct cli_missed *longer = realloc(cover->missed, ((size_t)cover->misses + 1)*sizeof *longer);
 	va_list values;
 
-	if (!longer)
+	if (hawser__more(&cover->missed, cover->misses, sizeof *cover->missed))
 		return 1;
-	cover->missed = longer;
 	va_start(values, format);
-	vsnprintf(longer[cover->misses++].text, sizeof longer->text, format, values);
+	vsnprintf(cover->missed[cover->misses++].text, sizeof cover->missed->text, format, values);
 	va_end(values);
 	return 0;
 }

@@ -12,6 +12,7 @@
 #include <stdlib.h>
 
 #include "cli/map/hill_result.h"
+#include "core/grow.h"
 #include "core/report.h"
 
 enum { ROWS = 100, CELLS = 60, HALVINGS = 8 };
@@ -28,7 +29,7 @@ struct plane {
 	int *unstable;    /* [samples] multipliers there */
 	double from[2], to[2];
 	double *box; /* [boxes][4] */
-	int boxes, room;
+	int boxes;
 };
 
 static enum hawser_status ask(int *unstable, struct plane *plane, double x, double y,
@@ -61,15 +62,8 @@ static enum hawser_status add(struct plane *plane, double from, double to, doubl
 {
 	double half = (0.5 + overlap)*(plane->to[1] - plane->from[1])/ROWS, *box;
 
-	if (plane->boxes == plane->room) {
-		int room = 2*plane->room + 64;
-		double *larger = realloc(plane->box, (size_t)room*4*sizeof *larger);
-
-		if (!larger)
-			return hawser__no_memory(report, "hill");
-		plane->box = larger;
-		plane->room = room;
-	}
+	if (hawser__more(&plane->box, plane->boxes, 4*sizeof *plane->box))
+		return hawser__no_memory(report, "hill");
 	box = plane->box + 4*(size_t)plane->boxes++;
 	box[0] = from;
 	box[1] = y - half < plane->from[1] ? plane->from[1] : y - half;

@@ -15,6 +15,7 @@
 #include <string.h>
 
 #include "cli/measure/series.h"
+#include "core/grow.h"
 #include "core/report.h"
 
 enum { most_columns = 1024, longest_line = 65536 };
@@ -25,7 +26,7 @@ struct table {
 	char (*name)[CLI_COLUMN_NAME]; /* [names] */
 	int names;
 	double *cell;                  /* [rows][columns] */
-	int rows, room, columns;
+	int rows, columns;
 	int x, y;                      /* index from 0; y is -1 if the largest displacement is
 	                                * requested */
 	const char *const *wanted;     /* [wanteds] names of all columns that the table may have, the
@@ -167,15 +168,8 @@ static enum hawser_status read_row(struct table *table, const char *line, int nu
 {
 	double *cell;
 
-	if (table->rows == table->room) {
-		int room = table->room ? 2*table->room : 1024;
-
-		cell = realloc(table->cell, (size_t)room*(size_t)table->columns*sizeof *cell);
-		if (!cell)
-			return hawser__no_memory(report, "series");
-		table->cell = cell;
-		table->room = room;
-	}
+	if (hawser__more(&table->cell, table->rows, (size_t)table->columns*sizeof *cell))
+		return hawser__no_memory(report, "series");
 	cell = table->cell + (size_t)table->rows*(size_t)table->columns;
 	for (int k = 0; k < table->columns; k++) {
 		char *end;

@@ -98,7 +98,7 @@ struct cli_sweep_rows {
 	struct cli_sweep_column *column; /* [columns] */
 	struct cli_sweep_row *row;       /* [rows] */
 	int columns;
-	long rows, room;
+	long rows;
 	int failed;    /* 1: an allocation failed */
 	char *missing; /* a message: what was asked for and is not there; or NULL */
 };

@@ -9,6 +9,7 @@
 
 #include "cli/sweep/sweep.h"
 #include "cli/frame/view.h"
+#include "core/grow.h"
 #include "core/report.h"
 
 enum { COMMENTS = 20 }; /* failures in the comments of the table; JSON has all */
@@ -17,17 +18,13 @@ enum { COMMENTS = 20 }; /* failures in the comments of the table; JSON has all *
 
 static int place_of(struct cli_sweep_result *result, const char *name)
 {
-	char **grown;
-
 	for (int c = 0; c < result->columns; c++)
 		if (strcmp(result->column[c], name) == 0)
 			return c;
-	grown = realloc(result->column, (size_t)(result->columns + 1)*sizeof *grown);
-	if (!grown)
+	if (hawser__more(&result->column, result->columns, sizeof *result->column))
 		return -1;
-	result->column = grown;
-	grown[result->columns] = strdup(name);
-	return grown[result->columns] ? result->columns++ : -1;
+	result->column[result->columns] = strdup(name);
+	return result->column[result->columns] ? result->columns++ : -1;
 }
 
 static int count_tabs(const char *text)

@@ -13,6 +13,7 @@
 
 #include "cli/sweep/sweep.h"
 #include "cli/frame/view.h"
+#include "core/grow.h"
 #include "output/fields/fields_units.h"
 #include "output/fields/visit.h"
 
@@ -31,38 +32,28 @@ struct taking {
 
 static int column_of(struct cli_sweep_rows *rows, const char *name, const char *bare, int expected)
 {
-	struct cli_sweep_column *grown;
+	struct cli_sweep_column *last;
 
 	if (expected < rows->columns && strcmp(rows->column[expected].name, name) == 0)
 		return expected;
 	for (int c = 0; c < rows->columns; c++)
 		if (strcmp(rows->column[c].name, name) == 0)
 			return c;
-	grown = realloc(rows->column, (size_t)(rows->columns + 1)*sizeof *grown);
-	if (!grown) {
+	if (hawser__more(&rows->column, rows->columns, sizeof *rows->column)) {
 		rows->failed = 1;
 		return -1;
 	}
-	rows->column = grown;
-	grown[rows->columns] = (struct cli_sweep_column){strdup(name), strdup(bare)};
-	rows->failed |= !grown[rows->columns].name || !grown[rows->columns].bare;
+	last = &rows->column[rows->columns];
+	*last = (struct cli_sweep_column){strdup(name), strdup(bare)};
+	rows->failed |= !last->name || !last->bare;
 	return rows->columns++;
 }
 
 static void new_row(struct cli_sweep_rows *rows)
 {
-	long room = rows->room ? 2*rows->room : 8;
-	struct cli_sweep_row *grown;
-
-	if (rows->rows == rows->room) {
-		grown = realloc(rows->row, (size_t)room*sizeof *grown);
-		rows->failed |= !grown;
-		if (!grown)
-			return;
-		rows->row = grown;
-		rows->room = room;
-	}
-	rows->row[rows->rows++] = (struct cli_sweep_row){NULL, 0};
+	rows->failed |= hawser__more(&rows->row, rows->rows, sizeof *rows->row);
+	if (!rows->failed)
+		rows->row[rows->rows++] = (struct cli_sweep_row){NULL, 0};
 }
 
 /* A cell of the last row. `kind`: what a text begins with, or "". */
@@ -75,15 +66,10 @@ static void put(struct cli_sweep_rows *rows, const char *name, const char *bare,
 
 	if (rows->failed || column < 0)
 		return;
-	if (column >= row->cells) {
-		char **grown = realloc(row->cell, (size_t)(column + 1)*sizeof *grown);
-
-		rows->failed |= !grown;
-		if (!grown)
+	for (; column >= row->cells; row->cell[row->cells++] = NULL) {
+		rows->failed |= hawser__more(&row->cell, row->cells, sizeof *row->cell);
+		if (rows->failed)
 			return;
-		row->cell = grown;
-		while (row->cells <= column)
-			row->cell[row->cells++] = NULL;
 	}
 	free(row->cell[column]);
 	row->cell[column] = malloc(size);

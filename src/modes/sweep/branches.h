@@ -87,9 +87,9 @@ struct hawser__branches {
 	                           * nodes */
 	int resampled;            /* order of that element; 0: `resample` is not computed yet */
 	struct hawser__sample *sample; /* [samples] in the order of the sweep */
-	int samples, sample_capacity;
+	int samples;
 	struct hawser__crossover *crossover; /* [crossovers] */
-	int crossovers, crossover_capacity;
+	int crossovers;
 	int *at;       /* [at_capacity] branch at each place, the index in ascending order of
 	                * frequency */
 	int at_capacity;

@@ -19,6 +19,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "core/grow.h"
 #include "core/report.h"
 #include "modes/sweep/branches.h"
 
@@ -174,15 +175,8 @@ static enum hawser_status record(struct hawser__branches *all, int k, const stru
 {
 	double gap = sqrt(at->f);
 
-	if (all->crossovers == all->crossover_capacity) {
-		int capacity = 2*all->crossover_capacity + 16;
-		struct hawser__crossover *more = realloc(all->crossover, (size_t)capacity*sizeof *more);
-
-		if (!more)
-			return hawser__no_memory(report, all->sweep->where);
-		all->crossover = more;
-		all->crossover_capacity = capacity;
-	}
+	if (hawser__more(&all->crossover, all->crossovers, sizeof *all->crossover))
+		return hawser__no_memory(report, all->sweep->where);
 	all->crossover[all->crossovers++] = (struct hawser__crossover){
 		.k = k, .x = at->x, .gap = gap, .omega = at->omega, .statics = at->statics,
 		.kind = gap <= all->options.crossing ? HAWSER_CROSSING : HAWSER_VEERING};

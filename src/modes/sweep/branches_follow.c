@@ -22,6 +22,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/grow.h"
 #include "core/report.h"
 #include "modes/sweep/branches.h"
 
@@ -36,16 +37,9 @@ enum hawser_status hawser__branches_insert(struct hawser__branches *all, int pla
                                            struct hawser__sample *sample,
                                            struct hawser_report *report)
 {
-	if (all->samples == all->sample_capacity) {
-		int capacity = 2*all->sample_capacity + 64;
-		struct hawser__sample *grown = realloc(all->sample, (size_t)capacity*sizeof *grown);
-
-		if (!grown) {
-			hawser__sample_clear(sample);
-			return hawser__no_memory(report, all->sweep->where);
-		}
-		all->sample = grown;
-		all->sample_capacity = capacity;
+	if (hawser__more(&all->sample, all->samples, sizeof *all->sample)) {
+		hawser__sample_clear(sample);
+		return hawser__no_memory(report, all->sweep->where);
 	}
 	memmove(all->sample + place + 1, all->sample + place,
 	        (size_t)(all->samples - place)*sizeof *all->sample);

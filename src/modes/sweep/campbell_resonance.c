@@ -7,6 +7,7 @@
 
 #include <hawser/campbell.h>
 
+#include "core/grow.h"
 #include "core/report.h"
 
 /* Frequency of branch b minus that of the excitation line of the given slope, at station i,
@@ -20,15 +21,8 @@ static enum hawser_status add(struct hawser_campbell_resonance **list, int *coun
                               const struct hawser_campbell_resonance *one,
                               struct hawser_report *report)
 {
-	struct hawser_campbell_resonance *grown;
-
-	/* the capacity doubles whenever the count is a power of two */
-	if ((*count & (*count - 1)) == 0) {
-		grown = realloc(*list, (*count > 0 ? 2*(size_t)*count : 1)*sizeof *grown);
-		if (!grown)
-			return hawser__no_memory(report, "campbell");
-		*list = grown;
-	}
+	if (hawser__more(list, *count, sizeof **list))
+		return hawser__no_memory(report, "campbell");
 	(*list)[(*count)++] = *one;
 	return HAWSER_OK;
 }

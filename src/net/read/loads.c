@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/grow.h"
 #include "core/report.h"
 #include "net/read/read.h"
 
@@ -13,15 +14,7 @@ enum { CALLED = HAWSER__TEXT_ROOM + 64 };
 
 static enum hawser_status more(struct hawser_net_load **list, int count, struct hawser_report *report)
 {
-	struct hawser_net_load *longer;
-
-	if (count & (count - 1)) /* grown at powers of 2 */
-		return HAWSER_OK;
-	longer = realloc(*list, (size_t)(count ? 2*count : 1)*sizeof *longer);
-	if (!longer)
-		return hawser__no_memory(report, "net");
-	*list = longer;
-	return HAWSER_OK;
+	return hawser__more(list, count, sizeof **list) ? hawser__no_memory(report, "net") : HAWSER_OK;
 }
 
 /* One load of a node or cable: a vector, or a mapping. */

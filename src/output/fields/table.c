@@ -12,6 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/grow.h"
 #include "core/report.h"
 #include "output/fields/visit.h"
 
@@ -43,16 +44,12 @@ static char *tame(char *text, char instead)
 
 static void append(struct hawser__table *table, char ***list, int *count, char *text)
 {
-	char **grown = realloc(*list, (size_t)(*count + 1)*sizeof **list);
-
-	if (grown)
-		*list = grown;
-	if (!grown || !text) {
+	if (hawser__more(list, *count, sizeof **list) || !text) {
 		free(text);
 		table->failed = 1;
 		return;
 	}
-	grown[(*count)++] = text;
+	(*list)[(*count)++] = text;
 }
 
 void hawser__table_remark(struct hawser__table *table, const char *format, ...)
@@ -88,17 +85,9 @@ void hawser__table_column(struct hawser__table *table, const char *format, ...)
 
 static void put(struct hawser__table *table, struct hawser__cell cell)
 {
-	size_t capacity = table->capacity ? 2*table->capacity : 256;
-	struct hawser__cell *grown;
-
-	if (table->cells == table->capacity) {
-		grown = realloc(table->cell, capacity*sizeof *grown);
-		if (!grown) {
-			table->failed = 1;
-			return;
-		}
-		table->cell = grown;
-		table->capacity = capacity;
+	if (hawser__more(&table->cell, (long)table->cells, sizeof *table->cell)) {
+		table->failed = 1;
+		return;
 	}
 	table->cell[table->cells++] = cell;
 }

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "continuation/false_position.h"
+#include "core/grow.h"
 #include "core/report.h"
 #include "response/backbone/backbone.h"
 
@@ -21,24 +22,17 @@ static enum hawser_status add(struct hawser_backbone *to, const double *start,
                               const double *direction, const int *sign, double energy, int turned,
                               struct hawser_report *report)
 {
-	size_t size = (size_t)to->n + 1, count = (size_t)to->branches + 1;
-	struct hawser_backbone_branch *branch = realloc(to->branch, count*sizeof *branch);
-	double *starts, *directions;
-	int *signs;
+	size_t size = (size_t)to->n + 1, at = (size_t)to->branches;
 
-	to->branch = branch ? branch : to->branch;
-	starts = realloc(to->branch_start, count*size*sizeof *starts);
-	to->branch_start = starts ? starts : to->branch_start;
-	directions = realloc(to->branch_direction, count*size*sizeof *directions);
-	to->branch_direction = directions ? directions : to->branch_direction;
-	signs = realloc(to->branch_sign, count*size*sizeof *signs);
-	to->branch_sign = signs ? signs : to->branch_sign;
-	if (!branch || !starts || !directions || !signs)
+	if (hawser__more(&to->branch, to->branches, sizeof *to->branch) ||
+	    hawser__more(&to->branch_start, to->branches, size*sizeof *to->branch_start) ||
+	    hawser__more(&to->branch_direction, to->branches, size*sizeof *to->branch_direction) ||
+	    hawser__more(&to->branch_sign, to->branches, size*sizeof *to->branch_sign))
 		return hawser__no_memory(report, where);
-	branch[count - 1] = (struct hawser_backbone_branch){start[to->n], energy, to->points - 1, turned};
-	memcpy(starts + (count - 1)*size, start, size*sizeof *starts);
-	memcpy(directions + (count - 1)*size, direction, size*sizeof *directions);
-	memcpy(signs + (count - 1)*(size - 1), sign, (size - 1)*sizeof *signs);
+	to->branch[at] = (struct hawser_backbone_branch){start[to->n], energy, to->points - 1, turned};
+	memcpy(to->branch_start + at*size, start, size*sizeof *start);
+	memcpy(to->branch_direction + at*size, direction, size*sizeof *direction);
+	memcpy(to->branch_sign + at*(size - 1), sign, (size - 1)*sizeof *sign);
 	to->branches++;
 	return HAWSER_OK;
 }

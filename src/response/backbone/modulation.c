@@ -22,6 +22,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/grow.h"
 #include "core/report.h"
 #include "response/backbone/modulation.h"
 #include "rom/terms/drag.h"
@@ -236,19 +237,12 @@ static enum hawser_status answer(struct hawser_modulation *m, double complex *w,
 }
 
 /* Allocate one more response, all zero; NULL when out of memory. */
-static struct hawser_answer *add_answer(struct hawser_modulation *m, int *capacity)
+static struct hawser_answer *add_answer(struct hawser_modulation *m)
 {
 	struct hawser_answer *answer;
 
-	if (m->answers == *capacity) {
-		int more = *capacity ? 2 * *capacity : 16;
-		struct hawser_answer *larger = realloc(m->answer, (size_t)more*sizeof *larger);
-
-		if (!larger)
-			return NULL;
-		m->answer = larger;
-		*capacity = more;
-	}
+	if (hawser__more(&m->answer, m->answers, sizeof *m->answer))
+		return NULL;
 	answer = &m->answer[m->answers];
 	answer->c = calloc((size_t)m->rom->n, 2*sizeof *answer->c);
 	if (answer->c)
@@ -257,11 +251,11 @@ static struct hawser_answer *add_answer(struct hawser_modulation *m, int *capaci
 }
 
 /* The response of all modes to the force q [n] at harmonic h, and its secular terms. */
-static enum hawser_status respond(struct hawser_modulation *m, struct hawser__collection *room,
+static enum hawser_status respond(struct hawser_modulation *m,
                                   const double complex *q, int a, int b, int h,
                                   struct hawser_report *report)
 {
-	struct hawser_answer *all = add_answer(m, &room->answers);
+	struct hawser_answer *all = add_answer(m);
 	const int factor[3] = {a, b, -1};
 	enum hawser_status status = HAWSER_OK;
 
@@ -275,7 +269,7 @@ static enum hawser_status respond(struct hawser_modulation *m, struct hawser__co
 
 		status = answer(m, &hawser__complex(all->c)[s], s, h, q[s], report);
 		if (!status && r >= 0 && h == m->resonance.order[r])
-			status = hawser__monomial_add(m, &room->monomials, r, factor, q[s], report);
+			status = hawser__monomial_add(m, r, factor, q[s], report);
 	}
 	return status;
 }
@@ -301,7 +295,7 @@ static void parametric(double complex *q, const struct hawser_modulation *m,
 	}
 }
 
-static enum hawser_status second_order(struct hawser_modulation *m, struct hawser__collection *room,
+static enum hawser_status second_order(struct hawser_modulation *m,
                                        double complex *q, struct hawser_report *report)
 {
 	const struct hawser_rom *rom = m->rom;
@@ -315,7 +309,7 @@ static enum hawser_status second_order(struct hawser_modulation *m, struct hawse
 
 			memset(q, 0, (size_t)rom->n*sizeof *q);
 			quadratic(q, rom, hawser__complex(a->c), hawser__complex(b->c), v == w ? 1.0 : 2.0);
-			status = respond(m, room, q, a->variable, b->variable, a->h + b->h, report);
+			status = respond(m, q, a->variable, b->variable, a->h + b->h, report);
 		}
 		for (int i = 0; !status && i < 2*rom->harmonics; i++) {
 			const struct hawser_harmonic *harmonic = &rom->harmonic[i/2];
@@ -324,14 +318,14 @@ static enum hawser_status second_order(struct hawser_modulation *m, struct hawse
 			if (!harmonic->K && !harmonic->D)
 				continue;
 			parametric(q, m, harmonic, hawser__complex(b->c), b->h, sign);
-			status = respond(m, room, q, b->variable, -1, b->h + sign*harmonic->k, report);
+			status = respond(m, q, b->variable, -1, b->h + sign*harmonic->k, report);
 		}
 	}
 	return status;
 }
 
 /* Add the force q [n] at harmonic h to the equations that have this harmonic. */
-static enum hawser_status collect(struct hawser_modulation *m, struct hawser__collection *room,
+static enum hawser_status collect(struct hawser_modulation *m,
                                   const double complex *q, int h, const int factor[3],
                                   struct hawser_report *report)
 {
@@ -339,13 +333,13 @@ static enum hawser_status collect(struct hawser_modulation *m, struct hawser__co
 
 	for (int r = 0; !status && r < m->resonance.count; r++)
 		if (h == m->resonance.order[r])
-			status = hawser__monomial_add(m, &room->monomials, r, factor, q[m->resonance.mode[r]],
+			status = hawser__monomial_add(m, r, factor, q[m->resonance.mode[r]],
 			                      report);
 	return status;
 }
 
 /* The third-order terms of a response with every carrier and every parametric harmonic. */
-static enum hawser_status of_answer(struct hawser_modulation *m, struct hawser__collection *room,
+static enum hawser_status of_answer(struct hawser_modulation *m,
                                     double complex *q, const struct hawser_answer *answer,
                                     struct hawser_report *report)
 {
@@ -359,7 +353,7 @@ static enum hawser_status of_answer(struct hawser_modulation *m, struct hawser__
 		memset(q, 0, (size_t)rom->n*sizeof *q);
 		quadratic(q, rom, hawser__complex(a->c), hawser__complex(answer->c), 2.0);
 		factor[2] = a->variable;
-		status = collect(m, room, q, a->h + answer->h, factor, report);
+		status = collect(m, q, a->h + answer->h, factor, report);
 	}
 	factor[2] = -1;
 	for (int i = 0; !status && i < 2*rom->harmonics; i++) {
@@ -369,13 +363,13 @@ static enum hawser_status of_answer(struct hawser_modulation *m, struct hawser__
 		if (!harmonic->K && !harmonic->D)
 			continue;
 		parametric(q, m, harmonic, hawser__complex(answer->c), answer->h, sign);
-		status = collect(m, room, q, answer->h + sign*harmonic->k, factor, report);
+		status = collect(m, q, answer->h + sign*harmonic->k, factor, report);
 	}
 	return status;
 }
 
 /* The terms of C for every three carriers. */
-static enum hawser_status of_three(struct hawser_modulation *m, struct hawser__collection *room,
+static enum hawser_status of_three(struct hawser_modulation *m,
                                    int v, int w,
                                    int x, struct hawser_report *report)
 {
@@ -387,13 +381,13 @@ static enum hawser_status of_three(struct hawser_modulation *m, struct hawser__c
 
 	for (int r = 0; !status && r < m->resonance.count; r++)
 		if (a->h + b->h + c->h == m->resonance.order[r])
-			status = hawser__monomial_add(m, &room->monomials, r, factor,
+			status = hawser__monomial_add(m, r, factor,
 			                      cubic(m->rom, m->resonance.mode[r], field, id), report);
 	return status;
 }
 
 /* The terms of the harmonics' Q, for every two carriers. */
-static enum hawser_status of_varying(struct hawser_modulation *m, struct hawser__collection *room,
+static enum hawser_status of_varying(struct hawser_modulation *m,
                                      double complex *q, int v, int w, struct hawser_report *report)
 {
 	const struct hawser_rom *rom = m->rom;
@@ -411,7 +405,7 @@ static enum hawser_status of_varying(struct hawser_modulation *m, struct hawser_
 		memset(q, 0, (size_t)rom->n*sizeof *q);
 		quadratic_of(q, harmonic->Q, harmonic->quads, hawser__complex(a->c),
 		             hawser__complex(b->c), v == w ? half : 2.0*half);
-		status = collect(m, room, q, a->h + b->h + sign*harmonic->k, factor, report);
+		status = collect(m, q, a->h + b->h + sign*harmonic->k, factor, report);
 	}
 	return status;
 }
@@ -423,7 +417,6 @@ enum hawser_status hawser_modulation_derive(struct hawser_modulation *m,
 {
 	enum hawser_status status = check(rom, resonance, report);
 	double complex *q = NULL;
-	struct hawser__collection room = {0, 0};
 
 	memset(m, 0, sizeof *m);
 	if (status)
@@ -435,16 +428,16 @@ enum hawser_status hawser_modulation_derive(struct hawser_modulation *m,
 	if (!status && !(q = calloc((size_t)rom->n, sizeof *q)))
 		status = hawser__no_memory(report, where);
 	if (!status)
-		status = second_order(m, &room, q, report);
+		status = second_order(m, q, report);
 	for (int i = 0; !status && i < m->answers; i++)
-		status = of_answer(m, &room, q, &m->answer[i], report);
+		status = of_answer(m, q, &m->answer[i], report);
 	for (int w = 0; !status && w < m->carriers; w++)
 		for (int v = 0; !status && v <= w; v++)
-			status = of_varying(m, &room, q, v, w, report);
+			status = of_varying(m, q, v, w, report);
 	for (int x = 0; !status && x < m->carriers; x++)
 		for (int w = 0; !status && w <= x; w++)
 			for (int v = 0; !status && v <= w; v++)
-				status = of_three(m, &room, v, w, x, report);
+				status = of_three(m, v, w, x, report);
 	if (status)
 		goto done;
 	hawser__monomials_tidy(m);

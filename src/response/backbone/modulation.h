@@ -22,14 +22,8 @@ static inline double hawser__stiffness(const struct hawser_rom *rom, int s)
 double complex hawser__load(double complex *by_omega, const struct hawser_rom *rom, int s, int k,
                             double omega);
 
-/* Allocated numbers of entries. */
-struct hawser__collection {
-	int monomials, answers;
-};
-
-/* Add value times the product of the amplitudes `given` to an equation; memory is allocated for
- * *capacity monomials. */
-enum hawser_status hawser__monomial_add(struct hawser_modulation *m, int *capacity, int equation,
+/* Add value times the product of the amplitudes `given` to an equation. */
+enum hawser_status hawser__monomial_add(struct hawser_modulation *m, int equation,
                                         const int given[3], double complex value,
                                         struct hawser_report *report);
 

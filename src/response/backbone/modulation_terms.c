@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/grow.h"
 #include "core/report.h"
 #include "response/backbone/modulation.h"
 
@@ -33,7 +34,7 @@ static void sort(int factor[3])
 			}
 }
 
-enum hawser_status hawser__monomial_add(struct hawser_modulation *m, int *capacity, int equation,
+enum hawser_status hawser__monomial_add(struct hawser_modulation *m, int equation,
                                        const int given[3], double complex value,
                                        struct hawser_report *report)
 {
@@ -49,15 +50,8 @@ enum hawser_status hawser__monomial_add(struct hawser_modulation *m, int *capaci
 			m->monomial[i].im += cimag(value);
 			return HAWSER_OK;
 		}
-	if (m->monomials == *capacity) {
-		int more = *capacity ? 2 * *capacity : 32;
-		struct hawser_monomial *larger = realloc(m->monomial, (size_t)more*sizeof *larger);
-
-		if (!larger)
-			return hawser__no_memory(report, where);
-		m->monomial = larger;
-		*capacity = more;
-	}
+	if (hawser__more(&m->monomial, m->monomials, sizeof *m->monomial))
+		return hawser__no_memory(report, where);
 	m->monomial[m->monomials].equation = equation;
 	memcpy(m->monomial[m->monomials].factor, factor, sizeof factor);
 	m->monomial[m->monomials].re = creal(value);

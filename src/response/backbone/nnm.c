@@ -9,6 +9,7 @@
 
 #include <hawser/nnm.h>
 
+#include "core/grow.h"
 #include "core/report.h"
 #include "core/settle.h"
 
@@ -65,16 +66,12 @@ static enum hawser_status usual_energy(double *energy, const struct hawser_rom *
 
 static struct hawser_nnm_curve *add(struct hawser_nnm *nnm, struct hawser_report *report)
 {
-	struct hawser_nnm_curve *more = realloc(nnm->curve, ((size_t)nnm->curves + 1)*sizeof *more);
-
-	if (!more) {
+	if (hawser__more(&nnm->curve, nnm->curves, sizeof *nnm->curve)) {
 		(void)hawser__no_memory(report, "nnm");
 		return NULL;
 	}
-	nnm->curve = more;
-	more += nnm->curves++;
-	*more = (struct hawser_nnm_curve){.parent = -1, .born = -1};
-	return more;
+	nnm->curve[nnm->curves] = (struct hawser_nnm_curve){.parent = -1, .born = -1};
+	return &nnm->curve[nnm->curves++];
 }
 
 /* Omega and energy of all branch points; NULL: no memory. */

@@ -14,6 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/grow.h"
 #include "core/report.h"
 #include "response/branch/account.h"
 #include "response/branch/bracket.h"
@@ -86,21 +87,9 @@ static enum hawser_status add_event(struct hawser__account *account, const struc
 {
 	size_t m = (size_t)orbit->m;
 
-	if (account->events == account->event_capacity) {
-		int capacity = account->event_capacity ? 2*account->event_capacity : 8;
-		struct hawser_frf_event *larger = realloc(account->event,
-		                                          (size_t)capacity*sizeof *larger);
-		double *state;
-
-		if (!larger)
-			return hawser__no_memory(report, "frf");
-		account->event = larger;
-		state = realloc(account->state, (size_t)capacity*m*sizeof *state);
-		if (!state)
-			return hawser__no_memory(report, "frf");
-		account->state = state;
-		account->event_capacity = capacity;
-	}
+	if (hawser__more(&account->event, account->events, sizeof *account->event) ||
+	    hawser__more(&account->state, account->events, m*sizeof *account->state))
+		return hawser__no_memory(report, "frf");
 	account->event[account->events] = *event;
 	account->event[account->events].after = y ? account->events : -1;
 	if (y)
@@ -115,16 +104,8 @@ static enum hawser_status add_remainder(struct hawser__account *account,
                                         const struct hawser__station *b, int first, int last,
                                         struct hawser_report *report)
 {
-	if (account->remainders == account->remainder_capacity) {
-		int capacity = account->remainder_capacity ? 2*account->remainder_capacity : 8;
-		struct hawser__remainder *larger = realloc(account->remainder,
-		                                           (size_t)capacity*sizeof *larger);
-
-		if (!larger)
-			return hawser__no_memory(report, "frf");
-		account->remainder = larger;
-		account->remainder_capacity = capacity;
-	}
+	if (hawser__more(&account->remainder, account->remainders, sizeof *account->remainder))
+		return hawser__no_memory(report, "frf");
 	account->remainder[account->remainders++] = (struct hawser__remainder){
 		.arc = {a->arc, b->arc}, .omega = {a->y[last], b->y[last]},
 		.circle = {hawser__station_circle(a, account->sure),

@@ -35,14 +35,14 @@ struct hawser__account {
 	struct hawser_frf_event *event; /* [events], in order along the branch; `after` is the row of
 	                                 * `state`, -1: none */
 	double *state;  /* [events][m] of the events' orbits, in the units of their model */
-	int events, event_capacity;
+	int events;
 	int unresolved; /* remainders that were not explained */
 	int sure;       /* 1: the sure test functions and counts (station.h) were used in the last step */
 	int gaps;       /* number of points at which the corrector failed: the two stations may lie on
 	                 * different branches */
 	/* Work space. */
 	struct hawser__remainder *remainder; /* [remainders] */
-	int remainders, remainder_capacity;
+	int remainders;
 	struct hawser__station station[HAWSER__DEEPEST], scratch;
 	struct hawser__crossing crossing;
 };

@@ -14,6 +14,7 @@
 
 #include <hawser/cover.h>
 
+#include "core/grow.h"
 #include "core/report.h"
 #include "response/branch/trace.h"
 
@@ -24,25 +25,14 @@ static const double indivisible = 0.0625; /* of the range: a gap that is not hal
 struct gaps {
 	double (*at)[2]; /* [count], ascending; those of width 0 are gone */
 	char *given_up;
-	int count, capacity;
+	int count;
 };
 
 static int insert(struct gaps *gaps, int place, double from, double to, int given_up)
 {
-	if (gaps->count == gaps->capacity) {
-		int capacity = gaps->capacity ? 2*gaps->capacity : 16;
-		double (*at)[2] = realloc(gaps->at, (size_t)capacity*sizeof *at);
-		char *marks;
-
-		if (at)
-			gaps->at = at;
-		marks = at ? realloc(gaps->given_up, (size_t)capacity) : NULL;
-		if (marks)
-			gaps->given_up = marks;
-		if (!marks)
-			return 1;
-		gaps->capacity = capacity;
-	}
+	if (hawser__more(&gaps->at, gaps->count, sizeof *gaps->at) ||
+	    hawser__more(&gaps->given_up, gaps->count, 1))
+		return 1;
 	memmove(gaps->at + place + 1, gaps->at + place, (size_t)(gaps->count - place)*sizeof *gaps->at);
 	memmove(gaps->given_up + place + 1, gaps->given_up + place, (size_t)(gaps->count - place));
 	gaps->at[place][0] = from;
@@ -94,32 +84,30 @@ static enum hawser_status add(struct hawser_cover *cover, struct hawser_frf **fr
                               const struct hawser_rom *rom, const struct hawser_frf_options *options,
                               struct hawser_report *report)
 {
-	struct hawser_frf *larger = realloc(cover->branch, ((size_t)cover->branches + 1)*sizeof *larger);
 	const struct hawser__trace_watch watch = {.direct = 1}; /* many starts */
 	struct hawser_report local = {.status = HAWSER_OK};
 	struct hawser_frf_options left = *options;
 	enum hawser_status status;
 
 	*frf = NULL;
-	if (!larger)
+	if (hawser__more(&cover->branch, cover->branches, sizeof *cover->branch))
 		return hawser__no_memory(report, "frf");
-	cover->branch = larger;
 	if (options->most_work > 0.0)
 		left.most_work = options->most_work - cover->work;
-	status = hawser__frf_trace(&larger[cover->branches], rom, &left, &watch, &local);
-	cover->work += hawser_orbit_work(&larger[cover->branches].cost, rom);
+	status = hawser__frf_trace(&cover->branch[cover->branches], rom, &left, &watch, &local);
+	cover->work += hawser_orbit_work(&cover->branch[cover->branches].cost, rom);
 	cover->costly = options->most_work > 0.0 && cover->work >= options->most_work;
 	if (status && status != HAWSER_ERR_CONVERGENCE) {
-		hawser_frf_clear(&larger[cover->branches]);
+		hawser_frf_clear(&cover->branch[cover->branches]);
 		if (report)
 			*report = local;
 		return status;
 	}
-	if (larger[cover->branches].points < 2) {
-		hawser_frf_clear(&larger[cover->branches]);
+	if (cover->branch[cover->branches].points < 2) {
+		hawser_frf_clear(&cover->branch[cover->branches]);
 		return HAWSER_OK;
 	}
-	*frf = &larger[cover->branches++];
+	*frf = &cover->branch[cover->branches++];
 	(*frf)->branch = 1 + cover->branches;
 	return HAWSER_OK;
 }

@@ -14,6 +14,7 @@
 #include <string.h>
 
 #include "continuation/false_position.h"
+#include "core/grow.h"
 #include "core/report.h"
 #include "response/branch/stops.h"
 
@@ -100,23 +101,6 @@ static int along_arc(struct hawser__trace *trace, const struct part *part, doubl
 	return 0;
 }
 
-static enum hawser_status grow(struct hawser__stops *stops, const struct hawser__trace *trace)
-{
-	int capacity = stops->capacity ? 2*stops->capacity : 64, m = trace->orbit->m;
-	struct hawser__stop *stop = realloc(stops->stop, (size_t)capacity*sizeof *stop);
-	double *state;
-
-	if (stop)
-		stops->stop = stop;
-	state = stop ? realloc(stops->state, (size_t)capacity*(size_t)m*sizeof *state) : NULL;
-	if (!state)
-		return hawser__no_memory(trace->report, "frf");
-	stops->state = state;
-	stops->capacity = capacity;
-	stops->m = m;
-	return HAWSER_OK;
-}
-
 /* The scratch station, whose orbit was corrected last, becomes a stop. */
 static enum hawser_status keep(struct hawser__stops *stops, struct hawser__trace *trace, int place,
                                int unstable)
@@ -128,12 +112,11 @@ static enum hawser_status keep(struct hawser__stops *stops, struct hawser__trace
 	double length = orbit->rom->length/frf->length, time = orbit->rom->time/frf->time;
 	const double *of = frf->probes > 0 ? stops->spare + frf->n : stops->spare;
 	int count = frf->probes > 0 ? 3*frf->probes : frf->n;
-	enum hawser_status status = HAWSER_OK;
 
-	if (stops->stops == stops->capacity)
-		status = grow(stops, trace);
-	if (status)
-		return status;
+	stops->m = orbit->m;
+	if (hawser__more(&stops->stop, stops->stops, sizeof *stops->stop) ||
+	    hawser__more(&stops->state, stops->stops, (size_t)stops->m*sizeof *stops->state))
+		return hawser__no_memory(trace->report, "frf");
 	hawser__amplitude_take(trace->amplitude, orbit->rom);
 	if (hawser__amplitude_find(trace->amplitude, stops->spare, stops->spare + frf->n, orbit->samples,
 	                           orbit->rows, omega) ||

@@ -22,7 +22,7 @@ struct hawser__stops {
 	int count;
 	struct hawser__stop *stop; /* [stops] in order along the curve */
 	double *state;             /* [stops][m] at phase 0, in the units of the trace's model */
-	int stops, capacity, m;
+	int stops, m;
 	int last[2];               /* stops and missed before the last step */
 	int missed;                /* passages at which no orbit was found */
 	double *spare;             /* [n + 3 probes], workspace */

@@ -14,6 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/grow.h"
 #include "core/progress.h"
 #include "core/report.h"
 #include "core/settle.h"
@@ -209,12 +210,9 @@ static enum hawser_status trace_curve(struct hawser__fold_search *search)
 enum hawser_status hawser__fold_lost(struct hawser__fold_search *search, double omega, double load)
 {
 	struct hawser_folds *folds = search->folds;
-	struct hawser_folds_lost *larger = realloc(folds->lost_at,
-	                                           ((size_t)folds->lost + 1)*sizeof *larger);
 
-	if (!larger)
+	if (hawser__more(&folds->lost_at, folds->lost, sizeof *folds->lost_at))
 		return hawser__no_memory(search->report, "folds");
-	folds->lost_at = larger;
 	folds->lost_at[folds->lost++] = (struct hawser_folds_lost){omega, load};
 	return HAWSER_OK;
 }

@@ -17,6 +17,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/grow.h"
 #include "core/report.h"
 #include "response/locus/folds_search.h"
 
@@ -100,29 +101,17 @@ static enum hawser_status trace_from(struct hawser__fold_search *search, struct 
 	return status == HAWSER_ERR_MEMORY ? status : HAWSER_OK;
 }
 
-static enum hawser_status keep(struct hawser_folds *folds, const struct hawser_frf *frf,
-                               struct hawser_report *report)
-{
-	struct hawser_frf *larger = realloc(folds->isola,
-	                                    ((size_t)folds->isolas + 1)*sizeof *larger);
-
-	if (!larger)
-		return hawser__no_memory(report, "folds");
-	folds->isola = larger;
-	folds->isola[folds->isolas++] = *frf;
-	return HAWSER_OK;
-}
 
 enum hawser_status hawser__fold_keep(struct hawser__fold_search *search, struct hawser_frf *frf)
 {
 	struct hawser_folds *folds = search->folds;
 	struct hawser_frf kept = *frf;
-	enum hawser_status status = keep(folds, frf, search->report);
 
-	if (status) {
+	if (hawser__more(&folds->isola, folds->isolas, sizeof *folds->isola)) {
 		hawser_frf_clear(frf);
-		return status;
+		return hawser__no_memory(search->report, "folds");
 	}
+	folds->isola[folds->isolas++] = *frf;
 	folds->interrupted |= kept.end == HAWSER_END_INTERRUPTED;
 	return folds->interrupted ? HAWSER_OK : hawser__fold_curves(search, &kept, 1.0);
 }

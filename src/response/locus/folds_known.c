@@ -12,6 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/grow.h"
 #include "core/report.h"
 #include "response/locus/folds_search.h"
 
@@ -32,21 +33,9 @@ static enum hawser_status add(struct hawser__fold_known *known, int kind, double
 {
 	size_t m = (size_t)known->m;
 
-	if (known->count == known->capacity) {
-		int capacity = known->capacity ? 2*known->capacity : 256;
-		struct hawser__fold_place *larger = realloc(known->place,
-		                                            (size_t)capacity*sizeof *larger);
-		double *states;
-
-		if (!larger)
-			return hawser__no_memory(report, "folds");
-		known->place = larger;
-		states = realloc(known->state, (size_t)capacity*m*sizeof *states);
-		if (!states)
-			return hawser__no_memory(report, "folds");
-		known->state = states;
-		known->capacity = capacity;
-	}
+	if (hawser__more(&known->place, known->count, sizeof *known->place) ||
+	    hawser__more(&known->state, known->count, m*sizeof *known->state))
+		return hawser__no_memory(report, "folds");
 	memcpy(known->state + (size_t)known->count*m, state, m*sizeof *state);
 	known->place[known->count++] = (struct hawser__fold_place){omega, load, kind};
 	return HAWSER_OK;

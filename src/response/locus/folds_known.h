@@ -12,7 +12,7 @@ struct hawser__fold_place {
 
 struct hawser__fold_known {
 	int m;                            /* size of a state, 2n */
-	int count, capacity;
+	int count;
 	struct hawser__fold_place *place; /* [count] curve after curve */
 	double *state;                    /* [count][m] */
 };

@@ -16,6 +16,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/grow.h"
 #include "core/report.h"
 #include "response/time/flow.h"
 #include "response/locus/folds_search.h"
@@ -85,13 +86,10 @@ enum hawser_status hawser__fold_note_level(struct hawser__fold_search *search, d
                                            int found)
 {
 	struct hawser_folds *folds = search->folds;
-	struct hawser_folds_level *larger = realloc(folds->level,
-	                                            ((size_t)folds->levels + 1)*sizeof *larger);
 
-	if (!larger)
+	if (hawser__more(&folds->level, folds->levels, sizeof *folds->level))
 		return hawser__no_memory(search->report, "folds");
-	folds->level = larger;
-	larger[folds->levels++] = (struct hawser_folds_level){.load = load, .folds = found,
+	folds->level[folds->levels++] = (struct hawser_folds_level){.load = load, .folds = found,
 		.from = wide ? search->walk.window_lo : search->walk.omega_lo,
 		.to = wide ? search->walk.window_hi : search->walk.omega_hi};
 	return HAWSER_OK;

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/grow.h"
 #include "core/report.h"
 #include "response/locus/folds_walk.h"
 
@@ -29,14 +30,9 @@ enum hawser_status hawser__list_point(struct hawser__fold_list *list,
 	int size = walk->fold->size;
 	double *row;
 
-	if (list->points == list->capacity) {
-		int capacity = list->capacity ? 2*list->capacity : 128;
-
-		if (resize(&list->point, (size_t)capacity, sizeof *list->point) ||
-		    resize(&list->row, (size_t)capacity*width, sizeof(double)))
-			return hawser__no_memory(walk->report, "folds");
-		list->capacity = capacity;
-	}
+	if (hawser__more(&list->point, list->points, sizeof *list->point) ||
+	    hawser__more(&list->row, list->points, width*sizeof *list->row))
+		return hawser__no_memory(walk->report, "folds");
 	row = list->row + (size_t)list->points*width;
 	if (hawser__amplitude_find(walk->amplitude, row, row + list->n, orbit->samples, orbit->rows,
 	                           station->z[size - 2]))
@@ -61,14 +57,9 @@ enum hawser_status hawser__list_event(struct hawser__fold_list *list,
 	const struct hawser__orbit *orbit = &walk->fold->balance.base;
 	size_t m = 2*(size_t)list->n;
 
-	if (list->events == list->event_capacity) {
-		int capacity = list->event_capacity ? 2*list->event_capacity : 16;
-
-		if (resize(&list->event, (size_t)capacity, sizeof *list->event) ||
-		    resize(&list->event_state, (size_t)capacity*m, sizeof(double)))
-			return hawser__no_memory(walk->report, "folds");
-		list->event_capacity = capacity;
-	}
+	if (hawser__more(&list->event, list->events, sizeof *list->event) ||
+	    hawser__more(&list->event_state, list->events, m*sizeof *list->event_state))
+		return hawser__no_memory(walk->report, "folds");
 	orbit->ops->state(orbit, list->event_state + (size_t)list->events*m, z);
 	list->event[list->events++] = *event;
 	if (event->kind == HAWSER_FOLDS_NOMINAL)

@@ -21,6 +21,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/grow.h"
 #include "core/report.h"
 #include "net/statics/random.h"
 #include "response/time/flow.h"
@@ -45,7 +46,7 @@ struct hunt {
 	struct hawser__flow flow;
 	double *s, *x, *before; /* [n], [2n], [2n] */
 	double *known;          /* [count][n] amplitudes of the orbits known at the present frequency */
-	int count, capacity;
+	int count;
 	struct hawser_frf *beside; /* [besides] curves that begin at branch points of known ones */
 	int besides;
 	uint64_t random;
@@ -57,15 +58,8 @@ static enum hawser_status remember(struct hunt *hunt, const double *amplitudes)
 {
 	size_t n = (size_t)hunt->search->rom->n;
 
-	if (hunt->count == hunt->capacity) {
-		int capacity = 2*hunt->capacity + 8;
-		double *larger = realloc(hunt->known, (size_t)capacity*n*sizeof *larger);
-
-		if (!larger)
-			return hawser__no_memory(hunt->search->report, "folds");
-		hunt->known = larger;
-		hunt->capacity = capacity;
-	}
+	if (hawser__more(&hunt->known, hunt->count, n*sizeof *hunt->known))
+		return hawser__no_memory(hunt->search->report, "folds");
 	memcpy(hunt->known + (size_t)hunt->count++*n, amplitudes, n*sizeof *amplitudes);
 	return HAWSER_OK;
 }
@@ -240,18 +234,15 @@ static int is_attached(const struct hunt *hunt, const struct hawser_frf *curve)
 static enum hawser_status take(struct hunt *hunt, struct hawser_frf *curve)
 {
 	struct hawser__fold_search *search = hunt->search;
-	struct hawser_frf *larger;
 
 	if (!is_attached(hunt, curve)) {
 		search->folds->starts.fresh++;
 		return hawser__fold_keep(search, curve);
 	}
-	larger = realloc(hunt->beside, ((size_t)hunt->besides + 1)*sizeof *larger);
-	if (!larger) {
+	if (hawser__more(&hunt->beside, hunt->besides, sizeof *hunt->beside)) {
 		hawser_frf_clear(curve);
 		return hawser__no_memory(search->report, "folds");
 	}
-	hunt->beside = larger;
 	hunt->beside[hunt->besides++] = *curve;
 	search->folds->starts.attached++;
 	return HAWSER_OK;

@@ -5,22 +5,16 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/grow.h"
 #include "response/locus/folds_store.h"
 
 void hawser__store_add(struct hawser__fold_store *store, const double *y)
 {
 	size_t size = (size_t)store->size;
 
-	if (store->count == store->capacity) {
-		int capacity = store->capacity ? 2*store->capacity : 16;
-		double *larger = realloc(store->y, (size_t)capacity*size*sizeof *larger);
-
-		if (!larger) {
-			store->failed = 1;
-			return;
-		}
-		store->y = larger;
-		store->capacity = capacity;
+	if (hawser__more(&store->y, store->count, size*sizeof *store->y)) {
+		store->failed = 1;
+		return;
 	}
 	memcpy(store->y + (size_t)store->count++*size, y, size*sizeof *y);
 }

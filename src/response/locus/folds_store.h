@@ -12,7 +12,7 @@
 
 struct hawser__fold_store {
 	int size;          /* of an orbit: Fourier coefficients and Omega, the last */
-	int count, capacity;
+	int count;
 	double *y;         /* [count][size] */
 	int failed;        /* 1: an orbit was not stored for lack of memory */
 };

@@ -26,7 +26,7 @@ struct hawser__fold_station {
 /* Half a curve, from its start in one direction, or a whole one. */
 struct hawser__fold_list {
 	int n, probes;
-	int points, capacity, events, event_capacity;
+	int points, events;
 	struct hawser_folds_point *point; /* [points] */
 	double *row;                      /* [points][n + 3 probes + 2n] amplitudes and state */
 	struct hawser_folds_event *event; /* [events] `after` is an index in this list */

@@ -8,6 +8,7 @@
 
 #include <hawser/cover.h>
 
+#include "core/grow.h"
 #include "core/report.h"
 #include "core/settle.h"
 #include "response/locus/folds_known.h"
@@ -188,12 +189,9 @@ static int is_known(const struct hawser_locus *locus, double omega, const double
 static enum hawser_status add_lost(struct hawser_locus *locus, double omega,
                                    struct hawser_report *report)
 {
-	double *more = realloc(locus->lost_at, ((size_t)locus->lost + 1)*sizeof *more);
-
-	if (!more)
+	if (hawser__more(&locus->lost_at, locus->lost, sizeof *locus->lost_at))
 		return hawser__no_memory(report, "locus");
-	locus->lost_at = more;
-	more[locus->lost++] = omega;
+	locus->lost_at[locus->lost++] = omega;
 	return HAWSER_OK;
 }
 

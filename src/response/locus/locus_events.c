@@ -21,6 +21,7 @@
 #include <string.h>
 
 #include "continuation/false_position.h"
+#include "core/grow.h"
 #include "core/report.h"
 #include "response/locus/locus_walk.h"
 
@@ -169,15 +170,8 @@ enum hawser_status hawser__locus_add_event(struct hawser__locus_list *list,
                                            const struct hawser_locus_event *event,
                                            struct hawser_report *report)
 {
-	if (list->events == list->event_room) {
-		int room = 2*list->event_room + 16;
-		void *more = realloc(list->event, (size_t)room*sizeof *list->event);
-
-		if (!more)
-			return hawser__no_memory(report, "locus");
-		list->event = more;
-		list->event_room = room;
-	}
+	if (hawser__more(&list->event, list->events, sizeof *list->event))
+		return hawser__no_memory(report, "locus");
 	list->event[list->events++] = *event;
 	return HAWSER_OK;
 }

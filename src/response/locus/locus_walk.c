@@ -15,6 +15,7 @@
 #include <string.h>
 
 #include "continuation/newton.h"
+#include "core/grow.h"
 #include "core/progress.h"
 #include "core/report.h"
 #include "response/locus/locus_walk.h"
@@ -288,20 +289,10 @@ static enum hawser_status record(struct hawser__locus_walk *walk,
 	struct hawser__locus_list *list = walk->list;
 	size_t n = (size_t)walk->locus->n;
 
-	if (list->points == list->room) {
-		size_t room = 2*(size_t)list->room + 64;
-		void *point = realloc(list->point, room*sizeof *list->point), *coordinate, *state;
-
-		list->point = point ? point : list->point;
-		coordinate = realloc(list->coordinate, room*n*sizeof(double));
-		list->coordinate = coordinate ? coordinate : list->coordinate;
-		state = realloc(list->state, room*2*n*sizeof(double));
-		list->state = state ? state : list->state;
-		if (!point || !coordinate || !state)
-			return hawser__no_memory(walk->report, "locus");
-		list->room = (int)room;
-		/* cppcheck-suppress memleak ; they are kept in *list */
-	}
+	if (hawser__more(&list->point, list->points, sizeof *list->point) ||
+	    hawser__more(&list->coordinate, list->points, n*sizeof *list->coordinate) ||
+	    hawser__more(&list->state, list->points, 2*n*sizeof *list->state))
+		return hawser__no_memory(walk->report, "locus");
 	list->point[list->points] = station->point;
 	memcpy(list->coordinate + (size_t)list->points*n, station->coordinate, n*sizeof(double));
 	memcpy(list->state + (size_t)list->points*2*n, station->state, 2*n*sizeof(double));

@@ -21,7 +21,7 @@ struct hawser__locus_station {
 
 /* Points and events of one direction. */
 struct hawser__locus_list {
-	int points, room, events, event_room;
+	int points, events;
 	struct hawser_locus_point *point;
 	double *coordinate, *state;
 	struct hawser_locus_event *event;

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 
 #include "core/report.h"
+#include "core/grow.h"
 #include "rom/condense/fields.h"
 #include "rom/terms/history.h"
 
@@ -78,12 +79,9 @@ static int sort_in(struct hawser__fields *fields, int e, const int *index, int c
 	share = known == 1 ? &fields->one[field[0]] : known == 2 ? &fields->two[pair_of(field[0], field[1])]
 	        : &fields->three[triple_of(field[0], field[1], field[2])];
 	if (us == 2) {
-		struct hawser_quad *Q = realloc(share->Q, ((size_t)share->quads + 1)*sizeof *Q);
-
-		if (!Q)
+		if (hawser__more(&share->Q, share->quads, sizeof *share->Q))
 			return 0;
-		share->Q = Q;
-		Q[share->quads++] = (struct hawser_quad){equation, u[0], u[1], value};
+		share->Q[share->quads++] = (struct hawser_quad){equation, u[0], u[1], value};
 		return 1;
 	}
 	if (!room(us ? &share->K : &share->f, us ? (size_t)n*(size_t)n : (size_t)n))

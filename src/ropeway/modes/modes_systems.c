@@ -4,6 +4,7 @@
 
 #include <stdlib.h>
 
+#include "core/grow.h"
 #include "core/report.h"
 #include "ropeway/modes/plan.h"
 
@@ -109,19 +110,16 @@ enum hawser_status hawser__lmode_divide(struct hawser__lmode_draft *t, struct ha
 		return hawser__no_memory(report, "line modes");
 	unite(t);
 	for (int chain = 0; chain < t->chains && !status; chain++) {
-		struct hawser__lmode_system *grown;
-
 		if (root_of(t, chain) != chain)
 			continue;
-		grown = realloc(rope->system, ((size_t)rope->systems + 1)*sizeof *grown);
-		if (!grown) {
+		if (hawser__more(&rope->system, rope->systems, sizeof *rope->system)) {
 			status = hawser__no_memory(report, "line modes");
 			break;
 		}
-		rope->system = grown;
-		status = divide(&grown[rope->systems++], t, chain, number, number + t->nodes + 1, report);
-		if (!status && grown[rope->systems - 1].segments == 0)
-			hawser__lmode_system_clear(&grown[--rope->systems]);
+		status = divide(&rope->system[rope->systems++], t, chain, number, number + t->nodes + 1,
+		                report);
+		if (!status && rope->system[rope->systems - 1].segments == 0)
+			hawser__lmode_system_clear(&rope->system[--rope->systems]);
 	}
 	free(number);
 	return status;

@@ -9,6 +9,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "core/grow.h"
 #include "core/progress.h"
 #include "core/report.h"
 #include "core/settle.h"
@@ -25,16 +26,9 @@ enum { BATCH = 8 }; /* values solved at once by several threads: little is lost 
 static enum hawser_status append(struct hawser__track *t, struct hawser__track_sample *sample,
                                  struct hawser_report *report)
 {
-	if (t->samples == t->capacity) {
-		int capacity = 2*t->capacity + 64;
-		struct hawser__track_sample *more = realloc(t->sample, (size_t)capacity*sizeof *more);
-
-		if (!more) {
-			hawser__track_sample_clear(sample);
-			return hawser__no_memory(report, "track");
-		}
-		t->sample = more;
-		t->capacity = capacity;
+	if (hawser__more(&t->sample, t->samples, sizeof *t->sample)) {
+		hawser__track_sample_clear(sample);
+		return hawser__no_memory(report, "track");
 	}
 	t->sample[t->samples++] = *sample;
 	if (t->samples > 1) { /* shapes are compared with those of the last sample only */

@@ -19,11 +19,11 @@ struct hawser__track_sample {
 struct hawser__track {
 	const struct hawser_ropeway_track_options *options;
 	struct hawser__track_sample *sample; /* [samples] of the sweep */
-	int samples, capacity;
+	int samples;
 	int n, ask;               /* branches; modes at a sample */
 	int solves;
 	struct hawser_ropeway_track_crossover *crossover; /* [crossovers] */
-	int crossovers, crossover_capacity;
+	int crossovers;
 	double least;             /* see least_correlation */
 };
 

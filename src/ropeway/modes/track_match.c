@@ -16,6 +16,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "core/grow.h"
 #include "core/report.h"
 #include "ropeway/modes/track.h"
 
@@ -31,16 +32,8 @@ enum hawser_status hawser__track_crossover(struct hawser__track *t,
                                            const struct hawser_ropeway_track_crossover *at,
                                            struct hawser_report *report)
 {
-	if (t->crossovers == t->crossover_capacity) {
-		int capacity = 2*t->crossover_capacity + 16;
-		struct hawser_ropeway_track_crossover *more = realloc(t->crossover,
-		                                                      (size_t)capacity*sizeof *more);
-
-		if (!more)
-			return hawser__no_memory(report, "track");
-		t->crossover = more;
-		t->crossover_capacity = capacity;
-	}
+	if (hawser__more(&t->crossover, t->crossovers, sizeof *t->crossover))
+		return hawser__no_memory(report, "track");
 	t->crossover[t->crossovers++] = *at;
 	return HAWSER_OK;
 }

@@ -22,6 +22,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/grow.h"
 #include "core/report.h"
 #include "core/settle.h"
 #include "study/accuracy/landmark.h"
@@ -42,20 +43,13 @@ void hawser_landmark_settle(struct hawser_landmark_options *options)
 /* Growing list. */
 struct list {
 	struct hawser_landmark *item;
-	int count, capacity;
+	int count;
 };
 
 static int append(struct list *list, const struct hawser_landmark *item)
 {
-	if (list->count == list->capacity) {
-		int capacity = list->capacity ? 2*list->capacity : 32;
-		struct hawser_landmark *larger = realloc(list->item, (size_t)capacity*sizeof *larger);
-
-		if (!larger)
-			return 1;
-		list->item = larger;
-		list->capacity = capacity;
-	}
+	if (hawser__more(&list->item, list->count, sizeof *list->item))
+		return 1;
 	list->item[list->count++] = *item;
 	return 0;
 }
@@ -385,7 +379,7 @@ static enum hawser_status hand_over(struct hawser_landmark **landmark, int *coun
 {
 	if (failed) {
 		free(list->item);
-		*list = (struct list){NULL, 0, 0};
+		*list = (struct list){NULL, 0};
 	}
 	*landmark = list->item;
 	*count = list->count;
@@ -398,7 +392,7 @@ enum hawser_status hawser_landmarks(struct hawser_landmark **landmark, int *coun
                                     struct hawser_report *report)
 {
 	struct hawser_landmark_options choice = {.smallest = 0.0};
-	struct list list = {NULL, 0, 0};
+	struct list list = {NULL, 0};
 	int failed = 0;
 
 	if (options)
@@ -419,7 +413,7 @@ enum hawser_status hawser__landmark_peaks(struct hawser_landmark **peak, int *co
 	struct hawser_landmark_options choice = {.smallest = 0.0};
 	struct hawser_landmark like = {.kind = HAWSER_LANDMARK_TENSION, .probe = -1, .axis = -1,
 		.rest = rest[1]};
-	struct list list = {NULL, 0, 0};
+	struct list list = {NULL, 0};
 	int failed;
 
 	hawser_landmark_settle(&choice);

@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/grow.h"
 #include "core/report.h"
 #include "study/hill/hill.h"
 
@@ -225,17 +226,14 @@ static void follow_from(struct hawser__hill *hill, const struct hawser__hill_tra
                         const double at[2], const double way[2])
 {
 	struct hawser_hill_chart *chart = hill->chart;
-	struct hawser_hill_boundary *larger = realloc(chart->boundary,
-	                                              ((size_t)chart->boundaries + 1)*sizeof *larger);
 	struct hawser_hill_boundary *boundary, back = {.kind = track->kind};
 	struct hawser__hill_track own = *track;
 	double ahead[2] = {way[0], way[1]}, behind[2] = {-way[0], -way[1]};
 
-	if (!larger) {
+	if (hawser__more(&chart->boundary, chart->boundaries, sizeof *chart->boundary)) {
 		hill->status = hawser__no_memory(hill->report, "hill");
 		return;
 	}
-	chart->boundary = larger;
 	boundary = &chart->boundary[chart->boundaries];
 	*boundary = (struct hawser_hill_boundary){.kind = track->kind};
 	back.at = malloc(2*sizeof *back.at);

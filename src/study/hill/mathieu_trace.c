@@ -15,6 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/grow.h"
 #include "core/progress.h"
 #include "core/report.h"
 #include "study/hill/hill.h"
@@ -89,12 +90,9 @@ static double apart(const struct walk *walk, const struct at *a, const struct at
 static enum hawser_status begin(struct walk *walk)
 {
 	struct hawser_hill_chart *chart = walk->chart;
-	struct hawser_hill_boundary *larger = realloc(chart->boundary,
-	                                              ((size_t)chart->boundaries + 1)*sizeof *larger);
 
-	if (!larger)
+	if (hawser__more(&chart->boundary, chart->boundaries, sizeof *chart->boundary))
 		return hawser__no_memory(walk->report, "hill");
-	chart->boundary = larger;
 	chart->boundary[chart->boundaries++] = (struct hawser_hill_boundary){
 		.kind = walk->order%2 ? HAWSER_HILL_MINUS : HAWSER_HILL_PLUS, .named = 1,
 		.order = walk->order, .upper = walk->upper};
@@ -277,14 +275,11 @@ static enum hawser_status tongue(struct walk *walk)
 static enum hawser_status note(struct walk *walk)
 {
 	struct hawser_hill_chart *chart = walk->chart;
-	struct hawser_hill_tongue *larger;
 
 	if (!walk->seen || walk->order == 0)
 		return HAWSER_OK;
-	larger = realloc(chart->tongue, ((size_t)chart->tongues + 1)*sizeof *larger);
-	if (!larger)
+	if (hawser__more(&chart->tongue, chart->tongues, sizeof *chart->tongue))
 		return hawser__no_memory(walk->report, "hill");
-	chart->tongue = larger;
 	chart->tongue[chart->tongues++] = (struct hawser_hill_tongue){walk->order,
 		{walk->width[0], walk->width[1]}, walk->damping > 0.0 ? walk->opens : 0.0};
 	return HAWSER_OK;

@@ -18,6 +18,7 @@
 
 #include <hawser/scene_family.h>
 
+#include "core/grow.h"
 #include "core/report.h"
 #include "rom/energy/kernel.h"
 
@@ -202,11 +203,8 @@ static enum hawser_status arrange(struct hawser_modes *modes, const struct hawse
 static enum hawser_status add_anchor(struct scene_family *family, const double p[2],
                                      const struct hawser_modes *modes, struct hawser_report *report)
 {
-	struct anchor *larger = realloc(family->anchor, ((size_t)family->anchors + 1)*sizeof *larger);
-
-	if (!larger)
+	if (hawser__more(&family->anchor, family->anchors, sizeof *family->anchor))
 		return hawser__no_memory(report, "frf");
-	family->anchor = larger;
 	family->anchor[family->anchors++] = (struct anchor){{p[0], p[1]}, *modes};
 	return HAWSER_OK;
 }

@@ -68,9 +68,9 @@ struct hawser__map_memo {
 	int marks;                         /* number of marks that are stored: all if lines are
 	                                    * examined, else the margins */
 	double *scratch;                   /* [threads][field->marks] */
-	long count, capacity, visited, restored, fresh;
+	long count, visited, restored, fresh;
 	long *slot, slots;                 /* hash: index of a record + 1, or 0 */
-	long *pending, waiting, room;      /* records that are requested but not computed */
+	long *pending, waiting;            /* records that are requested but not computed */
 	void **worker;                     /* [threads] */
 	int threads, chunk, interrupted;
 	double cost;                       /* time per point of the last computation, s; 0: none */
@@ -132,7 +132,7 @@ struct hawser__map_cell {
 };
 struct hawser__map_cells {
 	struct hawser__map_cell *cell; /* [count] */
-	size_t count, room;
+	size_t count;
 };
 
 /* An edge between neighbouring nodes: from node (i, j) by one along x (0) or y (1); its index is 2
@@ -154,7 +154,7 @@ struct hawser__mapper {
 	                           * node along x, y */
 	struct hawser__map_cells leaf;
 	struct hawser__map_probe *probe; /* [probes] inside edges between neighbouring nodes */
-	size_t probes, probe_room;
+	size_t probes;
 	int searched;             /* 1: map_ridges.c has been called */
 	struct hawser__ridge_log tongues;
 	double low, high;         /* range of the values at nodes */
@@ -193,7 +193,7 @@ struct hawser__map_bracket {
 
 struct hawser__map_brackets {
 	struct hawser__map_bracket *item;
-	size_t count, room;
+	size_t count;
 };
 
 double hawser__map_between(double a, double b, double t);
@@ -218,8 +218,5 @@ void hawser__map_doubt(const struct hawser__mapper *mapper, struct hawser__map_b
 enum hawser_status hawser__map_lines(struct hawser_map *map, const struct hawser__mapper *mapper,
                                      const struct hawser__map_brackets *list,
                                      struct hawser_report *report);
-
-/* Enlarge an array of `count` elements of `size` bytes by one; returns NULL when out of memory. */
-void *hawser__map_room(void *array, size_t *room, size_t count, size_t size);
 
 #endif

@@ -12,6 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/grow.h"
 #include "core/report.h"
 #include "study/map/basin.h"
 #include "study/map/map_cable.h"
@@ -80,7 +81,7 @@ static enum hawser_status try_state(struct hawser__basins *basins, struct hawser
                                     const double *x, int period, int followed,
                                     struct hawser_report *report)
 {
-	struct hawser__attractor attractor, *larger;
+	struct hawser__attractor attractor;
 	int found;
 	enum hawser_status status = hawser__attractor_find(&attractor, &found, orbiter, x, period, report);
 
@@ -89,13 +90,11 @@ static enum hawser_status try_state(struct hawser__basins *basins, struct hawser
 		hawser__attractor_clear(&attractor);
 		return status;
 	}
-	larger = realloc(basins->attractor, ((size_t)basins->count + 1)*sizeof *larger);
-	if (!larger) {
+	if (hawser__more(&basins->attractor, basins->count, sizeof *basins->attractor)) {
 		hawser__attractor_clear(&attractor);
 		return hawser__no_memory(report, "map");
 	}
-	basins->attractor = larger;
-	larger[basins->count++] = attractor;
+	basins->attractor[basins->count++] = attractor;
 	return HAWSER_OK;
 }
 

@@ -14,6 +14,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "core/grow.h"
 #include "core/report.h"
 #include "study/map/map.h"
 
@@ -40,11 +41,8 @@ static enum hawser_status add_bracket(const struct hawser__mapper *mapper,
                                       struct hawser__map_brackets *list, long edge, double ta,
                                       double tb, long a, long b, struct hawser_report *report)
 {
-	void *larger = hawser__map_room(list->item, &list->room, list->count, sizeof *list->item);
-
-	if (!larger)
+	if (hawser__more(&list->item, (long)list->count, sizeof *list->item))
 		return hawser__no_memory(report, "map");
-	list->item = larger;
 	list->item[list->count++] = (struct hawser__map_bracket){.edge = edge, .t = {ta, tb},
 		.index = {a, b}, .width0 = tb - ta};
 	hawser__map_doubt(mapper, &list->item[list->count - 1], 1);

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/grow.h"
 #include "core/report.h"
 #include "study/map/map.h"
 
@@ -91,16 +92,14 @@ static double length(const struct hawser__mapper *mapper, const double *a, const
 	return hypot((a[0] - b[0])/wide, (a[1] - b[1])/high);
 }
 
-static enum hawser_status add_segment(struct hawser_map *map, size_t *room, const double *a,
-                                      const double *b, struct hawser_report *report)
+static enum hawser_status add_segment(struct hawser_map *map, const double *a, const double *b,
+                                      struct hawser_report *report)
 {
-	double *to, *larger = hawser__map_room(map->segment, room, (size_t)map->segments,
-	                                       4*sizeof *larger);
+	double *to;
 
-	if (!larger)
+	if (hawser__more(&map->segment, map->segments, 4*sizeof *map->segment))
 		return hawser__no_memory(report, "map");
-	map->segment = larger;
-	to = larger + 4*(size_t)map->segments++;
+	to = map->segment + 4*(size_t)map->segments++;
 	memcpy(to, a, 2*sizeof *to);
 	memcpy(to + 2, b, 2*sizeof *to);
 	return HAWSER_OK;
@@ -110,9 +109,9 @@ static enum hawser_status add_segment(struct hawser_map *map, size_t *room, cons
  * around the cell; of the two possible ways, the one that connects fewer points of the same side
  * (since a narrow tongue passes through the cell and does not end in it), or else the shorter. With
  * an odd number, several regions meet inside the cell. */
-static enum hawser_status join(struct hawser_map *map, size_t *room,
-                               const struct hawser__mapper *mapper, double (*xy)[2],
-                               const int *side, int count, struct hawser_report *report)
+static enum hawser_status join(struct hawser_map *map, const struct hawser__mapper *mapper,
+                               double (*xy)[2], const int *side, int count,
+                               struct hawser_report *report)
 {
 	double middle[2] = {0.0, 0.0}, sum[2] = {0.0, 0.0};
 	enum hawser_status status = HAWSER_OK;
@@ -127,12 +126,12 @@ static enum hawser_status join(struct hawser_map *map, size_t *room,
 	}
 	if (count%2 == 1) {
 		for (int k = 0; k < count && count > 1 && !status; k++)
-			status = add_segment(map, room, xy[k], middle, report);
+			status = add_segment(map, xy[k], middle, report);
 		return status;
 	}
 	shift = sum[1] < sum[0];
 	for (int k = shift; k < count + shift && !status; k += 2)
-		status = add_segment(map, room, xy[k%count], xy[(k + 1)%count], report);
+		status = add_segment(map, xy[k%count], xy[(k + 1)%count], report);
 	return status;
 }
 
@@ -142,7 +141,6 @@ static enum hawser_status draw(struct hawser_map *map, const struct hawser__mapp
 	double xy[MOST_AROUND][2];
 	int side[MOST_AROUND], count;
 	enum hawser_status status = HAWSER_OK;
-	size_t room = 0;
 
 	for (size_t c = 0; c < mapper->leaf.count && !status; c++) {
 		const struct hawser__map_cell *cell = &mapper->leaf.cell[c];
@@ -150,7 +148,7 @@ static enum hawser_status draw(struct hawser_map *map, const struct hawser__mapp
 		if (cell->i1 - cell->i0 != 1 || cell->j1 - cell->j0 != 1)
 			continue;
 		count = around(xy, side, mapper, list, cell);
-		status = join(map, &room, mapper, xy, side, count, report);
+		status = join(map, mapper, xy, side, count, report);
 	}
 	return status;
 }

@@ -13,6 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/grow.h"
 #include "core/progress.h"
 #include "core/report.h"
 #include "core/share.h"
@@ -68,24 +69,6 @@ static enum hawser_status grow_hash(struct hawser__map_memo *memo, struct hawser
 	return HAWSER_OK;
 }
 
-static enum hawser_status grow_records(struct hawser__map_memo *memo, struct hawser_report *report)
-{
-	long capacity = memo->capacity ? 2*memo->capacity : 512;
-	size_t marks = (size_t)capacity*(size_t)memo->marks;
-	struct hawser__map_record *record = realloc(memo->record, (size_t)capacity*sizeof *record);
-	double *mark;
-
-	if (!record)
-		return hawser__no_memory(report, "map");
-	memo->record = record;
-	mark = realloc(memo->mark, (marks + 1)*sizeof *mark);
-	if (!mark)
-		return hawser__no_memory(report, "map");
-	memo->mark = mark;
-	memo->capacity = capacity;
-	return HAWSER_OK;
-}
-
 /* *index becomes that of the record at x, y, which is created if necessary. */
 static enum hawser_status enter(struct hawser__map_memo *memo, long *index, double x, double y,
                                 struct hawser_report *report)
@@ -95,8 +78,9 @@ static enum hawser_status enter(struct hawser__map_memo *memo, long *index, doub
 
 	if (2*(memo->count + 1) > memo->slots)
 		status = grow_hash(memo, report);
-	if (!status && memo->count == memo->capacity)
-		status = grow_records(memo, report);
+	if (!status && (hawser__more(&memo->record, memo->count, sizeof *memo->record) ||
+	                hawser__more(&memo->mark, memo->count, (size_t)memo->marks*sizeof *memo->mark)))
+		status = hawser__no_memory(report, "map");
 	if (status)
 		return status;
 	slot = find(memo, x, y);
@@ -190,15 +174,8 @@ enum hawser_status hawser__map_want(struct hawser__map_memo *memo, long *index, 
 	/* a point that failed is computed again, since the checkpoint does not store the reason */
 	if (record->ready && !is_refused(memo, record))
 		return HAWSER_OK;
-	if (memo->waiting == memo->room) {
-		long room = memo->room ? 2*memo->room : 512;
-		long *pending = realloc(memo->pending, (size_t)room*sizeof *pending);
-
-		if (!pending)
-			return hawser__no_memory(report, "map");
-		memo->pending = pending;
-		memo->room = room;
-	}
+	if (hawser__more(&memo->pending, memo->waiting, sizeof *memo->pending))
+		return hawser__no_memory(report, "map");
 	memo->pending[memo->waiting++] = *index;
 	return HAWSER_OK;
 }

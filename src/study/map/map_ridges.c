@@ -16,6 +16,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "core/grow.h"
 #include "core/report.h"
 #include "study/map/map.h"
 #include "study/map/ridge.h"
@@ -44,7 +45,7 @@ struct search {
 
 struct searches {
 	struct search *item;
-	size_t count, room, active; /* item [active..count] are not done */
+	size_t count, active; /* item [active..count] are not done */
 	struct hawser__mapper *mapper;
 	struct search next;         /* what hawser__ridge_find completes */
 	int from, length;           /* of the edge */
@@ -54,11 +55,8 @@ struct searches {
 static enum hawser_status push(struct searches *list, const struct search *item,
                                struct hawser_report *report)
 {
-	void *larger = hawser__map_room(list->item, &list->room, list->count, sizeof *list->item);
-
-	if (!larger)
+	if (hawser__more(&list->item, (long)list->count, sizeof *list->item))
 		return hawser__no_memory(report, "map");
-	list->item = larger;
 	list->item[list->count++] = *item;
 	return HAWSER_OK;
 }
@@ -95,15 +93,12 @@ static enum hawser_status keep(struct hawser__mapper *mapper, const struct searc
                                struct hawser_report *report)
 {
 	for (int k = 0; k < item->seen; k++) {
-		void *larger = hawser__map_room(mapper->probe, &mapper->probe_room, mapper->probes,
-		                                sizeof *mapper->probe);
 		double part;
 		long node = node_of(&part, mapper, item->along, item->t[k]), nx = mapper->nx;
 		long place = item->along == 0 ? item->line*nx + node : node*nx + item->line;
 
-		if (!larger)
+		if (hawser__more(&mapper->probe, (long)mapper->probes, sizeof *mapper->probe))
 			return hawser__no_memory(report, "map");
-		mapper->probe = larger;
 		mapper->probe[mapper->probes++] =
 			(struct hawser__map_probe){2*place + item->along, part, item->index[k]};
 		if (k == item->best)

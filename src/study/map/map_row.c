@@ -17,6 +17,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/grow.h"
 #include "core/report.h"
 #include "response/branch/stops.h"
 #include "study/map/map_rows.h"
@@ -42,7 +43,7 @@ struct rows_trace {
 	double omega;          /* scaled, for the size of velocities */
 	struct response *found; /* [responses] */
 	double *state;         /* [responses][m] */
-	int responses, capacity, m;
+	int responses, m;
 	enum hawser_frf_end end; /* of the last trace */
 	int points;            /* of the last trace */
 	double *first;         /* [m] state at its first orbit */
@@ -78,19 +79,9 @@ static enum hawser_status add_response(struct rows_trace *trace, const struct re
 {
 	size_t m = (size_t)trace->m;
 
-	if (trace->responses == trace->capacity) {
-		int capacity = trace->capacity ? 2*trace->capacity : 64;
-		struct response *found = realloc(trace->found, (size_t)capacity*sizeof *found);
-		double *larger;
-
-		if (found)
-			trace->found = found;
-		larger = found ? realloc(trace->state, (size_t)capacity*m*sizeof *larger) : NULL;
-		if (!larger)
-			return hawser__no_memory(report, "map");
-		trace->state = larger;
-		trace->capacity = capacity;
-	}
+	if (hawser__more(&trace->found, trace->responses, sizeof *trace->found) ||
+	    hawser__more(&trace->state, trace->responses, m*sizeof *trace->state))
+		return hawser__no_memory(report, "map");
 	memcpy(trace->state + (size_t)trace->responses*m, state, m*sizeof *state);
 	trace->found[trace->responses++] = *response;
 	return HAWSER_OK;
@@ -125,15 +116,8 @@ static enum hawser_status add_turn(struct hawser__map_row *row, const struct haw
 		if (row->turn[i].kind == turn->kind && row->turn[i].side == turn->side &&
 		    fabs(row->turn[i].at - turn->at) <= SAME_EVENT*range)
 			return HAWSER_OK;
-	if (row->turns == row->turn_capacity) {
-		int capacity = row->turn_capacity ? 2*row->turn_capacity : 8;
-		struct hawser__map_turn *larger = realloc(row->turn, (size_t)capacity*sizeof *larger);
-
-		if (!larger)
-			return hawser__no_memory(report, "map");
-		row->turn = larger;
-		row->turn_capacity = capacity;
-	}
+	if (hawser__more(&row->turn, row->turns, sizeof *row->turn))
+		return hawser__no_memory(report, "map");
 	for (; k > 0 && row->turn[k - 1].at > turn->at; k--)
 		row->turn[k] = row->turn[k - 1];
 	row->turn[k] = *turn;

@@ -40,7 +40,7 @@ struct hawser__map_row {
 	/* results */
 	struct hawser__map_answer *answer; /* [count] */
 	struct hawser__map_turn *turn;     /* [turns] by `at` */
-	int turns, turn_capacity;
+	int turns;
 	int ready, interrupted;
 	int incomplete;     /* 1: a curve could not be followed to its end */
 	double *state;      /* [kept][2n] scaled, at phase 0, or NULL */

@@ -11,6 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/grow.h"
 #include "core/report.h"
 #include "study/map/map_rows_file.h"
 
@@ -69,14 +70,10 @@ static enum hawser_status take_turn(struct hawser__map_row *row,
                                     const struct hawser__map_record *record, const double *marks,
                                     struct hawser_report *report)
 {
-	struct hawser__map_turn *larger = realloc(row->turn, ((size_t)row->turns + 1)*sizeof *larger);
-
-	if (!larger)
+	if (hawser__more(&row->turn, row->turns, sizeof *row->turn))
 		return hawser__no_memory(report, "map");
-	row->turn = larger;
 	row->turn[row->turns++] = (struct hawser__map_turn){
 		record->x, marks[1], (enum hawser_event_kind)marks[2], (int)marks[3]};
-	row->turn_capacity = row->turns;
 	return HAWSER_OK;
 }
 

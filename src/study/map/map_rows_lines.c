@@ -10,6 +10,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "core/grow.h"
 #include "core/report.h"
 #include "study/map/map_rows.h"
 
@@ -17,7 +18,7 @@
 
 struct lines {
 	struct hawser_map *map;
-	int along, capacity, segment_capacity;
+	int along;
 };
 
 static enum hawser_status add_boundary(struct lines *lines, const struct hawser__map_row *row, int i,
@@ -30,15 +31,8 @@ static enum hawser_status add_boundary(struct lines *lines, const struct hawser_
 	const struct hawser__map_answer *high = &row->answer[backwards ? i : i + 1];
 	double place[2];
 
-	if (map->boundaries == lines->capacity) {
-		int capacity = lines->capacity ? 2*lines->capacity : 64;
-		struct hawser_map_boundary *larger = realloc(map->boundary, (size_t)capacity*sizeof *larger);
-
-		if (!larger)
-			return hawser__no_memory(report, "map");
-		map->boundary = larger;
-		lines->capacity = capacity;
-	}
+	if (hawser__more(&map->boundary, map->boundaries, sizeof *map->boundary))
+		return hawser__no_memory(report, "map");
 	place[lines->along] = at;
 	place[1 - lines->along] = row->fixed;
 	map->boundary[map->boundaries++] = (struct hawser_map_boundary){
@@ -84,15 +78,8 @@ static enum hawser_status add_segment(struct lines *lines, double a, double fixe
 	struct hawser_map *map = lines->map;
 	double *to;
 
-	if (map->segments == lines->segment_capacity) {
-		int capacity = lines->segment_capacity ? 2*lines->segment_capacity : 64;
-		double *larger = realloc(map->segment, 4*(size_t)capacity*sizeof *larger);
-
-		if (!larger)
-			return hawser__no_memory(report, "map");
-		map->segment = larger;
-		lines->segment_capacity = capacity;
-	}
+	if (hawser__more(&map->segment, map->segments, 4*sizeof *map->segment))
+		return hawser__no_memory(report, "map");
 	to = map->segment + 4*(size_t)map->segments++;
 	to[lines->along] = a;
 	to[1 - lines->along] = fixed_a;

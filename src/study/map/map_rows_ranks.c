@@ -66,7 +66,6 @@ static enum hawser_status read_row(struct hawser__map_row *row, struct hawser__e
 	free(row->turn);
 	row->answer = malloc((size_t)row->count*sizeof *row->answer);
 	row->turn = malloc(((size_t)row->turns + 1)*sizeof *row->turn);
-	row->turn_capacity = row->turns + 1;
 	if (!row->answer || !row->turn) {
 		row->turns = row->ready = 0;
 		return hawser__no_memory(report, "map");

@@ -17,24 +17,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/grow.h"
 #include "core/report.h"
 #include "study/map/map.h"
 
 #define REAL 1e-3     /* largest sine of the argument of a multiplier that counts as real; chosen */
 #define ROUND_OFF 1e-9 /* variation over the map, relative to the values, that is round-off */
-
-void *hawser__map_room(void *array, size_t *room, size_t count, size_t size)
-{
-	size_t more = *room ? 2**room : 64;
-	void *larger;
-
-	if (count < *room)
-		return array;
-	larger = realloc(array, more*size);
-	if (larger)
-		*room = more;
-	return larger;
-}
 
 const struct hawser_map_sample *hawser__map_sample(const struct hawser__mapper *mapper, long index)
 {
@@ -79,11 +67,8 @@ int hawser__map_differ(const struct hawser__mapper *mapper, long a, long b)
 static enum hawser_status push(struct hawser__map_cells *cells, int i0, int i1, int j0, int j1,
                                struct hawser_report *report)
 {
-	void *larger = hawser__map_room(cells->cell, &cells->room, cells->count, sizeof *cells->cell);
-
-	if (!larger)
+	if (hawser__more(&cells->cell, (long)cells->count, sizeof *cells->cell))
 		return hawser__no_memory(report, "map");
-	cells->cell = larger;
 	cells->cell[cells->count++] = (struct hawser__map_cell){i0, i1, j0, j1};
 	return HAWSER_OK;
 }

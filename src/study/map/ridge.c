@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/grow.h"
 #include "core/report.h"
 #include "study/map/ridge.h"
 
@@ -189,17 +190,9 @@ enum hawser_status hawser__ridge_note(struct hawser__ridge_log *log,
 			log->found[c] |= found != 0;
 			return HAWSER_OK;
 		}
-	if (log->count == log->room) {
-		size_t more = log->room ? 2*log->room : 64;
-		void *item = realloc(log->item, more*sizeof *log->item), *known;
-
-		log->item = item ? item : log->item;
-		known = realloc(log->found, more);
-		log->found = known ? known : log->found;
-		if (!item || !known)
-			return hawser__no_memory(report, "map");
-		log->room = more;
-	}
+	if (hawser__more(&log->item, (long)log->count, sizeof *log->item) ||
+	    hawser__more(&log->found, (long)log->count, 1))
+		return hawser__no_memory(report, "map");
 	log->item[c] = (struct hawser_tongue){{of->j, of->k}, of->sign, of->m, {at[0], at[1]}};
 	log->found[log->count++] = found != 0;
 	return HAWSER_OK;

@@ -97,7 +97,7 @@ double hawser__ridge_half(const struct hawser__ridge *ridge);
 struct hawser__ridge_log {
 	struct hawser_tongue *item; /* [count] each resonance once */
 	unsigned char *found;       /* [count] */
-	size_t count, room;
+	size_t count;
 	int above;                  /* 1: there are others with m > HAWSER__RIDGE_HIGHEST */
 };
 /* `at`: x and y. HAWSER_ERR_MEMORY. */

@@ -21,6 +21,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/grow.h"
 #include "core/report.h"
 #include "study/map/ridge.h"
 
@@ -50,7 +51,7 @@ struct finding {
 	double *cost;          /* [2n][2n] */
 	int *to;               /* [2n] multiplier of the other point */
 	struct meeting *met;
-	size_t count, room;
+	size_t count;
 };
 
 static double wrapped(double angle)
@@ -193,15 +194,8 @@ static void name(struct hawser__combination *to, const struct finding *of, doubl
 static enum hawser_status add(struct finding *of, const struct meeting *item,
                               struct hawser_report *report)
 {
-	if (of->count == of->room) {
-		size_t more = of->room ? 2*of->room : 32;
-		void *larger = realloc(of->met, more*sizeof *of->met);
-
-		if (!larger)
-			return hawser__no_memory(report, "hill");
-		of->met = larger;
-		of->room = more;
-	}
+	if (hawser__more(&of->met, (long)of->count, sizeof *of->met))
+		return hawser__no_memory(report, "hill");
 	of->met[of->count++] = *item;
 	return HAWSER_OK;
 }
