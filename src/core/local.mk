@@ -12,6 +12,7 @@ noinst_LTLIBRARIES += %D%/libcore.la
 	%D%/hot.h \
 	%D%/loaded.h \
 	%D%/locale.h \
+	%D%/order.h \
 	%D%/paths.c \
 	%D%/paths.h \
 	%D%/progress.c \

@@ -11,6 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/order.h"
 #include "core/progress.h"
 #include "core/report.h"
 #include "rod/run.h"
@@ -73,13 +74,6 @@ void hawser_rod_motion_clear(struct hawser_rod_motion *motion)
 
 /* --- the beginning --- */
 
-static int by_time(const void *a, const void *b)
-{
-	double x = *(const double *)a, y = *(const double *)b;
-
-	return (x > y) - (x < y);
-}
-
 static enum hawser_status stops(struct run *run, const struct hawser_rod *rod,
                                 struct hawser_report *report)
 {
@@ -98,7 +92,7 @@ static enum hawser_status stops(struct run *run, const struct hawser_rod *rod,
 		run->stop[run->stops++] = winch->row[i][0];
 	if (winch->on && winch->rise > 0.0)
 		run->stop[run->stops++] = winch->rise;
-	qsort(run->stop, (size_t)run->stops, sizeof *run->stop, by_time);
+	qsort(run->stop, (size_t)run->stops, sizeof *run->stop, hawser__ascending);
 	return HAWSER_OK;
 }
 

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/order.h"
 #include "core/report.h"
 #include "rod/mesh.h"
 #include "rod/so3.h"
@@ -15,13 +16,6 @@
 /* Elements of a mesh: the state and the matrix of one are some 2 kB each. */
 enum { MOST = 200000 };
 #define APART 1e-9 /* of the length: points that are closer are one */
-
-static int by_size(const void *a, const void *b)
-{
-	double x = *(const double *)a, y = *(const double *)b;
-
-	return (x > y) - (x < y);
-}
 
 /* s of the points that have to be nodes, in order. Returns their number. */
 static int breaks(double *s, const struct hawser_rod *rod)
@@ -36,7 +30,7 @@ static int breaks(double *s, const struct hawser_rod *rod)
 		s[count++] = rod->load[i].from;
 		s[count++] = rod->load[i].to;
 	}
-	qsort(s, (size_t)count, sizeof *s, by_size);
+	qsort(s, (size_t)count, sizeof *s, hawser__ascending);
 	for (int i = 0; i < count; i++)
 		if (kept == 0 || s[i] - s[kept - 1] > APART*rod->length)
 			s[kept++] = s[i];

@@ -17,6 +17,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/order.h"
 #include "core/report.h"
 #include "statics/frame.h"
 #include "statics/load.h"
@@ -114,13 +115,6 @@ static enum hawser_status from_list(struct hawser__loads *loads, const struct ha
 
 /* --- cuts --- */
 
-static int ascending(const void *a, const void *b)
-{
-	double x = *(const double *)a, y = *(const double *)b;
-
-	return (x > y) - (x < y);
-}
-
 static enum hawser_status set_cuts(struct hawser__loads *loads, struct hawser_report *report)
 {
 	int count = 0, kept = 0;
@@ -140,7 +134,7 @@ static enum hawser_status set_cuts(struct hawser__loads *loads, struct hawser_re
 		}
 	}
 	if (count)
-		qsort(loads->cut, (size_t)count, sizeof *loads->cut, ascending);
+		qsort(loads->cut, (size_t)count, sizeof *loads->cut, hawser__ascending);
 	for (int i = 0; i < count; i++)
 		if (kept == 0 || loads->cut[i] > loads->cut[kept - 1])
 			loads->cut[kept++] = loads->cut[i];

@@ -11,18 +11,12 @@
 #include <stdlib.h>
 
 #include "cli/curves/frf_picture.h"
+#include "core/order.h"
 
 enum { LEAST = 4 };
 static const double close_by = 0.015; /* of the range: a symbol is 1 % of it wide */
 static const double beside = 0.25, beside_least = 0.01; /* of the crowd, and of the range */
 static const double row_cm = 4.0, title_cm = 2.2; /* height of a row; axis title above the rows */
-
-static int ascending(const void *a, const void *b)
-{
-	const double *x = a, *y = b;
-
-	return (*x > *y) - (*x < *y);
-}
 
 /* Keep the crowds with the most events. */
 static void keep(struct cli_frf_picture *of, int *events, struct cli_frf_detail crowd, int size)
@@ -54,7 +48,7 @@ void cli_frf_crowds(struct cli_frf_picture *of)
 	for (int k = 0; at && k < frf->events; k++)
 		at[k] = cli_frf_event_x(of, &frf->event[k]);
 	if (at)
-		qsort(at, (size_t)frf->events, sizeof *at, ascending);
+		qsort(at, (size_t)frf->events, sizeof *at, hawser__ascending);
 	for (int k = 0; at && k < frf->events; k = last + 1) {
 		double more;
 

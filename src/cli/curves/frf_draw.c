@@ -13,6 +13,7 @@
 #include "cli/curves/frf_over.h"
 #include "cli/curves/frf_picture.h"
 #include "cli/frame/view.h"
+#include "core/order.h"
 #include "core/report.h"
 
 enum { label_size = CLI_FRF_LABEL };
@@ -149,13 +150,6 @@ static void choose_coordinates(struct cli_frf_picture *of)
 	of->panels = k;
 }
 
-static int compare(const void *a, const void *b)
-{
-	double x = *(const double *)a, y = *(const double *)b;
-
-	return (x > y) - (x < y);
-}
-
 /* By the 5th and 95th percentiles of the drawn values. `work` is overwritten. */
 static int wants_log(const char *scale, double *work, size_t count)
 {
@@ -165,7 +159,7 @@ static int wants_log(const char *scale, double *work, size_t count)
 		return strcmp(scale, "log") == 0;
 	if (hawser__picture_logarithmic('y', NULL)) /* the user's range has 0 or less */
 		return 0;
-	qsort(work, count, sizeof *work, compare);
+	qsort(work, count, sizeof *work, hawser__ascending);
 	while (zeros < count && !(work[zeros] > 0.0))
 		zeros++;
 	count -= zeros;

@@ -13,6 +13,7 @@
 
 #include "cli/map/hill_result.h"
 #include "core/grow.h"
+#include "core/order.h"
 #include "core/report.h"
 
 enum { ROWS = 100, CELLS = 60, HALVINGS = 8 };
@@ -72,13 +73,6 @@ static enum hawser_status add(struct plane *plane, double from, double to, doubl
 	return HAWSER_OK;
 }
 
-static int ascending(const void *a, const void *b)
-{
-	const double *x = a, *y = b;
-
-	return (*x > *y) - (*x < *y);
-}
-
 /* Crossings of the row at y with the boundaries, inside the plane. */
 static void cross(struct plane *plane, double y)
 {
@@ -97,7 +91,7 @@ static void cross(struct plane *plane, double y)
 				plane->crossing[plane->crossings++] = x;
 		}
 	}
-	qsort(plane->crossing, (size_t)plane->crossings, sizeof(double), ascending);
+	qsort(plane->crossing, (size_t)plane->crossings, sizeof(double), hawser__ascending);
 }
 
 static void choose_samples(struct plane *plane)
@@ -109,7 +103,7 @@ static void choose_samples(struct plane *plane)
 		plane->sample[plane->samples++] = plane->from[0] + wide*i/CELLS;
 	for (int k = 0; k + 1 < plane->crossings; k++)
 		plane->sample[plane->samples++] = 0.5*(plane->crossing[k] + plane->crossing[k + 1]);
-	qsort(plane->sample, (size_t)plane->samples, sizeof(double), ascending);
+	qsort(plane->sample, (size_t)plane->samples, sizeof(double), hawser__ascending);
 }
 
 /* *at is the crossing with a traced boundary in [low, high]. Returns 0 if there is none, or more

@@ -26,6 +26,7 @@
 #include <lapacke.h>
 
 #include "cli/frame/cli.h"
+#include "core/order.h"
 #include "core/report.h"
 
 /* Terms of one factor. */
@@ -78,13 +79,6 @@ static size_t of_modes(double *part, const double *all, const struct hawser_rom 
 			if (!is_shape(rom, k))
 				part[to++] = all[j*n + k];
 	return count;
-}
-
-static int compare(const void *a, const void *b)
-{
-	double x = *(const double *)a, y = *(const double *)b;
-
-	return (x > y) - (x < y);
 }
 
 /* A [n][n] becomes its gyroscopic part; returns 1 if there is any. In coordinates of unknown mass only
@@ -180,7 +174,7 @@ static enum hawser_status of_rom(double *omega, int *count, const struct hawser_
 			++*count;
 	if (hawser__lapack_starved(info))
 		status = hawser__no_memory(report, "natural");
-	qsort(omega, (size_t)*count, sizeof *omega, compare);
+	qsort(omega, (size_t)*count, sizeof *omega, hawser__ascending);
 out:
 	free(pivot);
 	free(K);
@@ -204,7 +198,7 @@ static enum hawser_status of_travel(struct cli_model *model, struct hawser_repor
 	for (int k = 0; k < modes.n; k++)
 		model->natural[k] = modes.mode[k].omega/modes.time_unit*model->rom.time;
 	hawser_modes_clear(&modes);
-	qsort(model->natural, (size_t)model->naturals, sizeof *model->natural, compare);
+	qsort(model->natural, (size_t)model->naturals, sizeof *model->natural, hawser__ascending);
 	return HAWSER_OK;
 }
 

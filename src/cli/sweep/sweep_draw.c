@@ -13,6 +13,7 @@
 #include "cli/model/axis.h"
 #include "cli/model/key_sweep.h"
 #include "cli/sweep/sweep.h"
+#include "core/order.h"
 #include "core/report.h"
 #include "output/fields/fields.h"
 #include "output/drawing/figure.h"
@@ -34,13 +35,6 @@ struct drawing {
 
 /* --- the abscissa --- */
 
-static int ascending(const void *a, const void *b)
-{
-	double x = *(const double *)a, y = *(const double *)b;
-
-	return (x > y) - (x < y);
-}
-
 /* The different numbers of a key; 0 without memory. */
 static long different(double **values, const struct cli_sweep_key *key, long count)
 {
@@ -50,7 +44,7 @@ static long different(double **values, const struct cli_sweep_key *key, long cou
 	if (!*values)
 		return 0;
 	memcpy(*values, key->number, (size_t)count*sizeof **values);
-	qsort(*values, (size_t)count, sizeof **values, ascending);
+	qsort(*values, (size_t)count, sizeof **values, hawser__ascending);
 	for (long i = 0; i < count; i++)
 		if (i == 0 || (*values)[i] != (*values)[kept - 1])
 			(*values)[kept++] = (*values)[i];
@@ -239,7 +233,7 @@ static long point_of(const struct drawing *of, long line)
 {
 	const struct cli_sweep_key *key = &of->plan->key[of->key];
 	double value = key->number[cli_sweep_at(of->plan, of->key, of->result->line[line].variation)];
-	const double *found = bsearch(&value, of->x, (size_t)of->points, sizeof *of->x, ascending);
+	const double *found = bsearch(&value, of->x, (size_t)of->points, sizeof *of->x, hawser__ascending);
 
 	return found ? (long)(found - of->x) : 0;
 }

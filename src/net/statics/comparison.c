@@ -14,6 +14,7 @@
 
 #include <hawser/net_comparison.h>
 
+#include "core/order.h"
 #include "core/progress.h"
 #include "core/report.h"
 
@@ -128,13 +129,6 @@ static enum hawser_status one(struct hawser_net_outcome *outcome, const struct h
 
 /* --- scores --- */
 
-static int ascending(const void *a, const void *b)
-{
-	double x = *(const double *)a, y = *(const double *)b;
-
-	return (x > y) - (x < y);
-}
-
 static double least(const struct hawser_net_comparison *of, int net)
 {
 	double least = INFINITY;
@@ -157,7 +151,7 @@ void hawser_net_comparison_profile(double *value, const struct hawser_net_compar
 		value[i] = outcome->end != HAWSER_NET_SOLVED ? INFINITY
 		         : iterations ? outcome->iterations : outcome->seconds/least(comparison, i);
 	}
-	qsort(value, (size_t)comparison->nets, sizeof *value, ascending);
+	qsort(value, (size_t)comparison->nets, sizeof *value, hawser__ascending);
 }
 
 /* Of `count` numbers in ascending order: the least one that half, nine tenths or all do not exceed. */
@@ -186,7 +180,7 @@ static void score(struct hawser_net_comparison *of, int w, double *value)
 		score->angle = fmax(score->angle, outcome->angle);
 		score->residual = fmax(score->residual, outcome->residual);
 	}
-	qsort(value, (size_t)solved, sizeof *value, ascending);
+	qsort(value, (size_t)solved, sizeof *value, hawser__ascending);
 	quantiles(score->seconds, value, solved);
 	hawser_net_comparison_profile(value, of, w, 0);
 	quantiles(ratio, value, solved);

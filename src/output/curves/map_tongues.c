@@ -11,15 +11,9 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "core/order.h"
 #include "output/output.h"
 #include "output/drawing/figure.h"
-
-static int ascending(const void *a, const void *b)
-{
-	const double *x = a, *y = b;
-
-	return (*x > *y) - (*x < *y);
-}
 
 /* Abscissas at which segments of the boundary cross the row at y: at[segments]; returns their
  * number. */
@@ -33,7 +27,7 @@ static int crossings(double *at, const struct hawser__map_picture *map, double y
 		if ((s[1] <= y) != (s[3] <= y))
 			at[count++] = s[0] + (s[2] - s[0])*(y - s[1])/(s[3] - s[1]);
 	}
-	qsort(at, (size_t)count, sizeof *at, ascending);
+	qsort(at, (size_t)count, sizeof *at, hawser__ascending);
 	return count;
 }
 

@@ -19,6 +19,7 @@
 
 #include <hawser/linear.h>
 
+#include "core/order.h"
 #include "core/report.h"
 #include "response/floquet/linear_margin.h"
 #include "response/floquet/monodromy.h"
@@ -165,13 +166,6 @@ static void fill(struct hawser_linear *l, const struct hawser_rom *rom)
 	}
 }
 
-static int ascending(const void *a, const void *b)
-{
-	double x = *(const double *)a, y = *(const double *)b;
-
-	return (x > y) - (x < y);
-}
-
 /* One frequency per pair, ascending; real eigenvalues give zeros. */
 static void read_frequencies(struct hawser_linear *l)
 {
@@ -181,7 +175,7 @@ static void read_frequencies(struct hawser_linear *l)
 	for (int i = 0; i < 2*l->n && found < l->n; i++)
 		if (l->im[i] > 0.0)
 			l->frequency[found++] = l->im[i];
-	qsort(l->frequency, (size_t)l->n, sizeof *l->frequency, ascending);
+	qsort(l->frequency, (size_t)l->n, sizeof *l->frequency, hawser__ascending);
 }
 
 static enum hawser_status eigenvalues(struct hawser_linear *l, const struct hawser_rom *rom,
@@ -326,7 +320,7 @@ static enum hawser_status rest_of(struct hawser_linear *l, double *frequency, co
 		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "linear", info, 0.0,
 		                       "the QR algorithm for the frequencies at rest did not converge "
 		                       "(order %d, info %d)", m, info);
-	qsort(l->im, (size_t)m, sizeof *l->im, ascending);
+	qsort(l->im, (size_t)m, sizeof *l->im, hawser__ascending);
 	for (int q = 0; q < w; q++)
 		frequency[q] = fmax(l->im[w + q], 0.0);
 	return HAWSER_OK;

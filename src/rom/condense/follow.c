@@ -18,6 +18,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/order.h"
 #include "core/report.h"
 #include "modes/bending/bending.h"
 #include "modes/grid.h"
@@ -110,13 +111,6 @@ static void divide_layers(double *all, int *count, const struct hawser_modes *mo
 	}
 }
 
-static int ascending(const void *a, const void *b)
-{
-	double x = *(const double *)a, y = *(const double *)b;
-
-	return (x > y) - (x < y);
-}
-
 static enum hawser_status make(struct hawser__stations *stations, const struct hawser_modes *modes,
                                int moving, const double *cut, int cuts,
                                struct hawser_report *report)
@@ -166,7 +160,7 @@ enum hawser_status hawser__stations_make(struct hawser__stations *stations,
 		return hawser__no_memory(report, "rom");
 	for (int i = 0; i < cuts; i++)
 		divide_layers(all, &count, modes, cut[i]);
-	qsort(all, (size_t)count, sizeof *all, ascending);
+	qsort(all, (size_t)count, sizeof *all, hawser__ascending);
 	status = make(stations, modes, moving, all, count, report);
 	free(all);
 	return status;

@@ -15,6 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/order.h"
 #include "core/report.h"
 #include "response/branch/amplitude.h"
 #include "response/backbone/modulation.h"
@@ -49,13 +50,6 @@ static void state_at(const struct curve *c, double *A, double x)
 	A[1] = cimag(value);
 }
 
-static int ascending(const void *a, const void *b)
-{
-	double x = *(const double *)a, y = *(const double *)b;
-
-	return (x > y) - (x < y);
-}
-
 /* x [points + 3] of the points within the range, including folds and peak. */
 static int places(double *x, const struct curve *c, double lo, double hi, int points)
 {
@@ -71,7 +65,7 @@ static int places(double *x, const struct curve *c, double lo, double hi, int po
 	for (int k = 0; k < primary->folds; k++)
 		x[count++] = primary->fold_omega[k] - primary->omega
 		             - primary->gamma*primary->fold[k]*primary->fold[k];
-	qsort(x, (size_t)count, sizeof *x, ascending);
+	qsort(x, (size_t)count, sizeof *x, hawser__ascending);
 	while (first < count && (omega_at(c, x[first]) < lo || omega_at(c, x[first]) > hi))
 		first++;
 	while (count > first && (omega_at(c, x[count - 1]) < lo || omega_at(c, x[count - 1]) > hi))

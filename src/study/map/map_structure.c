@@ -8,6 +8,7 @@
 
 #include <hawser/gyroscopic.h>
 
+#include "core/order.h"
 #include "core/report.h"
 #include "core/share.h"
 #include "rom/condense/answer.h"
@@ -142,13 +143,6 @@ static int by_value(const void *a, const void *b)
 	return (x > y) - (x < y);
 }
 
-static int ascending(const void *a, const void *b)
-{
-	double x = *(const double *)a, y = *(const double *)b;
-
-	return (x > y) - (x < y);
-}
-
 /* Remove structures that the present preparation does not need, if too many are stored. */
 static void drop(struct hawser__map_cable *cable)
 {
@@ -253,7 +247,7 @@ enum hawser_status hawser__structure_prepare(void *context, const double *x, con
 	if (!value)
 		return hawser__no_memory(report, "map");
 	memcpy(value, cable->varies == 0 ? x : y, (size_t)count*sizeof *value);
-	qsort(value, (size_t)count, sizeof *value, ascending);
+	qsort(value, (size_t)count, sizeof *value, hawser__ascending);
 	fresh = missing(cable, value, (size_t)count);
 	drop(cable);
 	if (fresh > 0)
