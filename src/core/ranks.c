@@ -392,7 +392,7 @@ static enum hawser_status work_and_lead(struct run *run, struct hawser_report *r
 
 	if (!thread)
 		return hawser__no_memory(report, run->tasks->what);
-	started = start(thread, wanted, run);
+	started = run->tasks->brief ? 0 : start(thread, wanted, run);
 	if (started == 0) {
 		thread[0] = (struct thread){.run = run};
 		compute(&thread[0]);

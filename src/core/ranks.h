@@ -32,6 +32,7 @@ struct hawser__tasks {
 	void *context;
 	int threads;      /* of each rank, >= 1 */
 	int largest;      /* most tasks of a packet; 1 for tasks of seconds */
+	int brief;        /* 1: all of them are not worth a thread, and are computed in the caller's */
 	const char *what; /* of progress and messages: "map", "sweep" */
 	const char *identity; /* text that is the same in all ranks: version, scene, settings */
 	/* Append the question of task `number`; NULL: its number says all. */

@@ -72,15 +72,14 @@ struct hawser__map_memo {
 	long *slot, slots;                 /* hash: index of a record + 1, or 0 */
 	long *pending, waiting;            /* records that are requested but not computed */
 	void **worker;                     /* [threads] */
-	int threads, chunk, interrupted;
+	int threads, interrupted;
 	double cost;                       /* time per point of the last computation, s; 0: none */
 	double began;                      /* start time, s, hawser__wall_seconds */
 	struct hawser__map_checkpoint checkpoint;
-	/* with other ranks: */
 	struct hawser__tasks tasks;
 	char *identity;                    /* of field and settings */
 	const long *asked;                 /* records that are computed now */
-	long all, later;                   /* their number; the expected number of further points */
+	long later;                        /* the expected number of further points */
 	const char *stage;
 	struct hawser_map_condensed others; /* of the points that other ranks computed */
 };
@@ -108,9 +107,7 @@ int hawser__map_told_to_stop(const struct hawser__map_memo *memo, const char *st
 
 enum hawser_status hawser__map_ranks_open(struct hawser__map_memo *memo, const char *settings,
                                           struct hawser_report *report);
-/* Whether the next `count` points are worth messages. */
-int hawser__map_ranks_worthwhile(const struct hawser__map_memo *memo, long count);
-/* Compute pending [count] by all ranks. */
+/* Compute pending [count], by threads and by other ranks where that is worth it. */
 enum hawser_status hawser__map_ranks_run(struct hawser__map_memo *memo, const long *pending, long count,
                                          struct hawser_report *report);
 /* In a worker: compute for rank 0 until it ends. */

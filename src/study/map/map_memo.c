@@ -8,7 +8,6 @@
 #include "config.h"
 
 #include <math.h>
-#include <pthread.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -19,15 +18,9 @@
 #include "core/share.h"
 #include "study/map/map.h"
 
-/* Points between two calls of the caller's progress function: as many as take about this time;
- * chosen. */
-#define LEAST_SECS 0.1
-#define MOST_SECS 0.5
 #define SURE_SECS 1.0 /* shortest time from which the remaining time is estimated: in less, too few
                        * points are computed; chosen */
-/* Least expected wall time for which threads are started: ten times the time of starting one. */
-#define THREADED_SECS 3e-4
-enum { MOST_CHUNK = 4096, FIRST_CHUNK = 16 };
+enum { FIRST_CHUNK = 16 };
 
 static uint64_t mix(double x, double y)
 {
@@ -114,11 +107,11 @@ enum hawser_status hawser__map_memo_open(struct hawser__map_memo *memo,
                                          const char *settings, struct hawser_report *report)
 {
 	struct hawser__map_taker taker = {restore, memo};
-	enum hawser_status status = HAWSER_OK;
+	enum hawser_status status;
 
 	*memo = (struct hawser__map_memo){.field = field, .options = options,
 		.began = hawser__wall_seconds(),
-		.threads = options->threads > 0 ? options->threads : hawser__processors(), .chunk = FIRST_CHUNK,
+		.threads = options->threads > 0 ? options->threads : hawser__processors(),
 		.marks = field->exponents > 0 && options->coarse > 1 ? field->marks
 		         : field->margins ? HAWSER__MARGINS : 0,
 		.checkpoint = {.fd = -1}};
@@ -126,8 +119,7 @@ enum hawser_status hawser__map_memo_open(struct hawser__map_memo *memo,
 	memo->scratch = calloc((size_t)memo->threads*(size_t)field->marks + 1, sizeof(double));
 	if (!memo->worker || !memo->scratch)
 		return hawser__no_memory(report, "map");
-	if (options->ranks)
-		status = hawser__map_ranks_open(memo, settings, report);
+	status = hawser__map_ranks_open(memo, settings, report);
 	if (!status && (!options->ranks || options->ranks->rank == 0))
 		status = hawser__map_checkpoint_open(&memo->checkpoint, options->checkpoint, field->identity,
 		                                     settings, memo->marks, &taker, report);
@@ -180,17 +172,6 @@ enum hawser_status hawser__map_want(struct hawser__map_memo *memo, long *index, 
 	return HAWSER_OK;
 }
 
-/* Points that are computed together. If several fail, the report is that of the first in order,
- * whichever thread was first. */
-struct chunk {
-	struct hawser__map_memo *memo;
-	const long *pending; /* [count] indices of records */
-	pthread_mutex_t lock; /* protects the following members */
-	enum hawser_status status;
-	long failed;
-	struct hawser_report report;
-};
-
 enum hawser_status hawser__map_refuse(const struct hawser__map_memo *memo, struct hawser_report *report,
                                       const struct hawser__map_record *record)
 {
@@ -203,79 +184,6 @@ enum hawser_status hawser__map_refuse(const struct hawser__map_memo *memo, struc
 	return hawser__fail(report, HAWSER_ERR_CONVERGENCE, "map",
 	                    "the point x = %.9g, y = %.9g could not be computed (%s%s%s)", record->x,
 	                    record->y, code, *reason ? ": " : "", reason);
-}
-
-static void one_point(void *context, long i, int thread)
-{
-	struct chunk *chunk = context;
-	struct hawser__map_memo *memo = chunk->memo;
-	const struct hawser_map_field *field = memo->field;
-	const long *pending = chunk->pending;
-	struct hawser__map_record *record = &memo->record[pending[i]];
-	double *marks = memo->marks > 0 ? memo->scratch + (size_t)thread*(size_t)field->marks : NULL;
-	struct hawser_report local = {.status = HAWSER_OK};
-	enum hawser_status status = field->point(memo->worker[thread], &record->sample, marks, record->x,
-	                                         record->y, &local);
-
-	if (marks)
-		memcpy(memo->mark + pending[i]*memo->marks, marks,
-		       (size_t)memo->marks*sizeof *marks);
-	record->ready = !status;
-	if (!status)
-		status = hawser__map_refuse(memo, &local, record);
-	if (!status)
-		return;
-	pthread_mutex_lock(&chunk->lock);
-	if (!chunk->status || i < chunk->failed) {
-		chunk->status = status;
-		chunk->failed = i;
-		chunk->report = local;
-	}
-	pthread_mutex_unlock(&chunk->lock);
-}
-
-static enum hawser_status prepare(struct hawser__map_memo *memo, const long *pending, int count,
-                                  struct hawser_report *report)
-{
-	const struct hawser_map_field *field = memo->field;
-	double *x = malloc(2*(size_t)count*sizeof *x), *y;
-	enum hawser_status status = HAWSER_OK;
-
-	if (!x)
-		return hawser__no_memory(report, "map");
-	y = x + count;
-	for (int i = 0; i < count; i++) {
-		x[i] = memo->record[pending[i]].x;
-		y[i] = memo->record[pending[i]].y;
-	}
-	if (field->prepare)
-		status = field->prepare(field->context, x, y, count, memo->threads, report);
-	free(x);
-	return status;
-}
-
-static enum hawser_status run_chunk(struct hawser__map_memo *memo, const long *pending, int count,
-                                    int threads, struct hawser_report *report)
-{
-	struct chunk chunk = {.memo = memo, .pending = pending, .lock = PTHREAD_MUTEX_INITIALIZER};
-	enum hawser_status status = prepare(memo, pending, count, report);
-
-	if (status)
-		return status;
-	hawser__share(count, threads, one_point, &chunk);
-	memo->fresh += count;
-	for (int i = 0; i < count && !status; i++)
-		if (memo->record[pending[i]].ready)
-			status = hawser__map_checkpoint_add(&memo->checkpoint, &memo->record[pending[i]],
-			                                    memo->mark + pending[i]*memo->marks, report);
-	if (!status)
-		status = hawser__map_checkpoint_flush(&memo->checkpoint, report);
-	if (!status && chunk.status) {
-		if (report)
-			*report = chunk.report;
-		return chunk.status;
-	}
-	return status;
 }
 
 int hawser__map_told_to_stop(const struct hawser__map_memo *memo, const char *stage, long left)
@@ -292,41 +200,25 @@ int hawser__map_told_to_stop(const struct hawser__map_memo *memo, const char *st
 	return hawser__told_to_stop(&memo->options->progress, &state);
 }
 
-/* Number of threads for so many points, from the time per point of the last computation. */
-static int worthwhile(const struct hawser__map_memo *memo, int count)
-{
-	return memo->cost*count < THREADED_SECS ? 1 : memo->threads;
-}
-
 enum hawser_status hawser__map_run(struct hawser__map_memo *memo, const char *stage, long later,
                                    struct hawser_report *report)
 {
 	enum hawser_status status = HAWSER_OK;
 	long at = 0, all = memo->waiting;
 
-	while (at < all && !status) {
-		int count = (int)(all - at < memo->chunk ? all - at : memo->chunk);
-		double began = hawser__wall_seconds(), took;
+	memo->stage = stage;
+	memo->later = later;
+	while (at < all && !status && !memo->interrupted) {
+		/* the first ones tell what a point costs */
+		long count = memo->cost > 0.0 || all - at < FIRST_CHUNK ? all - at : FIRST_CHUNK;
+		double began = hawser__wall_seconds();
 
-		if (hawser__map_told_to_stop(memo, stage, memo->waiting + later)) {
-			memo->interrupted = 1;
+		memo->interrupted = hawser__map_told_to_stop(memo, stage, memo->waiting + later);
+		if (memo->interrupted)
 			break;
-		}
-		if (hawser__map_ranks_worthwhile(memo, all - at)) {
-			memo->stage = stage;
-			memo->later = later;
-			status = hawser__map_ranks_run(memo, memo->pending + at, all - at, report);
-			break;
-		}
-		status = run_chunk(memo, memo->pending + at, count, worthwhile(memo, count), report);
+		status = hawser__map_ranks_run(memo, memo->pending + at, count, report);
 		at += count;
-		memo->waiting -= count;
-		took = hawser__wall_seconds() - began;
-		memo->cost = took/count;
-		if (took < LEAST_SECS && memo->chunk < MOST_CHUNK)
-			memo->chunk *= 2;
-		else if (took > MOST_SECS && memo->chunk > memo->threads)
-			memo->chunk /= 2;
+		memo->cost = (hawser__wall_seconds() - began)/(double)count;
 	}
 	memo->waiting = 0;
 	return status;

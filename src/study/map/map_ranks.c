@@ -1,4 +1,4 @@
-/* study/map/map_ranks.c - the points of a map, computed by several processes.
+/* study/map/map_ranks.c - the points of a map as tasks of the threads and of other processes.
  *
  * The question of a task is x and y; the answer is the sample, the marks, and the reason where
  * there is no value. Rank 0 has the cells and the checkpoint; workers have the field only.
@@ -16,6 +16,8 @@
 
 /* Least expected wall time of points for which other ranks are asked: some messages; chosen. */
 #define ASKED_SECS 1e-3
+/* The same for which threads are started: ten times the time of starting one. */
+#define THREADED_SECS 3e-4
 enum { LARGEST = 4096 }; /* points of a message, at most: half a megabyte; chosen */
 
 static enum hawser_status ask(void *context, struct hawser__bytes *question, long number,
@@ -177,20 +179,17 @@ enum hawser_status hawser__map_ranks_open(struct hawser__map_memo *memo, const c
 	return HAWSER_OK;
 }
 
-int hawser__map_ranks_worthwhile(const struct hawser__map_memo *memo, long count)
-{
-	return memo->options->ranks && memo->cost > 0.0 && memo->cost*(double)count >= ASKED_SECS;
-}
-
 enum hawser_status hawser__map_ranks_run(struct hawser__map_memo *memo, const long *pending, long count,
                                          struct hawser_report *report)
 {
+	double secs = memo->cost*(double)count;
 	enum hawser_status status, written;
 	int stopped = 0;
 
 	memo->asked = pending;
-	memo->all = count;
-	status = hawser__ranks_run(memo->options->ranks, &stopped, &memo->tasks, count, report);
+	memo->tasks.brief = secs > 0.0 && secs < THREADED_SECS;
+	status = hawser__ranks_run(secs >= ASKED_SECS ? memo->options->ranks : NULL, &stopped, &memo->tasks,
+	                           count, report);
 	written = hawser__map_checkpoint_flush(&memo->checkpoint, status ? NULL : report);
 	memo->interrupted |= stopped;
 	return status ? status : written;

@@ -1,7 +1,7 @@
-/* study/map/map_rows_ranks.c - the rows of a map, computed by several processes.
+/* study/map/map_rows_ranks.c - the rows of a map as tasks of the threads and of other processes.
  *
  * The question of a task is the number of the row; the answer is what the row has: answers, turns,
- * and the reasons. Rows of which a part is in the checkpoint are computed whole, as in one process.
+ * and the reasons. Rows of which a part is in the checkpoint are computed whole.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -145,8 +145,8 @@ static int watch(void *context, long done)
 static enum hawser_status run(struct hawser__rows_mapper *mapper, const struct hawser__tasks *tasks,
                               struct hawser_report *report)
 {
-	enum hawser_status status, written;
-	int ended = 0;
+	enum hawser_status status = HAWSER_OK, written;
+	int ended, parts = mapper->options->parts;
 
 	mapper->pending = calloc((size_t)mapper->rows + 1, sizeof *mapper->pending);
 	if (!mapper->pending)
@@ -155,19 +155,22 @@ static enum hawser_status run(struct hawser__rows_mapper *mapper, const struct h
 		if (mapper->row[j].ready) {
 			mapper->done++;
 			mapper->map->restored += mapper->row[j].count;
-		} else if (hawser__rows_has(mapper, j)) {
+		} else if (parts == 0 || j%parts == mapper->options->part - 1) {
 			mapper->pending[mapper->all++] = j;
 		}
 	}
-	status = hawser__ranks_run(mapper->options->ranks, &ended, tasks, mapper->all, report);
+	ended = hawser__rows_told_to_stop(mapper);
+	if (!ended)
+		status = hawser__ranks_run(mapper->options->ranks, &ended, tasks, mapper->all, report);
 	written = hawser__map_checkpoint_flush(&mapper->file.checkpoint, status ? NULL : report);
 	mapper->map->interrupted = ended;
-	hawser__ranks_end(mapper->options->ranks, tasks);
+	if (mapper->options->ranks)
+		hawser__ranks_end(mapper->options->ranks, tasks);
 	return status ? status : written;
 }
 
-enum hawser_status hawser__rows_by_ranks(struct hawser__rows_mapper *mapper, const char *settings,
-                                         struct hawser_report *report)
+enum hawser_status hawser__rows_compute(struct hawser__rows_mapper *mapper, const char *settings,
+                                        struct hawser_report *report)
 {
 	char *identity = hawser__map_ranks_identity(mapper->field->identity, settings);
 	const struct hawser__tasks tasks = {.context = mapper, .threads = mapper->threads,
@@ -177,7 +180,7 @@ enum hawser_status hawser__rows_by_ranks(struct hawser__rows_mapper *mapper, con
 
 	if (!identity)
 		return hawser__no_memory(report, "map");
-	if (mapper->options->ranks->rank > 0)
+	if (mapper->options->ranks && mapper->options->ranks->rank > 0)
 		hawser__ranks_serve(mapper->options->ranks, &tasks, HAWSER_OK, NULL);
 	else
 		status = run(mapper, &tasks, report);
