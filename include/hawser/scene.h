@@ -268,8 +268,8 @@ const struct hawser_scene_key *hawser_scene_key(int index);
 
 /* Read a scene from `stream` (called `name` in messages) and apply `nset` overrides in order. An
  * override has the syntax of --set: "cable.EA=100 MN", "load.per_length=[1, 2, 3]", or a whole
- * section, "load={frame: local, per_length: [1, 2, 3]}". A key of an item of the lists attach and
- * loads is named by the number of the item, from 0, or by its name: "attach.0.mass=20 kg",
+ * section, "load={frame: local, per_length: [1, 2, 3]}". A key of an item of the lists attach,
+ * loads and cases is named by the number of the item, from 0, or by its name: "attach.0.mass=20 kg",
  * "attach.carrier.mass=20 kg". If two keys exclude each other (tension.H
  * and tension.T0, the kinds of damping), the override replaces the one given before. *scene is
  * overwritten; release it with hawser_scene_clear. On failure it is all zero. Returns

@@ -12,57 +12,41 @@
 #include <string.h>
 
 #include "core/report.h"
-#include "scene/reader.h"
+#include "scene/tree.h"
 
-/* The text of a case's name, which follows its key. */
 static enum hawser_status name_of(struct hawser__reader *reader, struct hawser_case *to, int number,
-                                  const struct hawser__mark *place)
+                                  const struct hawser__tree *tree)
 {
-	char text[HAWSER__TEXT_ROOM] = "";
-	yaml_event_t event;
-	enum hawser_status status = hawser__event_next(reader, &event);
+	const char *text = tree->text;
 
-	if (status != HAWSER_OK)
-		return status;
-	if (event.type == YAML_SCALAR_EVENT)
-		status = hawser__event_text(reader, text, &event, "this name");
-	yaml_event_delete(&event);
-	if (status != HAWSER_OK)
-		return status;
-	if (!*text || strlen(text) >= sizeof to->name || strpbrk(text, "\"\\\t#{}[],:"))
-		return hawser__reader_fail(reader, place, "cases[%d].name must be a word or a few, of at "
+	if (!text || !*text || strlen(text) >= sizeof to->name || strpbrk(text, "\"\\\t#{}[],:"))
+		return hawser__reader_fail(reader, &tree->at, "cases[%d].name must be a word or a few, of at "
 		                           "most %d characters, without quotes, tabs and \\ # { } [ ] , :",
 		                           number, HAWSER_NAME_SIZE - 1);
 	memcpy(to->name, text, strlen(text) + 1);
 	return HAWSER_OK;
 }
 
-/* One "key: value" of a case; *end is 1 at the end. */
-static enum hawser_status pair(struct hawser__reader *reader, int *end, struct hawser_case *to,
-                               int number)
+static int is_below(const char *path, const char *section)
 {
-	char key[HAWSER__TEXT_ROOM] = "", shown[HAWSER__SHOWN];
-	struct hawser__mark place;
-	yaml_event_t event;
-	enum hawser_status status = hawser__event_next(reader, &event);
+	size_t length = strlen(section);
 
-	if (status != HAWSER_OK)
-		return status;
-	place = hawser__event_place(reader, &event);
-	*end = event.type == YAML_MAPPING_END_EVENT;
-	if (event.type == YAML_SCALAR_EVENT)
-		status = hawser__event_text(reader, key, &event, "this key");
-	yaml_event_delete(&event);
-	if (*end || status != HAWSER_OK)
-		return status;
-	if (!strcmp(key, "name"))
-		return *to->name ? hawser__reader_fail(reader, &place, "cases[%d] has two names: keep one",
-		                                       number)
-		                 : name_of(reader, to, number, &place);
-	if (!strcmp(key, "load") || !strcmp(key, "temperature"))
-		return hawser__parse_value(reader, key, &place);
-	return hawser__reader_fail(reader, &place, "cases[%d] takes name, load and temperature, not %s",
-	                           number, hawser__shown(shown, key));
+	return !strncmp(path, section, length) && (!path[length] || path[length] == '.');
+}
+
+/* A key of a case, whose own scene the reader has. Paths are those of overrides. */
+static enum hawser_status key_of(struct hawser__reader *reader, struct hawser_case *to, int number,
+                                 const char *path, const struct hawser__tree *tree)
+{
+	char shown[HAWSER__SHOWN];
+
+	if (!strcmp(path, "name"))
+		return name_of(reader, to, number, tree);
+	if (!strcmp(path, "load") || !strcmp(path, "temperature") ||
+	    (!tree->name && (is_below(path, "load") || is_below(path, "temperature"))))
+		return hawser__parse_value(reader, path, tree);
+	return hawser__reader_fail(reader, &tree->at, "cases[%d] takes name, load and temperature, not %s",
+	                           number, hawser__shown(shown, path));
 }
 
 /* Keep what the scene of an item has. */
@@ -92,26 +76,51 @@ static enum hawser_status keep(struct hawser__reader *reader, struct hawser_case
 	return HAWSER_OK;
 }
 
-enum hawser_status hawser__case_read(struct hawser__reader *reader, int number)
+/* Read all keys of a case or, with a path, that one, into a scene of its own. */
+static enum hawser_status read_case(struct hawser__reader *reader, int number, const char *path,
+                                    const struct hawser__tree *tree)
 {
 	struct hawser_scene *scene = reader->scene, *one = calloc(1, sizeof *one);
 	struct hawser__reader inner = *reader;
 	struct hawser_case *to = &scene->load_case[number];
 	enum hawser_status status = HAWSER_OK;
-	int end = 0;
 
 	if (!one)
 		return hawser__no_memory(reader->report, "scene");
 	inner.scene = one;
 	memset(inner.key, 0, sizeof inner.key);
 	memset(inner.section, 0, sizeof inner.section);
-	while (status == HAWSER_OK && !end)
-		status = pair(&inner, &end, to, number);
+	if (path) {
+		hawser_scene_case(one, scene, number);
+		memset(one->written, 0, sizeof one->written);
+		one->written[hawser__key_find("temperature.change")] = (unsigned char)to->heated;
+		one->written[hawser__key_find("temperature.expansion")] =
+			(unsigned char)(to->heated && !isnan(to->expansion));
+		inner.section[hawser__section_find("load.static")].pass =
+			to->loaded || is_below(path, "load.static");
+		inner.section[hawser__section_find("temperature")].pass =
+			to->heated || is_below(path, "temperature");
+		status = key_of(&inner, to, number, path, tree);
+	}
+	for (const struct hawser__tree *child = tree->child; !path && child && !status; child = child->next)
+		status = key_of(&inner, to, number, child->name, child);
 	if (status == HAWSER_OK)
 		status = keep(&inner, to, number, &reader->list[HAWSER__CASES]);
 	reader->units = inner.units;
 	free(one);
 	return status;
+}
+
+enum hawser_status hawser__case_read(struct hawser__reader *reader, int number,
+                                     const struct hawser__tree *tree)
+{
+	return read_case(reader, number, NULL, tree);
+}
+
+enum hawser_status hawser__case_set(struct hawser__reader *reader, int number, const char *path,
+                                    const struct hawser__tree *tree)
+{
+	return read_case(reader, number, path, tree);
 }
 
 enum hawser_status hawser__cases_check(struct hawser__reader *reader)

@@ -1,7 +1,7 @@
 /* scene/events.c - the subset of YAML that a scene uses: mappings, lists, scalars. Anchors, aliases
  * and tags are rejected, so that a value depends on its own line only and aliases cannot expand
  * exponentially. The code reads libyaml's events and not its document tree: each event has a line
- * and a column, and the table of keys bounds the depth for any text.
+ * and a column.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -30,6 +30,15 @@ enum hawser_status hawser__reader_fail(struct hawser__reader *reader,
 		                    reader->name, text);
 	return hawser__fail(reader->report, HAWSER_ERR_SCENE, "scene", "%s:%zu:%zu: %s",
 	                    reader->name, place->line, place->column, text);
+}
+
+const char *hawser__mark_text(char *text, size_t size, const struct hawser__mark *mark)
+{
+	if (mark->set)
+		snprintf(text, size, "in the same override");
+	else
+		snprintf(text, size, "in line %zu", mark->line);
+	return text;
 }
 
 static struct hawser__mark at(const struct hawser__reader *reader, const yaml_mark_t *mark)

@@ -17,31 +17,30 @@
 
 /* Read the value of `path` in an item of a list or, if it is NULL, all keys of the item. */
 static enum hawser_status within(struct hawser__reader *reader, const struct hawser__items *list,
-                                 int item, const char *path, const struct hawser__mark *place)
+                                 int item, const char *path, const struct hawser__tree *tree)
 {
 	int pass = reader->pass;
 	enum hawser_status status;
 
 	reader->item = item;
 	reader->pass = -(++reader->items);
-	status = path ? hawser__parse_value(reader, path, place)
-	              : hawser__parse_mapping(reader, list->name);
+	status = path ? hawser__parse_value(reader, path, tree)
+	              : hawser__parse_mapping(reader, list->name, tree);
 	reader->pass = pass;
 	reader->item = 0;
 	return status;
 }
 
-/* Read the item that begins with `event`. */
 static enum hawser_status item(struct hawser__reader *reader, const struct hawser__items *list,
-                               const yaml_event_t *event)
+                               const struct hawser__tree *tree)
 {
-	struct hawser__mark place = hawser__event_place(reader, event);
+	const struct hawser__mark place = tree->value;
 	int *count = hawser__list_count(list, reader->scene), number = *count;
 	int needed = list->required ? hawser__key_find(list->required) : -1;
 	char *fresh = (char *)reader->scene + list->first + (size_t)number*list->size;
 	enum hawser_status status;
 
-	if (event->type != YAML_MAPPING_START_EVENT)
+	if (tree->kind != HAWSER__MAPPING)
 		return hawser__reader_fail(reader, &place, "%s[%d] must be a mapping, such as %s",
 		                           list->name, number, list->example);
 	if (number == list->most)
@@ -52,7 +51,8 @@ static enum hawser_status item(struct hawser__reader *reader, const struct hawse
 		memcpy(fresh, list->fresh, list->size);
 	if (needed >= 0)
 		reader->key[needed] = (struct hawser__mark){0};
-	status = list->read ? list->read(reader, number) : within(reader, list, number, NULL, NULL);
+	status = list->read ? list->read(reader, number, tree)
+	                    : within(reader, list, number, NULL, tree);
 	if (status != HAWSER_OK)
 		return status;
 	++*count;
@@ -61,46 +61,19 @@ static enum hawser_status item(struct hawser__reader *reader, const struct hawse
 	return HAWSER_OK;
 }
 
-static enum hawser_status items(struct hawser__reader *reader, const struct hawser__items *list)
-{
-	enum hawser_status status = HAWSER_OK;
-
-	for (int end = 0; !end && status == HAWSER_OK;) {
-		yaml_event_t event;
-
-		status = hawser__event_next(reader, &event);
-		if (status != HAWSER_OK)
-			break;
-		end = event.type == YAML_SEQUENCE_END_EVENT;
-		if (!end)
-			status = item(reader, list, &event);
-		yaml_event_delete(&event);
-	}
-	return status;
-}
-
 enum hawser_status hawser__items_read(struct hawser__reader *reader, int index,
-                                      const struct hawser__mark *place)
+                                      const struct hawser__tree *tree)
 {
 	const struct hawser__items *list = hawser__list_row(index);
-	struct hawser__mark here;
-	yaml_event_t event;
-	enum hawser_status status;
+	enum hawser_status status = HAWSER_OK;
 
-	if (reader->list[index].pass == reader->pass)
-		return hawser__reader_fail(reader, place, "duplicate key %s: keep one list", list->name);
-	reader->list[index] = *place;
-	status = hawser__event_next(reader, &event);
-	if (status != HAWSER_OK)
-		return status;
-	here = hawser__event_place(reader, &event);
+	reader->list[index] = tree->at;
 	*hawser__list_count(list, reader->scene) = 0;
-	if (event.type == YAML_SEQUENCE_START_EVENT)
-		status = items(reader, list);
-	else
-		status = hawser__reader_fail(reader, &here, "%s must be a list of mappings, such as [%s]",
-		                             list->name, list->example);
-	yaml_event_delete(&event);
+	if (tree->kind != HAWSER__SEQUENCE)
+		return hawser__reader_fail(reader, &tree->value, "%s must be a list of mappings, such as [%s]",
+		                           list->name, list->example);
+	for (const struct hawser__tree *child = tree->child; child && !status; child = child->next)
+		status = item(reader, list, child);
 	return status;
 }
 
@@ -138,17 +111,24 @@ int hawser__item_key(int *number, const struct hawser_scene *scene, const char *
 }
 
 enum hawser_status hawser__items_set(struct hawser__reader *reader, int index, const char *path,
-                                     const struct hawser__mark *place)
+                                     const struct hawser__tree *tree)
 {
+	const struct hawser__mark *place = &tree->at;
 	const struct hawser__items *list = hawser__list_row(index);
 	int number, key = hawser__item_key(&number, reader->scene, path);
 	int count = *hawser__list_count(list, reader->scene);
+	const char *rest = strchr(strchr(path, '.') + 1, '.');
 	char shown[HAWSER__SHOWN], best[HAWSER__TEXT_ROOM], keys[HAWSER__TREE_LIST_SIZE] = "";
 
 	for (int i = 0; hawser_scene_key(i) && key < 0; i++)
 		if (hawser__list_of(i) == list)
 			snprintf(keys + strlen(keys), sizeof keys - strlen(keys), "%s%s", *keys ? ", " : "",
 			         hawser__leaf(hawser_scene_key(i)->path));
+	if (list->set && number >= 0 && rest)
+		return list->set(reader, number, rest + 1, tree);
+	if (!list->keys)
+		return hawser__reader_fail(reader, place, "%s: give the whole list, %s=[%s]", path, list->name,
+		                           list->example);
 	hawser__tree_nearest(best, hawser__leaf(path), keys);
 	if (key < 0)
 		return hawser__reader_fail(reader, place, "unknown key %s: %s%s%swrite %s.NUMBER.KEY, from 0, "
@@ -159,7 +139,7 @@ enum hawser_status hawser__items_set(struct hawser__reader *reader, int index, c
 		return hawser__reader_fail(reader, place, "%s: the scene has %d %s%s, and none has "
 		                           "this number or name", hawser__shown(shown, path), count,
 		                           list->one, count == 1 ? "" : "s");
-	return within(reader, list, number, hawser_scene_key(key)->path, place);
+	return within(reader, list, number, hawser_scene_key(key)->path, tree);
 }
 
 /* Rules of every list. */

@@ -66,6 +66,7 @@ const struct hawser__section *hawser__sections(size_t *count);
 const struct hawser__choice *hawser__choice(enum hawser__group group);
 
 struct hawser__reader;
+struct hawser__tree;
 
 /* A list of the scene, whose items are mappings: a row of the table in lists.c. Keys "attach.KEY" of
  * the table of keys belong to each item of the list `attach`; their offset is that in the first item,
@@ -82,7 +83,10 @@ struct hawser__items {
 	size_t count, first, size; /* offset of the number of items and of the first, size of an item */
 	size_t called;           /* offset of the name in an item */
 	const void *fresh;       /* an item with its defaults; NULL: all zero */
-	enum hawser_status (*read)(struct hawser__reader *reader, int number);
+	enum hawser_status (*read)(struct hawser__reader *reader, int number,
+	                           const struct hawser__tree *tree);
+	enum hawser_status (*set)(struct hawser__reader *reader, int number, const char *path,
+	                          const struct hawser__tree *tree); /* a key of an item */
 	enum hawser_status (*check)(struct hawser__reader *reader); /* of all items of a scene */
 };
 enum { HAWSER__ATTACH, HAWSER__LOADS, HAWSER__CASES, HAWSER__LISTS };

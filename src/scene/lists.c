@@ -36,7 +36,7 @@ static const struct hawser__items table[HAWSER__LISTS] = {
 		.example = "{name: ice, load: {static: {mass: 0.9 kg/m}}}",
 		.most = HAWSER_CASES_MAX, .count = OF(cases), .first = OF(load_case),
 		.size = sizeof(struct hawser_case), .called = offsetof(struct hawser_case, name),
-		.read = hawser__case_read, .check = hawser__cases_check},
+		.read = hawser__case_read, .set = hawser__case_set, .check = hawser__cases_check},
 };
 
 const struct hawser__items *hawser__list_row(int index)

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "scene/reader.h"
+#include "scene/tree.h"
 
 static void forget_item(struct hawser__reader *reader, const struct hawser__items *list, int number)
 {
@@ -53,7 +53,8 @@ enum hawser_status hawser__parse_take_out(struct hawser__reader *reader, const c
 	else if (list && item >= 0)
 		forget_item(reader, list, item);
 	else if (list || (key < 0 && hawser__section_find(path) < 0))
-		return list ? hawser__items_set(reader, hawser__list_find(path), path, place)
+		return list ? hawser__items_set(reader, hawser__list_find(path), path,
+		                                &(struct hawser__tree){.at = *place})
 		            : hawser__parse_unknown(reader, place, path);
 	for (size_t s = 0; s < sections && !list; s++)
 		if (!strncmp(section[s].path, path, length) && strchr(".", section[s].path[length]))

@@ -60,26 +60,7 @@ static int rival(const struct hawser__reader *reader, enum hawser__group group, 
 	return -1;
 }
 
-/* The place of the earlier of two keys, for a message about the later one. */
-static const char *earlier(char *text, size_t size, const struct hawser__mark *first)
-{
-	if (first->set)
-		snprintf(text, size, "in the same override");
-	else
-		snprintf(text, size, "in line %zu", first->line);
-	return text;
-}
-
-static enum hawser_status twice(struct hawser__reader *reader, const struct hawser__mark *place,
-                                const struct hawser__mark *first, const char *path)
-{
-	char where[48];
-
-	return hawser__reader_fail(reader, place, "duplicate key %s, already given %s: keep one",
-	                           path, earlier(where, sizeof where, first));
-}
-
-/* Record that a key is given; fail if it is a duplicate or contradicts another key. */
+/* Record that a key is given; fail if it contradicts another key. */
 static enum hawser_status claim(struct hawser__reader *reader, int index,
                                 const struct hawser__mark *place)
 {
@@ -88,31 +69,18 @@ static enum hawser_status claim(struct hawser__reader *reader, int index,
 	int other = row->group ? rival(reader, row->group, row->member) : -1;
 	char where[48];
 
-	if (mine->pass == reader->pass)
-		return twice(reader, place, mine, path_of(index));
 	if (other >= 0)
 		return hawser__reader_fail(reader, place, "%s contradicts %s %s: give %s",
 		                           path_of(index), path_of(other),
-		                           earlier(where, sizeof where, &reader->key[other]),
+		                           hawser__mark_text(where, sizeof where, &reader->key[other]),
 		                           hawser__choice(row->group)->rule);
 	if (row->group) {
 		displace(reader, row->group, row->member);
 		hawser__choose(reader->scene, row->group, row->member);
 	}
 	*mine = *place;
+	mine->pass = reader->pass;
 	reader->scene->written[index] = 1;
-	return HAWSER_OK;
-}
-
-static enum hawser_status claim_section(struct hawser__reader *reader, int index,
-                                        const struct hawser__mark *place)
-{
-	struct hawser__mark *mine = &reader->section[index];
-	size_t count;
-
-	if (mine->pass == reader->pass)
-		return twice(reader, place, mine, hawser__sections(&count)[index].path);
-	*mine = *place;
 	return HAWSER_OK;
 }
 
@@ -134,58 +102,30 @@ enum hawser_status hawser__parse_unknown(struct hawser__reader *reader,
 	                           *path ? hawser__shown(shown, path) : "\"\"", hint);
 }
 
-/* The kind of scene: this reader is for spans, which need not say so. */
-static enum hawser_status kind(struct hawser__reader *reader, const struct hawser__mark *place)
-{
-	yaml_event_t event;
-	enum hawser_status status = hawser__event_next(reader, &event);
-
-	if (status != HAWSER_OK)
-		return status;
-	if (event.type != YAML_SCALAR_EVENT || strcmp((const char *)event.data.scalar.value, "span"))
-		status = hawser__parse_unknown(reader, place, "kind");
-	yaml_event_delete(&event);
-	return status;
-}
-
-/* Read the value of `path`, whose name is at `place`: the value of a key or the mapping of a
- * section. */
 enum hawser_status hawser__parse_value(struct hawser__reader *reader, const char *path,
-                                       const struct hawser__mark *place)
+                                       const struct hawser__tree *tree)
 {
 	int key = hawser__key_find(path), section = hawser__section_find(path);
 	int list = hawser__list_find(path);
-	yaml_event_t event;
+	char hint[256];
 	enum hawser_status status;
 
 	if (list >= 0 && !strchr(path, '.'))
-		return hawser__items_read(reader, list, place);
-	if (!strcmp(path, "kind") && reader->pass == 1)
-		return kind(reader, place);
+		return hawser__items_read(reader, list, tree);
+	if (!strcmp(path, "kind") && reader->pass == 1 && tree->text && !strcmp(tree->text, "span"))
+		return HAWSER_OK; /* spans need not say so */
 	if (key < 0 && section < 0)
-		return hawser__parse_unknown(reader, place, path);
-	status = key >= 0 ? claim(reader, key, place) : claim_section(reader, section, place);
-	if (status != HAWSER_OK)
-		return status;
-	status = hawser__event_next(reader, &event);
-	if (status != HAWSER_OK)
-		return status;
+		return hawser__parse_unknown(reader, &tree->at, path);
 	if (key >= 0) {
-		status = hawser__value_read(reader, &event, key);
-	} else if (event.type == YAML_MAPPING_START_EVENT) {
-		status = hawser__parse_mapping(reader, path);
-	} else {
-		char hint[256];
-		struct hawser__mark here = hawser__event_place(reader, &event);
-
-		hawser__list(hint, sizeof hint, path);
-		status = hawser__reader_fail(reader, &here,
-		                             "%s is %s, but must be a mapping: %s", path,
-		                             event.type == YAML_SEQUENCE_START_EVENT
-		                                     ? "a list" : "a single value", hint);
+		status = claim(reader, key, &tree->at);
+		return status ? status : hawser__value_read(reader, tree, key);
 	}
-	yaml_event_delete(&event);
-	return status;
+	reader->section[section] = tree->at;
+	if (tree->kind == HAWSER__MAPPING)
+		return hawser__parse_mapping(reader, path, tree);
+	hawser__list(hint, sizeof hint, path);
+	return hawser__reader_fail(reader, &tree->value, "%s is %s, but must be a mapping: %s", path,
+	                           tree->kind == HAWSER__SEQUENCE ? "a list" : "a single value", hint);
 }
 
 /* Fail for a name with a dot, which must not be looked up in the table. */
@@ -199,133 +139,47 @@ static enum hawser_status dotted(struct hawser__reader *reader,
 	                           path);
 }
 
-/* Read one "key: value" of a section; *end is 1 at the end of the mapping. */
-static enum hawser_status pair(struct hawser__reader *reader, int *end, const char *section)
-{
-	char name[HAWSER__TEXT_ROOM], path[2*HAWSER__TEXT_ROOM];
-	struct hawser__mark place;
-	yaml_event_t event;
-	enum hawser_status status = hawser__event_next(reader, &event);
-
-	if (status != HAWSER_OK)
-		return status;
-	place = hawser__event_place(reader, &event);
-	*end = event.type == YAML_MAPPING_END_EVENT;
-	if (!*end && event.type != YAML_SCALAR_EVENT)
-		status = hawser__reader_fail(reader, &place, "a key must be a word, not a %s",
-		                             event.type == YAML_SEQUENCE_START_EVENT ? "list"
-		                                                                     : "mapping");
-	else if (!*end)
-		status = hawser__event_text(reader, name, &event, "this key");
-	yaml_event_delete(&event);
-	if (*end || status != HAWSER_OK)
-		return status;
-	snprintf(path, sizeof path, "%s%s%s", section, *section ? "." : "", name);
-	return strchr(name, '.') ? dotted(reader, &place, path) : hawser__parse_value(reader, path, &place);
-}
-
-enum hawser_status hawser__parse_mapping(struct hawser__reader *reader, const char *section)
+enum hawser_status hawser__parse_mapping(struct hawser__reader *reader, const char *section,
+                                         const struct hawser__tree *tree)
 {
 	enum hawser_status status = HAWSER_OK;
-	int end = 0;
+	char path[2*HAWSER__TEXT_ROOM];
 
-	while (status == HAWSER_OK && !end)
-		status = pair(reader, &end, section);
+	for (const struct hawser__tree *child = tree->child; child && !status; child = child->next) {
+		snprintf(path, sizeof path, "%s%s%s", section, *section ? "." : "", child->name);
+		status = strchr(child->name, '.') ? dotted(reader, &child->at, path)
+		                                  : hawser__parse_value(reader, path, child);
+	}
 	return status;
 }
 
-/* Skip the next event, which must be of this type; *here is its place. */
-static enum hawser_status step(struct hawser__reader *reader, int *found, yaml_event_type_t type,
-                               struct hawser__mark *here)
+/* The top level of the document: a mapping. An empty document is nothing, or one empty scalar. */
+static enum hawser_status top(struct hawser__reader *reader, const struct hawser__tree *tree)
 {
-	yaml_event_t event;
-	enum hawser_status status = hawser__event_next(reader, &event);
-
-	if (status != HAWSER_OK)
-		return status;
-	*found = event.type == type;
-	*here = hawser__event_place(reader, &event);
-	yaml_event_delete(&event);
-	return HAWSER_OK;
+	reader->root = tree ? tree->value : (struct hawser__mark){.pass = 1};
+	if (!tree || (tree->kind == HAWSER__SCALAR && !*tree->text))
+		return hawser__reader_fail(reader, &reader->root, "the scene is empty: it needs at least cable, "
+		                           "span and tension (see hawser-scene(5))");
+	if (tree->kind != HAWSER__MAPPING)
+		return hawser__reader_fail(reader, &reader->root,
+		                           "a scene is a mapping of keys to values, such as "
+		                           "\"cable: {EA: 400 MN, rho: 6 kg/m}\"");
+	return hawser__parse_mapping(reader, "", tree);
 }
 
-static enum hawser_status empty(struct hawser__reader *reader, const struct hawser__mark *place)
+enum hawser_status hawser__parse_file(struct hawser__reader *reader,
+                                      const struct hawser_document *from)
 {
-	return hawser__reader_fail(reader, place, "the scene is empty: it needs at least cable, "
-	                                          "span and tension (see hawser-scene(5))");
-}
+	struct hawser__tree *own = NULL;
+	enum hawser_status status = HAWSER_OK;
 
-/* Read the top level of the document: a mapping. An empty document is one empty scalar. */
-static enum hawser_status top(struct hawser__reader *reader)
-{
-	yaml_event_t event;
-	enum hawser_status status = hawser__event_next(reader, &event);
-
-	if (status != HAWSER_OK)
-		return status;
-	reader->root = hawser__event_place(reader, &event);
-	if (event.type == YAML_MAPPING_START_EVENT)
-		status = hawser__parse_mapping(reader, "");
-	else if (event.type == YAML_SCALAR_EVENT && event.data.scalar.length == 0)
-		status = empty(reader, &reader->root);
-	else
-		status = hawser__reader_fail(reader, &reader->root,
-		                             "a scene is a mapping of keys to values, such as "
-		                             "\"cable: {EA: 400 MN, rho: 6 kg/m}\"");
-	yaml_event_delete(&event);
-	return status;
-}
-
-/* Read the end of the document and of the stream. */
-static enum hawser_status finish(struct hawser__reader *reader)
-{
-	struct hawser__mark here;
-	int found;
-	enum hawser_status status = step(reader, &found, YAML_DOCUMENT_END_EVENT, &here);
-
-	if (status == HAWSER_OK)
-		status = step(reader, &found, YAML_STREAM_END_EVENT, &here);
-	if (status != HAWSER_OK || found)
-		return status;
-	return hawser__reader_fail(reader, &here, "a second document begins here: a scene is one "
-	                                          "document, so remove what follows");
-}
-
-/* Read up to the first event of the document; *any is 0 if the text has no document. */
-static enum hawser_status start(struct hawser__reader *reader, int *any, yaml_parser_t *yaml,
-                                const char *text, size_t length)
-{
-	struct hawser__mark here;
-	enum hawser_status status;
-
-	if (!yaml_parser_initialize(yaml))
-		return hawser__no_memory(reader->report, "scene");
-	reader->yaml = yaml;
-	yaml_parser_set_input_string(yaml, (const unsigned char *)text, length);
-	status = step(reader, any, YAML_STREAM_START_EVENT, &here);
-	if (status == HAWSER_OK)
-		status = step(reader, any, YAML_DOCUMENT_START_EVENT, &here);
-	return status;
-}
-
-enum hawser_status hawser__parse_file(struct hawser__reader *reader, const char *text,
-                                      size_t length)
-{
-	yaml_parser_t yaml;
-	int any = 0;
-	enum hawser_status status;
-
-	memset(&yaml, 0, sizeof yaml);
 	reader->set = NULL;
 	reader->pass = 1;
-	status = start(reader, &any, &yaml, text, length);
-	if (status == HAWSER_OK && !any)
-		status = empty(reader, &(struct hawser__mark){.pass = 1});
-	if (status == HAWSER_OK)
-		status = top(reader);
-	if (status == HAWSER_OK)
-		status = finish(reader);
-	yaml_parser_delete(&yaml);
+	if (!from->tree) /* it tells why there is none */
+		status = hawser__tree_document(&own, reader, from->text, from->length);
+	if (!status)
+		status = top(reader, own ? own : from->tree);
+	hawser__tree_clear(own);
 	return status;
 }
 
@@ -333,9 +187,9 @@ enum hawser_status hawser__parse_file(struct hawser__reader *reader, const char 
 static enum hawser_status assign(struct hawser__reader *reader, char *path, const char *text)
 {
 	const struct hawser__mark place = {.pass = reader->pass, .set = reader->set, .line = 1};
-	yaml_parser_t yaml;
 	char parent[HAWSER__TEXT_ROOM], whole[2*HAWSER__TEXT_ROOM];
-	int any = 0, list, item, element;
+	struct hawser__tree *tree = NULL;
+	int list, item, element;
 	enum hawser_status status;
 
 	snprintf(parent, sizeof parent, "%s", path);
@@ -346,24 +200,20 @@ static enum hawser_status assign(struct hawser__reader *reader, char *path, cons
 		text = whole;
 	}
 	list = hawser__list_find(path);
-	item = list >= 0 && hawser__list_row(list)->keys && strchr(path, '.');
+	item = list >= 0 && strchr(path, '.');
 	if (!text[strspn(text, " ")])
 		return hawser__parse_take_out(reader, path, &place);
-	if (list >= 0 && !item && strchr(path, '.'))
-		return hawser__reader_fail(reader, &place, "%s: give the whole list, %s=[%s]", path,
-		                           hawser__list_row(list)->name, hawser__list_row(list)->example);
 	if (hawser__key_find(path) < 0 && hawser__section_find(path) < 0 && list < 0)
 		return hawser__parse_unknown(reader, &place, path);
-	memset(&yaml, 0, sizeof yaml);
-	status = start(reader, &any, &yaml, text, strlen(text));
-	if (status == HAWSER_OK && !any)
+	status = hawser__tree_document(&tree, reader, text, strlen(text));
+	if (!status && !tree)
 		status = hawser__reader_fail(reader, &place, "%s has no value: write %s=VALUE", path, path);
-	if (status == HAWSER_OK)
-		status = item ? hawser__items_set(reader, list, path, &place)
-		              : hawser__parse_value(reader, path, &place);
-	if (status == HAWSER_OK)
-		status = finish(reader);
-	yaml_parser_delete(&yaml);
+	if (!status) {
+		tree->at = place;
+		status = item ? hawser__items_set(reader, list, path, tree)
+		              : hawser__parse_value(reader, path, tree);
+	}
+	hawser__tree_clear(tree);
 	return status;
 }
 

@@ -42,6 +42,9 @@ enum hawser_status hawser__reader_fail(struct hawser__reader *reader,
                                        const struct hawser__mark *place, const char *format,
                                        ...) HAWSER_PRINTF(3, 4);
 
+/* "in line 7": the place of the earlier of two keys, for a message about the later one. */
+const char *hawser__mark_text(char *text, size_t size, const struct hawser__mark *mark);
+
 /* events.c: the next event of libyaml; fails for features that a scene must not use. */
 enum hawser_status hawser__event_next(struct hawser__reader *reader, yaml_event_t *event)
 	HAWSER_MUST_CHECK;
@@ -53,23 +56,25 @@ enum hawser_status hawser__event_text(struct hawser__reader *reader, char text[H
 struct hawser__mark hawser__event_place(const struct hawser__reader *reader,
                                         const yaml_event_t *event);
 
-/* value.c: read the value that begins with `event` and store it in the scene for key `index`. */
-enum hawser_status hawser__value_read(struct hawser__reader *reader, yaml_event_t *event,
+struct hawser__tree;
+
+/* value.c: read a value and store it in the scene for key `index`. */
+enum hawser_status hawser__value_read(struct hawser__reader *reader, const struct hawser__tree *tree,
                                       int index) HAWSER_MUST_CHECK;
 
-/* parse.c: read a whole document: the text of a file, or of an override after "path=". */
-enum hawser_status hawser__parse_file(struct hawser__reader *reader, const char *text,
-                                      size_t length) HAWSER_MUST_CHECK;
+/* parse.c: read a whole document, or an override "path=value". */
+enum hawser_status hawser__parse_file(struct hawser__reader *reader,
+                                      const struct hawser_document *from) HAWSER_MUST_CHECK;
 enum hawser_status hawser__parse_override(struct hawser__reader *reader, const char *set)
 	HAWSER_MUST_CHECK;
 /* Set every key that is not given to its default. */
 enum hawser_status hawser__parse_defaults(struct hawser__reader *reader) HAWSER_MUST_CHECK;
 
-/* parse.c: the value of `path`, whose name is at `place`; a mapping of `section` up to its end. */
+/* parse.c: the value of `path`; the entries of the mapping of a section. */
 enum hawser_status hawser__parse_value(struct hawser__reader *reader, const char *path,
-                                       const struct hawser__mark *place) HAWSER_MUST_CHECK;
-enum hawser_status hawser__parse_mapping(struct hawser__reader *reader, const char *section)
-	HAWSER_MUST_CHECK;
+                                       const struct hawser__tree *tree) HAWSER_MUST_CHECK;
+enum hawser_status hawser__parse_mapping(struct hawser__reader *reader, const char *section,
+                                         const struct hawser__tree *tree) HAWSER_MUST_CHECK;
 enum hawser_status hawser__parse_unknown(struct hawser__reader *reader,
                                          const struct hawser__mark *place, const char *path);
 
@@ -84,19 +89,21 @@ enum hawser_status hawser__parse_take_out(struct hawser__reader *reader, const c
 int hawser__parse_element(char *text, size_t size, const struct hawser_scene *scene, const char *path,
                           int element, const char *value);
 
-/* items.c: read a list, whose name is at `place`; an override "attach.0.mass", whose text is the
- * current document; check the items of all lists. */
+/* items.c: read a list; an override "attach.0.mass"; check the items of all lists. */
 enum hawser_status hawser__items_read(struct hawser__reader *reader, int list,
-                                      const struct hawser__mark *place) HAWSER_MUST_CHECK;
+                                      const struct hawser__tree *tree) HAWSER_MUST_CHECK;
 enum hawser_status hawser__items_set(struct hawser__reader *reader, int list, const char *path,
-                                     const struct hawser__mark *place) HAWSER_MUST_CHECK;
+                                     const struct hawser__tree *tree) HAWSER_MUST_CHECK;
 enum hawser_status hawser__items_check(struct hawser__reader *reader) HAWSER_MUST_CHECK;
 
-/* Rules of single lists: lists.c; cases.c, which also reads an item after its begin. */
+/* Rules of single lists: lists.c; cases.c, which also reads an item, or a key of one. */
 enum hawser_status hawser__attach_check(struct hawser__reader *reader) HAWSER_MUST_CHECK;
 enum hawser_status hawser__loads_check(struct hawser__reader *reader) HAWSER_MUST_CHECK;
 enum hawser_status hawser__cases_check(struct hawser__reader *reader) HAWSER_MUST_CHECK;
-enum hawser_status hawser__case_read(struct hawser__reader *reader, int number) HAWSER_MUST_CHECK;
+enum hawser_status hawser__case_read(struct hawser__reader *reader, int number,
+                                     const struct hawser__tree *tree) HAWSER_MUST_CHECK;
+enum hawser_status hawser__case_set(struct hawser__reader *reader, int number, const char *path,
+                                    const struct hawser__tree *tree) HAWSER_MUST_CHECK;
 
 /* check.c: check the whole scene: missing keys, keys that require others. */
 enum hawser_status hawser__check(struct hawser__reader *reader) HAWSER_MUST_CHECK;

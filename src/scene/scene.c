@@ -12,10 +12,10 @@
 
 enum { SIZE_LIMIT = 1 << 20 };
 
-static enum hawser_status parse(struct hawser__reader *reader, const char *text, size_t length,
+static enum hawser_status parse(struct hawser__reader *reader, const struct hawser_document *from,
                                 const char *const *set, size_t nset)
 {
-	enum hawser_status status = hawser__parse_file(reader, text, length);
+	enum hawser_status status = hawser__parse_file(reader, from);
 
 	for (size_t i = 0; i < nset && status == HAWSER_OK; i++)
 		status = hawser__parse_override(reader, set[i]);
@@ -35,7 +35,7 @@ enum hawser_status hawser_scene_of(struct hawser_scene *scene, const struct haws
 	enum hawser_status status;
 
 	memset(scene, 0, sizeof *scene);
-	status = from->length <= SIZE_LIMIT ? parse(&reader, from->text, from->length, set, nset)
+	status = from->length <= SIZE_LIMIT ? parse(&reader, from, set, nset)
 	         : hawser__fail(report, HAWSER_ERR_SCENE, "scene",
 	                        "%s: larger than 1 MiB, so this is not a scene", from->name);
 	if (status == HAWSER_OK) {

@@ -44,8 +44,9 @@ void hawser__tree_append(struct hawser__tree *parent, struct hawser__tree *child
 	parent->children++;
 }
 
+/* `path` names the value in messages; "" is the outermost one. */
 static enum hawser_status value(struct hawser__tree **made, struct hawser__reader *reader,
-                                const yaml_event_t *event, int depth);
+                                const yaml_event_t *event, int depth, const char *path);
 
 /* The name of an entry; *end is 1 at the end of the mapping. */
 static enum hawser_status name_of(char name[HAWSER__TEXT_ROOM], struct hawser__mark *place, int *end,
@@ -72,12 +73,13 @@ static int by_name(const void *a, const void *b)
 	return strcmp((*(struct hawser__tree *const *)a)->name, (*(struct hawser__tree *const *)b)->name);
 }
 
-static enum hawser_status no_twins(struct hawser__reader *reader, const struct hawser__tree *tree)
+static enum hawser_status no_twins(struct hawser__reader *reader, const struct hawser__tree *tree,
+                                   const char *path)
 {
 	struct hawser__tree **list = malloc(((size_t)tree->children + 1)*sizeof(struct hawser__tree *));
 	enum hawser_status status = HAWSER_OK;
 	size_t count = 0;
-	char shown[HAWSER__SHOWN];
+	char shown[HAWSER__SHOWN], where[48];
 
 	if (!list)
 		return hawser__no_memory(reader->report, "scene");
@@ -86,23 +88,25 @@ static enum hawser_status no_twins(struct hawser__reader *reader, const struct h
 	qsort(list, count, sizeof *list, by_name);
 	for (size_t i = 1; i < count && !status; i++)
 		if (!strcmp(list[i]->name, list[i - 1]->name)) {
-			int later = list[i]->at.line > list[i - 1]->at.line;
+			const struct hawser__mark *a = &list[i - 1]->at, *b = &list[i]->at;
+			int later = a->line != b->line ? b->line > a->line : b->column > a->column;
 
-			status = hawser__reader_fail(reader, &list[later ? i : i - 1]->at,
-			                             "duplicate key %s, already given in line %zu: keep one",
+			status = hawser__reader_fail(reader, later ? b : a, "duplicate key %s%s%s, already given %s: "
+			                             "keep one", path, *path ? "." : "",
 			                             hawser__shown(shown, list[i]->name),
-			                             list[later ? i - 1 : i]->at.line);
+			                             hawser__mark_text(where, sizeof where, later ? a : b));
 		}
 	free(list);
 	return status;
 }
 
-static enum hawser_status entries(struct hawser__tree *tree, struct hawser__reader *reader, int depth)
+static enum hawser_status entries(struct hawser__tree *tree, struct hawser__reader *reader, int depth,
+                                  const char *path)
 {
 	enum hawser_status status = HAWSER_OK;
 
 	for (int end = 0; !status && !end;) {
-		char name[HAWSER__TEXT_ROOM];
+		char name[HAWSER__TEXT_ROOM], below[HAWSER__TEXT_ROOM];
 		struct hawser__mark place;
 		struct hawser__tree *child = NULL;
 		yaml_event_t event;
@@ -113,7 +117,8 @@ static enum hawser_status entries(struct hawser__tree *tree, struct hawser__read
 		status = hawser__event_next(reader, &event);
 		if (status)
 			break;
-		status = value(&child, reader, &event, depth);
+		snprintf(below, sizeof below, "%.120s%s%.120s", path, *path ? "." : "", name);
+		status = value(&child, reader, &event, depth, below);
 		yaml_event_delete(&event);
 		if (!child)
 			break;
@@ -123,10 +128,11 @@ static enum hawser_status entries(struct hawser__tree *tree, struct hawser__read
 		if (!child->name)
 			status = hawser__no_memory(reader->report, "scene");
 	}
-	return status ? status : no_twins(reader, tree);
+	return status ? status : no_twins(reader, tree, path);
 }
 
-static enum hawser_status items(struct hawser__tree *tree, struct hawser__reader *reader, int depth)
+static enum hawser_status items(struct hawser__tree *tree, struct hawser__reader *reader, int depth,
+                                const char *path)
 {
 	enum hawser_status status = HAWSER_OK;
 
@@ -139,7 +145,7 @@ static enum hawser_status items(struct hawser__tree *tree, struct hawser__reader
 			break;
 		end = event.type == YAML_SEQUENCE_END_EVENT;
 		if (!end)
-			status = value(&child, reader, &event, depth);
+			status = value(&child, reader, &event, depth, path);
 		yaml_event_delete(&event);
 		if (child)
 			hawser__tree_append(tree, child);
@@ -148,7 +154,7 @@ static enum hawser_status items(struct hawser__tree *tree, struct hawser__reader
 }
 
 static enum hawser_status value(struct hawser__tree **made, struct hawser__reader *reader,
-                                const yaml_event_t *event, int depth)
+                                const yaml_event_t *event, int depth, const char *path)
 {
 	struct hawser__tree *tree = calloc(1, sizeof *tree);
 	char text[HAWSER__TEXT_ROOM];
@@ -157,18 +163,18 @@ static enum hawser_status value(struct hawser__tree **made, struct hawser__reade
 	*made = tree;
 	if (!tree)
 		return hawser__no_memory(reader->report, "scene");
-	tree->at = hawser__event_place(reader, event);
+	tree->at = tree->value = hawser__event_place(reader, event);
 	if (depth > DEEPEST)
 		return hawser__reader_fail(reader, &tree->at, "nothing in a scene is nested that deep");
 	if (event->type == YAML_MAPPING_START_EVENT) {
 		tree->kind = HAWSER__MAPPING;
-		return entries(tree, reader, depth + 1);
+		return entries(tree, reader, depth + 1, path);
 	}
 	if (event->type == YAML_SEQUENCE_START_EVENT) {
 		tree->kind = HAWSER__SEQUENCE;
-		return items(tree, reader, depth + 1);
+		return items(tree, reader, depth + 1, path);
 	}
-	status = hawser__event_text(reader, text, event, "this value");
+	status = hawser__event_text(reader, text, event, *path ? path : "this value");
 	if (status)
 		return status;
 	tree->text = strdup(text);
@@ -201,7 +207,7 @@ enum hawser_status hawser__tree_document(struct hawser__tree **tree, struct haws
 			                             "one document, so remove what follows");
 		else if (event.type == YAML_SCALAR_EVENT || event.type == YAML_MAPPING_START_EVENT ||
 		         event.type == YAML_SEQUENCE_START_EVENT)
-			status = value(tree, reader, &event, 0);
+			status = value(tree, reader, &event, 0, "");
 		yaml_event_delete(&event);
 	}
 	yaml_parser_delete(&yaml);
@@ -230,6 +236,7 @@ static enum hawser_status copy(struct hawser__tree **made, const struct hawser__
 		return HAWSER_ERR_MEMORY;
 	tree->kind = from->kind;
 	tree->at = from->at;
+	tree->value = from->value;
 	if ((from->name && !(tree->name = strdup(from->name))) ||
 	    (from->text && !(tree->text = strdup(from->text))))
 		return HAWSER_ERR_MEMORY;

@@ -1,5 +1,5 @@
-/* scene/tree.h - a scene whose names are the user's (nets, ropeways) as a tree of values with their
- * places. The table of keys of spans, which has one place for each key, cannot hold such names.
+/* scene/tree.h - a scene as a tree of values with their places, and how scenes whose names are the
+ * user's (nets, ropeways) are read from it. Those of spans are read by parse.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_SCENE_TREE_H
 #define HAWSER_SCENE_TREE_H
@@ -13,6 +13,7 @@ struct hawser__tree {
 	enum hawser__tree_kind kind;
 	char *name, *text;           /* of an entry of a mapping; of a scalar */
 	struct hawser__mark at;     /* of the name or, without one, of the value */
+	struct hawser__mark value;  /* of the value */
 	struct hawser__tree *child, *last, *next;
 	int children;
 };

@@ -10,6 +10,7 @@
 
 #include "core/report.h"
 #include "scene/reader.h"
+#include "scene/tree.h"
 
 /* A value being read: its key, its name in messages ("load.extent[1]"), its place. */
 struct item {
@@ -196,14 +197,12 @@ static enum hawser_status name(struct hawser__reader *reader, const struct item 
 }
 
 static enum hawser_status scalar(struct hawser__reader *reader, const struct item *item,
-                                 const yaml_event_t *event)
+                                 const char *text)
 {
-	char text[HAWSER__TEXT_ROOM], want[96];
+	char want[96];
 	double value = 0.0;
-	enum hawser_status status = hawser__event_text(reader, text, event, item->called);
+	enum hawser_status status = HAWSER_OK;
 
-	if (status != HAWSER_OK)
-		return status;
 	if (!*text)
 		return hawser__reader_fail(reader, &item->place, "%s has no value: give %s",
 		                           item->called, wanted(want, sizeof want, item));
@@ -225,19 +224,10 @@ static enum hawser_status scalar(struct hawser__reader *reader, const struct ite
 	return status;
 }
 
-static const char *kind(const yaml_event_t *event)
+static const char *kind(const struct hawser__tree *tree)
 {
-	return event->type == YAML_MAPPING_START_EVENT ? "a mapping"
-	       : event->type == YAML_SEQUENCE_START_EVENT ? "a list" : "a single value";
-}
-
-static enum hawser_status wrong_kind(struct hawser__reader *reader, const struct item *item,
-                                     const yaml_event_t *event)
-{
-	char want[96];
-
-	return hawser__reader_fail(reader, &item->place, "%s is %s, but must be %s", item->called,
-	                           kind(event), wanted(want, sizeof want, item));
+	return tree->kind == HAWSER__MAPPING ? "a mapping"
+	       : tree->kind == HAWSER__SEQUENCE ? "a list" : "a single value";
 }
 
 /* Most elements of a list. */
@@ -248,52 +238,36 @@ static int room(const struct item *list)
 	return type == HAWSER__SERIES ? HAWSER_RATIOS : hawser__type_count(type);
 }
 
-/* Read the i-th element of a list into value[i]; *end is 1 at the end of the list. */
-static enum hawser_status element(struct hawser__reader *reader, double *value, int *end,
-                                  const struct item *list, int i)
+/* Element i of a list into *value. */
+static enum hawser_status element(struct hawser__reader *reader, double *value,
+                                  const struct hawser__tree *tree, const struct item *list, int i)
 {
-	struct item item = *list;
-	char text[HAWSER__TEXT_ROOM], want[96];
-	yaml_event_t event;
-	enum hawser_status status = hawser__event_next(reader, &event);
+	struct item item = {.index = list->index, .place = tree->value};
+	char want[96];
 
-	if (status != HAWSER_OK)
-		return status;
 	snprintf(item.called, sizeof item.called, "%s[%d]", key_of(list)->path, i);
-	item.place = hawser__event_place(reader, &event);
-	*end = event.type == YAML_SEQUENCE_END_EVENT;
-	if (*end)
-		goto done;
 	if (i == room(list))
-		status = hawser__reader_fail(reader, &item.place,
-		                             "%s has more than %d values: give %s",
-		                             list->called, i, wanted(want, sizeof want, list));
-	else if (event.type != YAML_SCALAR_EVENT)
-		status = hawser__reader_fail(reader, &item.place, "%s is %s, but must be a number",
-		                             item.called, kind(&event));
-	else
-		status = hawser__event_text(reader, text, &event, item.called);
-	if (status == HAWSER_OK)
-		status = number(reader, &value[i], &item, text);
-done:
-	yaml_event_delete(&event);
-	return status;
+		return hawser__reader_fail(reader, &item.place, "%s has more than %d values: give %s",
+		                           list->called, i, wanted(want, sizeof want, list));
+	if (tree->kind != HAWSER__SCALAR)
+		return hawser__reader_fail(reader, &item.place, "%s is %s, but must be a number",
+		                           item.called, kind(tree));
+	return number(reader, value, &item, tree->text);
 }
 
-static enum hawser_status list(struct hawser__reader *reader, const struct item *item)
+static enum hawser_status list(struct hawser__reader *reader, const struct item *item,
+                               const struct hawser__tree *tree)
 {
 	const struct hawser__row *row = &hawser__rows()[item->index];
-	int series = row->type == HAWSER__SERIES, count = series ? 1 : room(item), n = 0, end = 0;
+	int series = row->type == HAWSER__SERIES, count = series ? 1 : room(item), n = 0;
 	double value[HAWSER_RATIOS + 1] = {0.0};
 	char want[96];
-	enum hawser_status status;
 
-	for (;; n++) {
-		status = element(reader, value, &end, item, n);
-		if (status != HAWSER_OK)
+	for (const struct hawser__tree *child = tree->child; child; child = child->next, n++) {
+		enum hawser_status status = element(reader, &value[n], child, item, n);
+
+		if (status)
 			return status;
-		if (end)
-			break;
 	}
 	if (n < count)
 		return hawser__reader_fail(reader, &item->place, "%s has %d value%s: give %s",
@@ -310,16 +284,18 @@ static enum hawser_status list(struct hawser__reader *reader, const struct item 
 	return HAWSER_OK;
 }
 
-enum hawser_status hawser__value_read(struct hawser__reader *reader, yaml_event_t *event,
+enum hawser_status hawser__value_read(struct hawser__reader *reader, const struct hawser__tree *tree,
                                       int index)
 {
-	struct item item = {.index = index, .place = hawser__event_place(reader, event)};
+	struct item item = {.index = index, .place = tree->value};
 	int is_list = room(&item) > 0, series = hawser__rows()[index].type == HAWSER__SERIES;
+	char want[96];
 
 	snprintf(item.called, sizeof item.called, "%s", key_of(&item)->path);
-	if (event->type == YAML_SCALAR_EVENT && (!is_list || series || event->data.scalar.length == 0))
-		return scalar(reader, &item, event);
-	if (event->type == YAML_SEQUENCE_START_EVENT && is_list)
-		return list(reader, &item);
-	return wrong_kind(reader, &item, event);
+	if (tree->kind == HAWSER__SCALAR && (!is_list || series || !*tree->text))
+		return scalar(reader, &item, tree->text);
+	if (tree->kind == HAWSER__SEQUENCE && is_list)
+		return list(reader, &item, tree);
+	return hawser__reader_fail(reader, &item.place, "%s is %s, but must be %s", item.called,
+	                           kind(tree), wanted(want, sizeof want, &item));
 }

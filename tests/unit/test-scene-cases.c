@@ -22,7 +22,8 @@ static const struct {
 	 "--set cases=[{name: a}, {name: a}]: cases[0] and cases[1] have the same name a: give different "
 	 "ones"},
 	{WHOLE, "cases=[{name: a, name: b}]",
-	 "--set cases=[{name: a, name: b}]: cases[0] has two names: keep one"},
+	 "--set cases=[{name: a, name: b}]: duplicate key name, already given in the same "
+	 "override: keep one"},
 	{WHOLE, "cases=[{name: 'a:b'}]",
 	 "--set cases=[{name: 'a:b'}]: cases[0].name must be a word or a few, of at most 31 characters, "
 	 "without quotes, tabs and \\ # { } [ ] , :"},
@@ -38,7 +39,7 @@ static const struct {
 	 "--set cases=[{name: a, temperature: {change...: cases[0] (a) has no temperature.expansion, and "
 	 "neither has the scene: give it in 1/K in one of them"},
 	{WHOLE "cases: []\ncases: []\n", NULL,
-	 "s.yaml:5:1: duplicate key cases: keep one list"},
+	 "s.yaml:5:1: duplicate key cases, already given in line 4: keep one"},
 };
 
 static void refuse(void)
@@ -83,6 +84,12 @@ static void load_cases(void)
 	}
 	free(written);
 	hawser_scene_clear(&scene);
+	if (!ok(!read_text(&again, text, "cases.ice.load.static.mass=0.7", &report),
+	        "a key of a case is set %s", report.message))
+		return;
+	ok(again.load_case[1].mass == 0.7 && again.load_case[1].per_length[2] == 2.385 &&
+	   !again.load_case[1].heated && again.load_case[0].change == 55.0, "and no other");
+	hawser_scene_clear(&again);
 }
 
 CASE(unit_scene_cases)

@@ -402,7 +402,7 @@ static const struct {
 	 "--set tension={branch: slack, H: 4}: tension.branch contradicts tension.H, which "
 	 "has one equilibrium only: remove tension.branch, or give T0 or T1"},
 	{WHOLE, "cable={EA: 3, EA: 4}",
-	 "--set cable={EA: 3, EA: 4}: duplicate key cable.EA, already given in the same "
+	 "--set cable={EA: 3, EA: 4}: duplicate key EA, already given in the same "
 	 "override: keep one"},
 	{CABLE SPAN "tension: {H: 8e4}\n", "tension.branch=slack",
 	 "--set tension.branch=slack: tension.branch contradicts tension.H, which has one "

@@ -185,6 +185,8 @@ static void table(void)
 	       "scene: what it does not give is no static load, or no change.\n"
 	       "temperature.expansion is that of the scene\n"
 	       "if the case has none. All cases have the length of cable of the scene's reference state.\n"
+	       "A case's key is set by its name,\n"
+	       ".BR \"\\-\\-set cases.ice.load.static.mass=1.1\" .\n"
 	       "At most %d cases are possible.\n", HAWSER_CASES_MAX);
 }
 
