@@ -51,16 +51,7 @@ void hawser_friction_clear(struct hawser_friction *solver)
 		return;
 	hawser__contact_chain_clear(solver->chain);
 	hawser__contact_net_clear(solver->net);
-	free(solver->link);
-	free(solver->first);
-	free(solver->touch);
-	free(solver->second);
-	free(solver->from);
-	free(solver->R);
-	free(solver->du);
-	free(solver->kept);
-	free(solver->free);
-	free(solver->inverse);
+	hawser__hold_clear(&solver->hold);
 	free(solver);
 }
 
@@ -68,18 +59,17 @@ static int allocate(struct hawser_friction *solver)
 {
 	size_t n = (size_t)solver->nodes, c = (size_t)solver->most;
 
-	solver->link = calloc((size_t)solver->links + 1, sizeof *solver->link);
-	solver->first = calloc(n, sizeof *solver->first);
-	solver->touch = calloc(c + 1, sizeof *solver->touch);
-	solver->second = calloc(c + 1, sizeof *solver->second);
-	solver->from = calloc(c + 1, sizeof *solver->from);
-	solver->R = calloc(n, sizeof *solver->R);
-	solver->du = calloc(n, sizeof *solver->du);
-	solver->kept = calloc(n, sizeof *solver->kept);
-	solver->free = calloc(n, sizeof *solver->free);
-	solver->inverse = calloc(n, sizeof *solver->inverse);
-	return solver->link && solver->first && solver->touch && solver->second && solver->from &&
-	       solver->R && solver->du && solver->kept && solver->free && solver->inverse;
+	solver->link = hawser__hold(&solver->hold, (size_t)solver->links + 1, sizeof *solver->link);
+	solver->first = hawser__hold(&solver->hold, n, sizeof *solver->first);
+	solver->touch = hawser__hold(&solver->hold, c + 1, sizeof *solver->touch);
+	solver->second = hawser__hold(&solver->hold, c + 1, sizeof *solver->second);
+	solver->from = hawser__hold(&solver->hold, c + 1, sizeof *solver->from);
+	solver->R = hawser__hold(&solver->hold, n, sizeof *solver->R);
+	solver->du = hawser__hold(&solver->hold, n, sizeof *solver->du);
+	solver->kept = hawser__hold(&solver->hold, n, sizeof *solver->kept);
+	solver->free = hawser__hold(&solver->hold, n, sizeof *solver->free);
+	solver->inverse = hawser__hold(&solver->hold, n, sizeof *solver->inverse);
+	return !solver->hold.short_of_memory;
 }
 
 static enum hawser_status links_good(int nodes, const int (*link)[2], int links,

@@ -12,6 +12,8 @@
 
 #include <hawser/friction.h>
 
+#include "core/hold.h"
+
 /* A contact while it is solved. Matrices are row-major. Small, as each iteration passes over all. */
 struct hawser__friction_touch {
 	int node, next;      /* next: contact of the same node; -1: none */
@@ -60,6 +62,7 @@ struct hawser_friction {
 	double norm;                 /* largest entry of the blocks of nodes */
 	double (*inverse)[9];        /* [nodes] diagonal blocks of the inverse of M */
 	const struct hawser_friction_problem *of; /* while it is solved */
+	struct hawser__hold hold; /* its arrays */
 };
 
 /* friction-check.c: numbers, frames and held directions, which set touch->fixed; and then whether the

@@ -32,15 +32,7 @@ void hawser__contact_clear(struct hawser__motion_contact *contact)
 {
 	if (!contact)
 		return;
-	free(contact->touch);
-	free(contact->contact);
-	free(contact->reply);
-	free(contact->which);
-	free(contact->diagonal);
-	free(contact->off);
-	free(contact->right); /* with dx and jump */
-	free(contact->weight);
-	free(contact->held);  /* with recent */
+	hawser__hold_clear(&contact->hold);
 	hawser_friction_clear(contact->solver);
 	free(contact);
 }
@@ -49,17 +41,16 @@ static int allocate(struct hawser__motion_contact *contact, size_t nodes, size_t
 {
 	size_t touches = (size_t)contact->touches + 1;
 
-	contact->touch = calloc(touches, sizeof *contact->touch);
-	contact->contact = calloc(touches, sizeof *contact->contact);
-	contact->reply = calloc(touches, sizeof *contact->reply);
-	contact->which = calloc(touches, sizeof *contact->which);
-	contact->diagonal = calloc(nodes, sizeof *contact->diagonal);
-	contact->off = calloc(elements + 1, sizeof *contact->off);
-	contact->right = calloc(3*nodes, sizeof *contact->right);
-	contact->weight = calloc(nodes, sizeof *contact->weight);
-	contact->held = calloc(2*nodes, sizeof *contact->held);
-	if (!contact->touch || !contact->contact || !contact->reply || !contact->which ||
-	    !contact->diagonal || !contact->off || !contact->right || !contact->weight || !contact->held)
+	contact->touch = hawser__hold(&contact->hold, touches, sizeof *contact->touch);
+	contact->contact = hawser__hold(&contact->hold, touches, sizeof *contact->contact);
+	contact->reply = hawser__hold(&contact->hold, touches, sizeof *contact->reply);
+	contact->which = hawser__hold(&contact->hold, touches, sizeof *contact->which);
+	contact->diagonal = hawser__hold(&contact->hold, nodes, sizeof *contact->diagonal);
+	contact->off = hawser__hold(&contact->hold, elements + 1, sizeof *contact->off);
+	contact->right = hawser__hold(&contact->hold, 3*nodes, sizeof *contact->right);
+	contact->weight = hawser__hold(&contact->hold, nodes, sizeof *contact->weight);
+	contact->held = hawser__hold(&contact->hold, 2*nodes, sizeof *contact->held);
+	if (contact->hold.short_of_memory)
 		return 0;
 	contact->dx = contact->right + nodes;
 	contact->jump = contact->dx + nodes;

@@ -16,6 +16,7 @@
 #define HAWSER_NET_MOTION_CONTACT_H
 
 #include <hawser/friction.h>
+#include "core/hold.h"
 #include "net/motion/motion.h"
 
 /* A node and an obstacle, which it may touch; in the order of mesh->touch. */
@@ -55,6 +56,7 @@ struct hawser__motion_contact {
 	                                      * the laws: largest since they were set to 0 */
 	double laws_now, apart_now;          /* of the step that is tried */
 	double jump_error;                   /* m: largest way of a step with the velocity of a jump */
+	struct hawser__hold hold; /* its arrays */
 };
 
 /* For a motion whose mesh has touches: sets motion->contact, and lumps the masses. */

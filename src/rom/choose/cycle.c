@@ -17,6 +17,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/hold.h"
 #include "core/report.h"
 #include "rom/choose/cycle.h"
 
@@ -38,23 +39,13 @@ struct collocation {
 	double *by_omega;      /* [n] */
 	lapack_int *pivot;
 	int starved;           /* 1: LAPACK got no workspace */
+	struct hawser__hold hold; /* its arrays */
 };
 
 static void collocation_clear(struct collocation *c)
 {
 	free(c->rom.harmonic);
-	free(c->force);
-	free(c->D1);
-	free(c->D2);
-	free(c->U);
-	free(c->V);
-	free(c->keep);
-	free(c->R);
-	free(c->J);
-	free(c->by_u);
-	free(c->by_v);
-	free(c->by_omega);
-	free(c->pivot);
+	hawser__hold_clear(&c->hold);
 }
 
 static void differentiation(struct collocation *c)
@@ -82,20 +73,19 @@ static int collocation_make(struct collocation *c, const struct hawser_rom *rom,
 
 	*c = (struct collocation){.rom = *rom, .omega = omega, .n = rom->n, .M = (int)M};
 	c->rom.harmonic = malloc((h + 1)*sizeof *c->rom.harmonic);
-	c->force = calloc(h*n + 1, sizeof *c->force);
-	c->D1 = malloc(M*M*sizeof *c->D1);
-	c->D2 = malloc(M*M*sizeof *c->D2);
-	c->U = calloc(M*n, sizeof *c->U);
-	c->V = calloc(M*n, sizeof *c->V);
-	c->keep = calloc(M*n, sizeof *c->keep);
-	c->R = malloc(M*n*sizeof *c->R);
-	c->J = malloc(M*n*M*n*sizeof *c->J);
-	c->by_u = malloc(n*n*sizeof *c->by_u);
-	c->by_v = malloc(n*n*sizeof *c->by_v);
-	c->by_omega = malloc(n*sizeof *c->by_omega);
-	c->pivot = malloc(M*n*sizeof *c->pivot);
-	if (!c->rom.harmonic || !c->force || !c->D1 || !c->D2 || !c->U || !c->V || !c->keep ||
-	    !c->R || !c->J || !c->by_u || !c->by_v || !c->by_omega || !c->pivot)
+	c->force = hawser__hold(&c->hold, h*n + 1, sizeof *c->force);
+	c->D1 = hawser__hold(&c->hold, M*M, sizeof *c->D1);
+	c->D2 = hawser__hold(&c->hold, M*M, sizeof *c->D2);
+	c->U = hawser__hold(&c->hold, M*n, sizeof *c->U);
+	c->V = hawser__hold(&c->hold, M*n, sizeof *c->V);
+	c->keep = hawser__hold(&c->hold, M*n, sizeof *c->keep);
+	c->R = hawser__hold(&c->hold, M*n, sizeof *c->R);
+	c->J = hawser__hold(&c->hold, M*n*M*n, sizeof *c->J);
+	c->by_u = hawser__hold(&c->hold, n*n, sizeof *c->by_u);
+	c->by_v = hawser__hold(&c->hold, n*n, sizeof *c->by_v);
+	c->by_omega = hawser__hold(&c->hold, n, sizeof *c->by_omega);
+	c->pivot = hawser__hold(&c->hold, M*n, sizeof *c->pivot);
+	if (!c->rom.harmonic || c->hold.short_of_memory)
 		return 0;
 	differentiation(c);
 	return 1;

@@ -35,15 +35,7 @@ void hawser__bend_free(struct hawser__bend *bend)
 {
 	if (!bend)
 		return;
-	free(bend->K);
-	free(bend->phi);
-	free(bend->turn);
-	free(bend->edge);
-	free(bend->g);
-	free(bend->weight);
-	free(bend->half);
-	free(bend->y);
-	free(bend->f);
+	hawser__hold_clear(&bend->hold);
 	free(bend);
 }
 
@@ -51,16 +43,16 @@ static int allocate(struct hawser__bend *t)
 {
 	size_t order = (size_t)t->order, points = (size_t)t->points, size = (size_t)t->size;
 
-	t->K = calloc(size*((size_t)t->band + 1), sizeof *t->K);
-	t->phi = calloc(((size_t)t->degree + 1)*order, sizeof *t->phi);
-	t->turn = calloc(order*order, sizeof *t->turn);
-	t->edge = calloc(2*order, sizeof *t->edge);
-	t->g = malloc(points*sizeof *t->g);
-	t->weight = malloc(points*sizeof *t->weight);
-	t->half = malloc((size_t)t->parts*sizeof *t->half);
-	t->y = malloc(size*sizeof *t->y);
-	t->f = malloc(points*sizeof *t->f);
-	return t->K && t->phi && t->turn && t->edge && t->g && t->weight && t->half && t->y && t->f;
+	t->K = hawser__hold(&t->hold, size*((size_t)t->band + 1), sizeof *t->K);
+	t->phi = hawser__hold(&t->hold, ((size_t)t->degree + 1)*order, sizeof *t->phi);
+	t->turn = hawser__hold(&t->hold, order*order, sizeof *t->turn);
+	t->edge = hawser__hold(&t->hold, 2*order, sizeof *t->edge);
+	t->g = hawser__hold(&t->hold, points, sizeof *t->g);
+	t->weight = hawser__hold(&t->hold, points, sizeof *t->weight);
+	t->half = hawser__hold(&t->hold, (size_t)t->parts, sizeof *t->half);
+	t->y = hawser__hold(&t->hold, size, sizeof *t->y);
+	t->f = hawser__hold(&t->hold, points, sizeof *t->f);
+	return !t->hold.short_of_memory;
 }
 
 /* --- functions --- */

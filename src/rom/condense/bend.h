@@ -4,6 +4,7 @@
 #define HAWSER_ROM_BEND_H
 
 #include <hawser/modes.h>
+#include "core/hold.h"
 #include "rom/condense/condense.h"
 
 /* Nodes are those of Gauss rules of `order` points in `parts` parts of the cable. */
@@ -20,6 +21,7 @@ struct hawser__bend {
 	double *weight;  /* [points] */
 	double *half;    /* [parts] half lengths */
 	double *y, *f;   /* [size], [points] work space */
+	struct hawser__hold hold; /* its arrays */
 };
 
 /* *bend is NULL without bending stiffness; else hawser__bend_free it. Parts have the edges

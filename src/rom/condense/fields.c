@@ -7,8 +7,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "core/report.h"
 #include "core/grow.h"
+#include "core/report.h"
 #include "rom/condense/fields.h"
 #include "rom/terms/history.h"
 

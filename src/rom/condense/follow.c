@@ -120,14 +120,13 @@ static enum hawser_status make(struct hawser__stations *stations, const struct h
 	int next = 0;
 
 	*stations = (struct hawser__stations){.modes = modes, .moving = moving};
-	stations->edge = malloc((parts + 1)*sizeof *stations->edge);
-	stations->s = malloc(most*sizeof *stations->s);
-	stations->place = malloc(most*sizeof *stations->place);
-	stations->slope = malloc((3*most*(size_t)moving + 1)*sizeof *stations->slope);
-	stations->p = malloc(3*most*sizeof *stations->p);
-	stations->z = malloc(3*most*sizeof *stations->z);
-	if (!stations->edge || !stations->s || !stations->place || !stations->slope || !stations->p ||
-	    !stations->z)
+	stations->edge = hawser__hold(&stations->hold, parts + 1, sizeof *stations->edge);
+	stations->s = hawser__hold(&stations->hold, most, sizeof *stations->s);
+	stations->place = hawser__hold(&stations->hold, most, sizeof *stations->place);
+	stations->slope = hawser__hold(&stations->hold, 3*most*(size_t)moving + 1, sizeof *stations->slope);
+	stations->p = hawser__hold(&stations->hold, 3*most, sizeof *stations->p);
+	stations->z = hawser__hold(&stations->hold, 3*most, sizeof *stations->z);
+	if (stations->hold.short_of_memory)
 		return hawser__no_memory(report, "rom");
 	stations->edge[0] = grid->edge[0];
 	for (int e = 0; e < grid->elements; e++) {
@@ -168,12 +167,7 @@ enum hawser_status hawser__stations_make(struct hawser__stations *stations,
 
 void hawser__stations_clear(struct hawser__stations *stations)
 {
-	free(stations->edge);
-	free(stations->s);
-	free(stations->place);
-	free(stations->slope);
-	free(stations->p);
-	free(stations->z);
+	hawser__hold_clear(&stations->hold);
 	hawser__springs_free(stations->springs);
 	hawser__bend_free(stations->bend);
 	*stations = (struct hawser__stations){.count = 0};

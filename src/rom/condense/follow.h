@@ -14,6 +14,7 @@
 #ifndef HAWSER_ROM_FOLLOW_H
 #define HAWSER_ROM_FOLLOW_H
 
+#include "core/hold.h"
 #include "rom/condense/condense.h"
 
 /* Quadrature nodes, with the values of cable and modes there. */
@@ -34,6 +35,7 @@ struct hawser__stations {
 	double stroke[HAWSER_ATTACH_MAX]; /* of z */
 	struct hawser__springs *springs; /* of the attachments (ties.h), or NULL */
 	struct hawser__bend *bend;       /* bending stiffness (bend.h), or NULL */
+	struct hawser__hold hold; /* its arrays */
 };
 
 /* The nodes of the grid of the modes. Elements that contain a point of cut [cuts], ascending, are

@@ -13,6 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/hold.h"
 #include "core/hot.h"
 #include "core/report.h"
 #include "rom/file/entries.h"
@@ -330,17 +331,16 @@ static struct hawser_rom_kernel *allocate(int n, int entries)
 
 	if (!kernel)
 		return NULL;
-	kernel->row = calloc(n2, sizeof *kernel->row);
-	kernel->run = malloc(count*sizeof *kernel->run);
-	kernel->value = malloc(HAWSER_BLOCK*count*sizeof *kernel->value);
-	kernel->single = malloc((size_t)n*sizeof *kernel->single);
-	kernel->pair_l = malloc(pairs*sizeof *kernel->pair_l);
-	kernel->pair_m = malloc(pairs*sizeof *kernel->pair_m);
-	kernel->d_j = malloc(n2*sizeof *kernel->d_j);
-	kernel->d_k = malloc(n2*sizeof *kernel->d_k);
-	kernel->d_val = malloc(n2*sizeof *kernel->d_val);
-	if (kernel->row && kernel->run && kernel->value && kernel->single && kernel->pair_l &&
-	    kernel->pair_m && kernel->d_j && kernel->d_k && kernel->d_val)
+	kernel->row = hawser__hold(&kernel->hold, n2, sizeof *kernel->row);
+	kernel->run = hawser__hold(&kernel->hold, count, sizeof *kernel->run);
+	kernel->value = hawser__hold(&kernel->hold, HAWSER_BLOCK*count, sizeof *kernel->value);
+	kernel->single = hawser__hold(&kernel->hold, (size_t)n, sizeof *kernel->single);
+	kernel->pair_l = hawser__hold(&kernel->hold, pairs, sizeof *kernel->pair_l);
+	kernel->pair_m = hawser__hold(&kernel->hold, pairs, sizeof *kernel->pair_m);
+	kernel->d_j = hawser__hold(&kernel->hold, n2, sizeof *kernel->d_j);
+	kernel->d_k = hawser__hold(&kernel->hold, n2, sizeof *kernel->d_k);
+	kernel->d_val = hawser__hold(&kernel->hold, n2, sizeof *kernel->d_val);
+	if (!kernel->hold.short_of_memory)
 		return kernel;
 	hawser__kernel_free(kernel);
 	return NULL;
@@ -404,7 +404,7 @@ static int same_indices(const struct hawser_harmonic *a, const struct hawser_har
 static int find_alike(struct hawser_rom_kernel *kernel, const struct hawser_rom *rom)
 {
 	kernel->harmonics = rom->harmonics;
-	kernel->alike = calloc((size_t)rom->harmonics + 1, sizeof *kernel->alike);
+	kernel->alike = hawser__hold(&kernel->hold, (size_t)rom->harmonics + 1, sizeof *kernel->alike);
 	for (int h = 0; kernel->alike && h < rom->harmonics; h++)
 		while (!same_indices(&rom->harmonic[h], &rom->harmonic[kernel->alike[h]]))
 			kernel->alike[h]++;

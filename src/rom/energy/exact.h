@@ -7,6 +7,8 @@
 
 #include <hawser/rom.h>
 
+#include "core/hold.h"
+
 /* The coordinates are separated by plane: `in` of them determine a and b, the other `out` determine
  * c. In space all n of them do both: in = out = n, and `other` is 0. */
 struct hawser_rom_exact {
@@ -32,6 +34,7 @@ struct hawser_rom_exact {
 	int supports;      /* shapes of moving supports, as in `ends` of the model (ends.h) */
 	double *support;   /* [supports][points][3] a, b, c of the quasi-static displacement */
 	double *pull;      /* [supports][n] its force at the coordinates by `springs`, or NULL */
+	struct hawser__hold hold; /* its arrays */
 };
 
 /* Stress and stiffness at a point, without the part that balances the weight. */

@@ -20,25 +20,18 @@ void hawser__exact_free(struct hawser_rom_exact *exact)
 	if (!exact)
 		return;
 	hawser__grid_clear(&exact->grid);
-	free(exact->index);
-	free(exact->weight);
-	free(exact->strain);
-	free(exact->slope);
-	free(exact->slope_z);
-	free(exact->pairs_in);
-	free(exact->pairs_out);
-	free(exact->mixed);
-	free(exact->springs);
-	free(exact->cubic);
-	free(exact->stroke);
-	free(exact->support);
-	free(exact->pull);
+	hawser__hold_clear(&exact->hold);
 	free(exact);
 }
 
 static double *array(int a, int b)
 {
 	return calloc((size_t)a*b + 1, sizeof(double));
+}
+
+static double *keep(struct hawser_rom_exact *exact, int a, int b)
+{
+	return hawser__hold(&exact->hold, (size_t)a*(size_t)b, sizeof(double));
 }
 
 /* A Gauss rule of `order` points in each element of `grid`. The length of an element is the sum of
@@ -78,16 +71,15 @@ static struct hawser_rom_exact *allocate(const struct hawser_modes *modes, int o
 	exact->other = modes->statics.space ? 0 : in;
 	exact->points = points;
 	exact->collocated = order < modes->grid.order;
-	exact->index = calloc((size_t)modes->n, sizeof *exact->index);
-	exact->weight = array(points, 1);
-	exact->strain = array(points, 1);
-	exact->slope = array(points, 2*in);
-	exact->slope_z = array(points, out);
-	exact->pairs_in = array(points, 3*in*(in + 1)/2);
-	exact->pairs_out = array(points, out*(out + 1)/2);
-	exact->mixed = array(points, 2*in*out);
-	if (exact->index && exact->weight && exact->strain && exact->slope && exact->slope_z &&
-	    exact->pairs_in && exact->pairs_out && exact->mixed)
+	exact->index = hawser__hold(&exact->hold, (size_t)modes->n, sizeof *exact->index);
+	exact->weight = keep(exact, points, 1);
+	exact->strain = keep(exact, points, 1);
+	exact->slope = keep(exact, points, 2*in);
+	exact->slope_z = keep(exact, points, out);
+	exact->pairs_in = keep(exact, points, 3*in*(in + 1)/2);
+	exact->pairs_out = keep(exact, points, out*(out + 1)/2);
+	exact->mixed = keep(exact, points, 2*in*out);
+	if (!exact->hold.short_of_memory)
 		return exact;
 	hawser__exact_free(exact);
 	return NULL;
@@ -185,8 +177,8 @@ static int add_cubics(struct hawser_rom_exact *exact, const struct hawser_modes 
 
 	if (!hawser__has_cubic(st))
 		return 0;
-	exact->cubic = array(st->attachments, 1);
-	exact->stroke = array(st->attachments, exact->n);
+	exact->cubic = keep(exact, st->attachments, 1);
+	exact->stroke = keep(exact, st->attachments, exact->n);
 	for (int i = 0; exact->cubic && exact->stroke && i < st->attachments; i++) {
 		if (!(hawser__absorber_cubic(st, i) > 0.0))
 			continue;
@@ -205,7 +197,7 @@ static enum hawser_status add_springs(struct hawser_rom_exact *exact, const stru
 
 	if (!hawser__has_springs(st) && !st->elastic && !modes->stroke && !(st->bending.EI > 0.0))
 		return HAWSER_OK;
-	exact->springs = array(exact->n, exact->n);
+	exact->springs = keep(exact, exact->n, exact->n);
 	if (exact->springs)
 		hawser__springs_add(exact->springs, modes);
 	if (exact->springs && modes->stroke)

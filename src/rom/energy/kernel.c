@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/hold.h"
 #include "core/hot.h"
 #include "rom/energy/exact.h"
 #include "rom/energy/kernel.h"
@@ -172,16 +173,7 @@ void hawser__kernel_free(struct hawser_rom_kernel *kernel)
 {
 	if (!kernel)
 		return;
-	free(kernel->row);
-	free(kernel->run);
-	free(kernel->value);
-	free(kernel->single);
-	free(kernel->pair_l);
-	free(kernel->pair_m);
-	free(kernel->d_j);
-	free(kernel->d_k);
-	free(kernel->d_val);
-	free(kernel->alike);
+	hawser__hold_clear(&kernel->hold);
 	hawser__panels_free(kernel->panels);
 	hawser__panels_free(kernel->gradient);
 	hawser__quartic_free(kernel->quartic);

@@ -24,6 +24,7 @@
 
 #include <hawser/rom.h>
 
+#include "core/hold.h"
 #include "rom/energy/effort.h"
 
 /* Largest number of coordinates of a model of a cable, and of one from a file: the hot loops store u_l
@@ -86,6 +87,7 @@ struct hawser_rom_kernel {
 	int by_function[HAWSER__TASKS]; /* 1: quartic is evaluated for this task, else the tensors. If
 	                       * it is 1 for all, there are no rows, runs and panels */
 	double asymmetry;     /* largest |T - transposed T| over largest |T|, of K, Q and C */
+	struct hawser__hold hold; /* its arrays */
 };
 
 /* Restoring forces [count][n] and, unless NULL, tangents [count][n][n] at the states u [count][n].

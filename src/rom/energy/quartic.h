@@ -8,6 +8,7 @@
 
 #include <hawser/rom.h>
 
+#include "core/hold.h"
 #include "rom/condense/condense.h"
 #include "rom/energy/kernel.h"
 
@@ -46,6 +47,7 @@ struct hawser__quartic {
 	 * linear in its coordinate (quartic_tangent.c). */
 	double *pull_in;         /* [moving_in][rows_in*moving_in + rows_out*moving_out] */
 	double *pull_out;        /* [moving_out][rows_in*moving_out + rows_out*moving_in] */
+	struct hawser__hold hold; /* its arrays */
 };
 
 /* A field at the points: strains or stresses. */

@@ -25,24 +25,18 @@ void hawser__quartic_free(struct hawser__quartic *quartic)
 {
 	if (!quartic)
 		return;
-	free(quartic->index);
-	free(quartic->kind);
-	free(quartic->K);
-	free(quartic->ab);
-	free(quartic->c);
-	free(quartic->third);
-	free(quartic->square);
-	free(quartic->mixed);
-	free(quartic->bend_in);
-	free(quartic->bend_out);
-	free(quartic->pull_in);
-	free(quartic->pull_out);
+	hawser__hold_clear(&quartic->hold);
 	free(quartic);
 }
 
 static double *array(int a, int b)
 {
 	return calloc((size_t)a*(size_t)b + 1, sizeof(double));
+}
+
+static double *keep(struct hawser__quartic *q, int a, int b)
+{
+	return hawser__hold(&q->hold, (size_t)a*(size_t)b, sizeof(double));
 }
 
 static int padded(int size)
@@ -87,23 +81,22 @@ static struct hawser__quartic *allocate(const struct hawser_modes *modes,
 	if (!q)
 		return NULL;
 	q->condensed = condensed != NULL;
-	q->kind = calloc((size_t)modes->n, sizeof *q->kind);
+	q->kind = hawser__hold(&q->hold, (size_t)modes->n, sizeof *q->kind);
 	if (q->kind)
 		q->mirror = hawser__rom_mirror(q->kind, modes);
 	count(q, modes, condensed ? condensed->n : modes->n);
-	q->index = calloc((size_t)q->n, sizeof *q->index);
-	q->K = array(q->n, q->n);
-	q->ab = array(q->rows_in, 2*q->width);
-	q->c = array(q->rows_out, q->width);
-	q->third = array(q->width, 1);
-	q->square = array(q->width, 1);
-	q->mixed = array(q->width, 1);
-	q->bend_in = array(q->rows_in, q->padded_in);
-	q->bend_out = array(q->rows_out, q->padded_out);
-	q->pull_in = array(q->moving_in, pull_size(q, 0));
-	q->pull_out = array(q->moving_out, pull_size(q, 1));
-	if (q->kind && q->index && q->K && q->ab && q->c && q->third && q->square && q->mixed &&
-	    q->bend_in && q->bend_out && q->pull_in && q->pull_out)
+	q->index = hawser__hold(&q->hold, (size_t)q->n, sizeof *q->index);
+	q->K = keep(q, q->n, q->n);
+	q->ab = keep(q, q->rows_in, 2*q->width);
+	q->c = keep(q, q->rows_out, q->width);
+	q->third = keep(q, q->width, 1);
+	q->square = keep(q, q->width, 1);
+	q->mixed = keep(q, q->width, 1);
+	q->bend_in = keep(q, q->rows_in, q->padded_in);
+	q->bend_out = keep(q, q->rows_out, q->padded_out);
+	q->pull_in = keep(q, q->moving_in, pull_size(q, 0));
+	q->pull_out = keep(q, q->moving_out, pull_size(q, 1));
+	if (!q->hold.short_of_memory)
 		return q;
 	hawser__quartic_free(q);
 	return NULL;

@@ -30,27 +30,20 @@ int hawser__relax_new(struct hawser__relax *w, const struct hawser_rom *rom)
 	size_t N = (size_t)rom->n;
 
 	*w = (struct hawser__relax){.rom = rom, .N = rom->n};
-	w->freed = calloc(N, sizeof *w->freed);
-	w->y = hawser__numbers(N, 1);
-	w->trial = hawser__numbers(N, 1);
-	w->rest = hawser__numbers(N, 1);
-	w->R = hawser__numbers(N, 1);
-	w->T = hawser__numbers(N, N);
-	w->step = hawser__numbers(N, 1);
-	w->matrix = hawser__numbers(N, N);
-	return !w->freed || !w->y || !w->trial || !w->rest || !w->R || !w->T || !w->step || !w->matrix;
+	w->freed = hawser__hold(&w->hold, N, sizeof *w->freed);
+	w->y = hawser__hold(&w->hold, N, sizeof(double));
+	w->trial = hawser__hold(&w->hold, N, sizeof(double));
+	w->rest = hawser__hold(&w->hold, N, sizeof(double));
+	w->R = hawser__hold(&w->hold, N, sizeof(double));
+	w->T = hawser__hold(&w->hold, N*N, sizeof(double));
+	w->step = hawser__hold(&w->hold, N, sizeof(double));
+	w->matrix = hawser__hold(&w->hold, N*N, sizeof(double));
+	return w->hold.short_of_memory;
 }
 
 void hawser__relax_clear(struct hawser__relax *w)
 {
-	free(w->freed);
-	free(w->y);
-	free(w->trial);
-	free(w->rest);
-	free(w->R);
-	free(w->T);
-	free(w->step);
-	free(w->matrix);
+	hawser__hold_clear(&w->hold);
 	*w = (struct hawser__relax){.N = 0};
 }
 

@@ -5,6 +5,8 @@
 
 #include <hawser/rom.h>
 
+#include "core/hold.h"
+
 struct hawser__relax {
 	const struct hawser_rom *rom; /* any kind of energy; owned by the caller */
 	int N, frees;         /* coordinates; the relaxed ones */
@@ -14,6 +16,7 @@ struct hawser__relax {
 	double *step;         /* [frees] the last step */
 	double *trial, *rest; /* [N] workspace; zeros */
 	double *matrix;       /* [frees][frees] Cholesky factor, by columns */
+	struct hawser__hold hold; /* its arrays */
 };
 
 /* Nothing is freed. Returns 1 if out of memory; _clear in any case. */

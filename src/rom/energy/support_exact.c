@@ -52,9 +52,9 @@ enum hawser_status hawser__exact_support(struct hawser_rom_exact *exact,
 	struct hawser__signal signal;
 	enum hawser_status status = hawser__support_shapes_make(&shapes, modes, report);
 
-	exact->support = calloc(HAWSER__SUPPORT_MOST*3*points + 1, sizeof *exact->support);
+	exact->support = hawser__hold(&exact->hold, HAWSER__SUPPORT_MOST*3*points, sizeof *exact->support);
 	if (exact->springs)
-		exact->pull = calloc(HAWSER__SUPPORT_MOST*n, sizeof *exact->pull);
+		exact->pull = hawser__hold(&exact->hold, HAWSER__SUPPORT_MOST*n, sizeof *exact->pull);
 	if (!status && (!exact->support || (exact->springs && !exact->pull)))
 		status = hawser__no_memory(report, "rom");
 	for (int i = 0; !status && i < shapes.count; i++) {

@@ -34,14 +34,7 @@ void hawser__ends_free(struct hawser_rom_ends *ends)
 {
 	if (!ends)
 		return;
-	free(ends->k);
-	free(ends->cosine);
-	free(ends->sine);
-	free(ends->slope);
-	free(ends->line);
-	free(ends->second_shape);
-	free(ends->second_slope);
-	free(ends->second_line);
+	hawser__hold_clear(&ends->hold);
 	free(ends);
 }
 
@@ -49,10 +42,10 @@ static int make_second(struct hawser_rom_ends *ends, size_t points, size_t line)
 {
 	size_t pairs = hawser__ends_pairs(ends);
 
-	ends->second_shape = calloc(3*pairs*points + 1, sizeof(double));
-	ends->second_slope = calloc(3*pairs*points + 1, sizeof(double));
-	ends->second_line = calloc(3*pairs*line + 1, sizeof(double));
-	return ends->second_shape && ends->second_slope && ends->second_line;
+	ends->second_shape = hawser__hold(&ends->hold, 3*pairs*points + 1, sizeof(double));
+	ends->second_slope = hawser__hold(&ends->hold, 3*pairs*points + 1, sizeof(double));
+	ends->second_line = hawser__hold(&ends->hold, 3*pairs*line + 1, sizeof(double));
+	return !ends->hold.short_of_memory;
 }
 
 enum hawser_status hawser__ends_make(struct hawser_rom *rom, int count, int terms, int second,
@@ -67,13 +60,12 @@ enum hawser_status hawser__ends_make(struct hawser_rom *rom, int count, int term
 	rom->ends = ends;
 	*ends = (struct hawser_rom_ends){.count = count, .terms = terms, .base = 1, .factor = 1.0,
 		.modes = rom->n - rom->inertia.shapes};
-	ends->k = calloc((size_t)terms + 1, sizeof *ends->k);
-	ends->cosine = calloc(values + 1, sizeof *ends->cosine);
-	ends->sine = calloc(values + 1, sizeof *ends->sine);
-	ends->slope = calloc(3*many*points + 1, sizeof *ends->slope);
-	ends->line = calloc(3*many*line + 1, sizeof *ends->line);
-	if (!ends->k || !ends->cosine || !ends->sine || !ends->slope || !ends->line ||
-	    (second && !make_second(ends, points, line)))
+	ends->k = hawser__hold(&ends->hold, (size_t)terms + 1, sizeof *ends->k);
+	ends->cosine = hawser__hold(&ends->hold, values + 1, sizeof *ends->cosine);
+	ends->sine = hawser__hold(&ends->hold, values + 1, sizeof *ends->sine);
+	ends->slope = hawser__hold(&ends->hold, 3*many*points + 1, sizeof *ends->slope);
+	ends->line = hawser__hold(&ends->hold, 3*many*line + 1, sizeof *ends->line);
+	if (ends->hold.short_of_memory || (second && !make_second(ends, points, line)))
 		return hawser__no_memory(report, "rom");
 	return HAWSER_OK;
 }

@@ -5,6 +5,7 @@
 
 #include <hawser/rom.h>
 
+#include "core/hold.h"
 #include "rom/condense/support.h"
 
 struct hawser_rom_ends {
@@ -26,6 +27,7 @@ struct hawser_rom_ends {
 	double *second_shape; /* [pairs][points][3] P, Q, B */
 	double *second_slope; /* [pairs][points][3] a, b, c */
 	double *second_line;  /* [pairs][line points][3] */
+	struct hawser__hold hold; /* its arrays */
 };
 
 /* Number of products of shapes with coordinates or shapes. */

@@ -122,8 +122,8 @@ enum hawser_status hawser__lexpand_open(struct hawser__lexpand *t, struct hawser
 	status = check(t, report);
 	if (status)
 		return status;
-	t->third = calloc(count*count*count, sizeof *t->third);
-	t->pairing = calloc(pairs*pairs, sizeof *t->pairing);
+	t->third = hawser__hold(&t->hold, count*count*count, sizeof *t->third);
+	t->pairing = hawser__hold(&t->hold, pairs*pairs, sizeof *t->pairing);
 	status = t->third && t->pairing ? hawser__lexpand_points(t, report)
 	         : hawser__no_memory(report, "line rom");
 	if (!status)
@@ -148,16 +148,6 @@ void hawser__lexpand_clear(struct hawser__lexpand *t)
 		if (t->second_strain)
 			free(t->second_strain[i]);
 	}
-	free(t->second);
-	free(t->second_strain);
-	free(t->first);
-	free(t->weight);
-	free(t->stretch);
-	free(t->tau);
-	free(t->slope);
-	free(t->end);
-	free(t->mass);
-	free(t->third);
-	free(t->pairing);
+	hawser__hold_clear(&t->hold);
 	*t = (struct hawser__lexpand){.rope = NULL};
 }

@@ -4,6 +4,7 @@
 #ifndef HAWSER_ROPEWAY_EXPAND_H
 #define HAWSER_ROPEWAY_EXPAND_H
 
+#include "core/hold.h"
 #include "ropeway/modes/modes.h"
 
 /* A shape: a state of one system of the rope, with its strains. */
@@ -66,6 +67,7 @@ struct hawser__lexpand {
 	/* The second-order displacement 1/2 sum u_j u_k w_jk, which follows, of every system:
 	 * [pairs][size] and [pairs][strains], zero where the system has none. */
 	double **second, **second_strain; /* [systems] */
+	struct hawser__hold hold; /* its arrays */
 };
 
 /* Index of the pair j <= k. */

@@ -230,8 +230,8 @@ static enum hawser_status allocate(struct work *w, struct hawser_report *report)
 	size_t most = 0, segments = 0, pairs = (size_t)t->pairs, systems = (size_t)t->rope->systems;
 	int starved;
 
-	t->second = calloc(systems + 1, sizeof *t->second);
-	t->second_strain = calloc(systems + 1, sizeof *t->second_strain);
+	t->second = hawser__hold(&t->hold, systems + 1, sizeof *t->second);
+	t->second_strain = hawser__hold(&t->hold, systems + 1, sizeof *t->second_strain);
 	starved = !t->second || !t->second_strain;
 	w->width = FIELDS*(size_t)t->points + (size_t)t->n;
 	for (size_t i = 0; i < systems && !starved; i++) {

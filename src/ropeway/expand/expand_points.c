@@ -51,8 +51,8 @@ static enum hawser_status place_points(struct hawser__lexpand *t, struct hawser_
 {
 	const struct hawser__lmode *rope = t->rope;
 
-	t->first = calloc((size_t)rope->pieces + 1, sizeof *t->first);
-	if (!t->first)
+	t->first = hawser__hold(&t->hold, (size_t)rope->pieces + 1, sizeof *t->first);
+	if (t->hold.short_of_memory)
 		return hawser__no_memory(report, "line rom");
 	for (int i = 0; i < rope->pieces; i++) {
 		int system;
@@ -61,11 +61,11 @@ static enum hawser_status place_points(struct hawser__lexpand *t, struct hawser_
 		t->first[i] = s && !s->arc ? t->points : -1;
 		t->points += s && !s->arc ? s->grid.points : 0;
 	}
-	t->weight = hawser__numbers((size_t)t->points, 1);
-	t->stretch = hawser__numbers((size_t)t->points, 1);
-	t->tau = hawser__numbers((size_t)t->points, 1);
-	t->slope = hawser__numbers(3*(size_t)t->points*(size_t)t->n, 1);
-	if (!t->weight || !t->stretch || !t->tau || !t->slope)
+	t->weight = hawser__hold(&t->hold, (size_t)t->points, sizeof(double));
+	t->stretch = hawser__hold(&t->hold, (size_t)t->points, sizeof(double));
+	t->tau = hawser__hold(&t->hold, (size_t)t->points, sizeof(double));
+	t->slope = hawser__hold(&t->hold, 3*(size_t)t->points*(size_t)t->n, sizeof(double));
+	if (t->hold.short_of_memory)
 		return hawser__no_memory(report, "line rom");
 	for (int i = 0; i < rope->pieces; i++) {
 		const struct hawser__lmode_piece *piece = &rope->piece[i];
@@ -268,8 +268,8 @@ enum hawser_status hawser__lexpand_points(struct hawser__lexpand *t, struct haws
 	const struct hawser__lmode *rope = t->rope;
 	enum hawser_status status = place_points(t, report);
 
-	t->end = calloc(2*(size_t)rope->pieces + 1, sizeof *t->end);
-	t->mass = calloc((size_t)rope->pieces + 1, sizeof *t->mass);
+	t->end = hawser__hold(&t->hold, 2*(size_t)rope->pieces + 1, sizeof *t->end);
+	t->mass = hawser__hold(&t->hold, (size_t)rope->pieces + 1, sizeof *t->mass);
 	if (!status && (!t->end || !t->mass))
 		status = hawser__no_memory(report, "line rom");
 	for (int lane = 0, at = 0; lane < rope->lanes && !status; at += rope->lane[lane++]->pieces)

@@ -10,6 +10,7 @@
 
 #include <hawser/transient.h>
 
+#include "core/hold.h"
 #include "ropeway/statics/frame.h"
 
 /* What a span has from the statics of a phase. */
@@ -37,6 +38,7 @@ struct hawser__slow {
 	                                                              * amplitude 1, with carriers */
 	double *sheaves;           /* [2][towers] kg, inertia of turning sheaves over radius squared */
 	int *side;                 /* [towers] */
+	struct hawser__hold hold; /* its arrays */
 };
 enum hawser_status hawser__slow_open(struct hawser__slow *slow, const struct hawser_ropeway *rw,
                                      const struct hawser_transient_options *options,

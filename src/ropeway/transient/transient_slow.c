@@ -206,23 +206,20 @@ static enum hawser_status allot(struct hawser__slow *slow, struct task *task,
 	                   &slow->mass};
 
 	for (size_t i = 0; i < sizeof mean/sizeof *mean; i++)
-		*mean[i] = calloc(spans, sizeof **mean[i]);
-	slow->force = calloc(n, sizeof *slow->force);
-	slow->travel = calloc(n, sizeof *slow->travel);
-	slow->rest = calloc(n, sizeof *slow->rest);
-	slow->T_top = calloc(2*n, sizeof *slow->T_top);
-	slow->span = calloc(n*spans, sizeof *slow->span);
-	slow->tower = calloc(n*towers + 1, sizeof *slow->tower);
-	slow->sheaves = calloc(towers + 1, sizeof *slow->sheaves);
-	slow->side = calloc(towers + 1, sizeof *slow->side);
+		*mean[i] = hawser__hold(&slow->hold, spans, sizeof **mean[i]);
+	slow->force = hawser__hold(&slow->hold, n, sizeof *slow->force);
+	slow->travel = hawser__hold(&slow->hold, n, sizeof *slow->travel);
+	slow->rest = hawser__hold(&slow->hold, n, sizeof *slow->rest);
+	slow->T_top = hawser__hold(&slow->hold, 2*n, sizeof *slow->T_top);
+	slow->span = hawser__hold(&slow->hold, n*spans, sizeof *slow->span);
+	slow->tower = hawser__hold(&slow->hold, n*towers + 1, sizeof *slow->tower);
+	slow->sheaves = hawser__hold(&slow->hold, towers + 1, sizeof *slow->sheaves);
+	slow->side = hawser__hold(&slow->hold, towers + 1, sizeof *slow->side);
 	task->means.value = calloc(n*spans*OF_SPAN, sizeof *task->means.value);
 	task->means.turning = calloc(n*towers + 1, sizeof *task->means.turning);
 	task->outcome = calloc(n, sizeof *task->outcome);
-	if (slow->length && slow->elastic && slow->sagging && slow->chord && slow->tension && slow->mass &&
-	    slow->force && slow->travel && slow->rest && slow->T_top && slow->span && slow->tower &&
-	    slow->sheaves && slow->side && task->means.value && task->means.turning && task->outcome)
-		return HAWSER_OK;
-	return hawser__no_memory(report, "transient");
+	return !slow->hold.short_of_memory && task->means.value && task->means.turning && task->outcome
+	       ? HAWSER_OK : hawser__no_memory(report, "transient");
 }
 
 static enum hawser_status fill(struct task *task, int threads, struct hawser_report *report)
@@ -287,20 +284,7 @@ enum hawser_status hawser__slow_open(struct hawser__slow *slow, const struct haw
 
 void hawser__slow_clear(struct hawser__slow *slow)
 {
-	free(slow->force);
-	free(slow->travel);
-	free(slow->rest);
-	free(slow->T_top);
-	free(slow->span);
-	free(slow->tower);
-	free(slow->length);
-	free(slow->elastic);
-	free(slow->sagging);
-	free(slow->chord);
-	free(slow->tension);
-	free(slow->mass);
-	free(slow->sheaves);
-	free(slow->side);
+	hawser__hold_clear(&slow->hold);
 	memset(slow, 0, sizeof *slow);
 }
 
