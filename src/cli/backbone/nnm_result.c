@@ -104,12 +104,6 @@ static const char *message_of(const void *row)
 	return *own->message ? own->message : NULL;
 }
 
-static void message_json(struct hawser__json *json, json_t *into, const void *row)
-{
-	if (message_of(row))
-		hawser__json_text(json, into, "message", message_of(row));
-}
-
 static const struct hawser__field curve_field[] = {
 	{"parent", NULL, "the curve at whose branch point it begins, from 1; 0: the linear mode",
 	 HAWSER__AT(struct curve, parent)},
@@ -118,7 +112,8 @@ static const struct hawser__field curve_field[] = {
 	{"signs", NULL, "1: the coordinate is even in time, at rest at phase 0; -1: odd, and zero there",
 	 HAWSER__CALLS(signs_json)},
 	{"end", NULL, "why it ends", HAWSER__CALLS(end_json)},
-	{"message", NULL, "why it was lost", HAWSER__CALLS(message_json)},
+	{"message", NULL, "why it was lost", HAWSER__TEXT_BY(message_of),
+	 .flags = HAWSER__OMIT},
 	{"branch_points", NULL, "where other motions begin, in order along it",
 	 HAWSER__OBJECTS_OF(branch_list)},
 	{"points", NULL, "motions, in order along it", HAWSER__OBJECTS_OF(point_list)},

@@ -265,21 +265,18 @@ static const struct hawser__list
 	point_list = HAWSER__MADE_ROWS(struct row, point_field, struct curve, points, point_row),
 	event_list = HAWSER__MADE_ROWS(struct row, event_field, struct curve, events, event_row);
 
-static void ends_json(struct hawser__json *json, json_t *into, const void *row)
-{
-	const struct curve *curve = row;
-	json_t *list = hawser__json_array(json, into, "ends");
-
-	for (int i = 0; i < 2; i++)
-		hawser__json_text(json, list, NULL, hawser_folds_end_name(curve->own->end[i]));
-}
-
+HAWSER__LABELS(curve_end_name, hawser_folds_end_name, enum hawser_folds_end)
+static const struct hawser__field ends_field[] = {
+	{"ends", NULL, "why it ends, at both ends",
+	 HAWSER__WORDS_AT(struct hawser_folds_curve, end, curve_end_name)},
+	HAWSER__END,
+};
 #define OF(member) HAWSER__AT(struct curve, member)
 static const struct hawser__field curve_field[] = {
 	{"least_load", NULL, "least load factor on the curve", OF(least_load)},
 	{"least_Omega", NULL, "where that is", OF(least_omega), .unit = HAWSER__RAD_S},
 	{"least_kind", NULL, "kind of event that it is, or end", OF(least_kind)},
-	{"ends", NULL, "why it ends, at both ends", HAWSER__CALLS(ends_json)},
+	{"", NULL, "", HAWSER__THROUGH(struct curve, own, ends_field)},
 	{"message", NULL, "why it failed, or what was not located", OF(message), .flags = HAWSER__OMIT},
 	{"events", NULL, "in order along it", HAWSER__OBJECTS_OF(event_list)},
 	{"points", NULL, "folds, in order along it", HAWSER__OBJECTS_OF(point_list)},

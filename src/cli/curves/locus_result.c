@@ -165,17 +165,14 @@ static const struct hawser__list
 	point_list = HAWSER__MADE_ROWS(struct row, point_field, struct curve, points, point_row),
 	event_list = HAWSER__MADE_ROWS(struct row, event_field, struct curve, events, event_row);
 
-static void ends_json(struct hawser__json *json, json_t *into, const void *row)
-{
-	const struct curve *curve = row;
-	json_t *list = hawser__json_array(json, into, "ends");
-
-	for (int i = 0; i < 2; i++)
-		hawser__json_text(json, list, NULL, hawser_locus_end_name(curve->own->end[i]));
-}
-
+HAWSER__LABELS(curve_end_name, hawser_locus_end_name, enum hawser_locus_end)
+static const struct hawser__field ends_field[] = {
+	{"ends", NULL, "why it ends, at both ends",
+	 HAWSER__WORDS_AT(struct hawser_locus_curve, end, curve_end_name)},
+	HAWSER__END,
+};
 static const struct hawser__field curve_field[] = {
-	{"ends", NULL, "why it ends, at both ends", HAWSER__CALLS(ends_json)},
+	{"", NULL, "", HAWSER__THROUGH(struct curve, own, ends_field)},
 	{"message", NULL, "why it failed", HAWSER__AT(struct curve, message), .flags = HAWSER__OMIT},
 	{"events", NULL, "special points, in order along it", HAWSER__OBJECTS_OF(event_list)},
 	{"points", NULL, "bifurcations, in order along it", HAWSER__OBJECTS_OF(point_list)},
@@ -195,13 +192,6 @@ static const void *curve_row(void *to, const void *parent, size_t c)
 static const struct hawser__list
 	curve_list = HAWSER__MADE_ROWS(struct curve, curve_field, struct hawser_locus, curves, curve_row);
 
-static void lost_json(struct hawser__json *json, json_t *into, const void *row)
-{
-	const struct hawser_locus *locus = row;
-
-	hawser__json_integer(json, into, "not_followed", locus->lost);
-}
-
 static const struct hawser__field locus_field[] = {
 	{"kind", NULL, "of the bifurcations", HAWSER__LABEL_AT(struct hawser_locus, kind, kind_name)},
 	{"harmonic", NULL, "of the load, of resonances", HAWSER__AT(struct hawser_locus, harmonic),
@@ -209,7 +199,7 @@ static const struct hawser__field locus_field[] = {
 	{"at", NULL, "the parameter at which the curves begin", HAWSER__AT(struct hawser_locus, at)},
 	{"curves", NULL, "loci", HAWSER__OBJECTS_OF(curve_list)},
 	{"not_followed", NULL, "number of bifurcations from which no curve could be begun",
-	 HAWSER__CALLS(lost_json)},
+	 HAWSER__AT(struct hawser_locus, lost)},
 	{"interrupted", NULL, "whether curves are incomplete",
 	 HAWSER__FLAG_AT(struct hawser_locus, interrupted)},
 	HAWSER__END,

@@ -239,15 +239,6 @@ static const char *along_name(int along)
 	return along == 0 ? "x" : "y";
 }
 
-static void sides_json(struct hawser__json *json, json_t *into, const void *row)
-{
-	const struct hawser_map_boundary *at = row;
-	json_t *pair = hawser__json_array(json, into, "status");
-
-	hawser__json_text(json, pair, NULL, hawser_map_code_name(at->code[0]));
-	hawser__json_text(json, pair, NULL, hawser_map_code_name(at->code[1]));
-}
-
 #define OF(member) HAWSER__AT(struct hawser_map_boundary, member)
 #define LABEL(member, function) HAWSER__LABEL_AT(struct hawser_map_boundary, member, function)
 static const struct hawser__field boundary_field[] = {
@@ -256,7 +247,7 @@ static const struct hawser__field boundary_field[] = {
 	{"along", "along", "direction of the bracket: x or y", LABEL(along, along_name)},
 	{"width", "width", "of the bracket", OF(width)},
 	{"number", NULL, "on both sides", OF(number)},
-	{"status", NULL, "on both sides", HAWSER__CALLS(sides_json)},
+	{"status", NULL, "on both sides", HAWSER__WORDS_AT(struct hawser_map_boundary, code, code_name)},
 	{NULL, "number_before", "on the side of the smaller coordinate", OF(number[0])},
 	{NULL, "status_before", "on that side", LABEL(code[0], code_name)},
 	{NULL, "number_after", "on the other side", OF(number[1])},

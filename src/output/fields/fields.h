@@ -259,6 +259,8 @@ struct hawser__field {
  * of an enumeration. */
 #define HAWSER__LABEL_AT(type, member, function) \
 	.kind = HAWSER__LABEL, HAWSER__PLACE(type, member), .label = (function)
+#define HAWSER__WORDS_AT(type, member, function) /* of an array */ \
+	.kind = HAWSER__INTEGERS, HAWSER__PLACE(type, member), .label = (function)
 #define HAWSER__LABELS(name, function, type) \
 	static const char *name(int value) { return function((type)value); }
 #define HAWSER__OBJECTS_OF(of) .kind = HAWSER__OBJECTS, .list = &(of)

@@ -126,8 +126,11 @@ static void integers_json(struct hawser__json *json, json_t *into, const char *k
 	json_t *list = hawser__json_array(json, into, key);
 
 	for (size_t k = 0; k < field->size/sizeof *integers; k++)
-		value_json(json, list, NULL, hawser__integer_value(integers[k], field->flags), field->flags,
-		           HAWSER__NONE, view);
+		if (field->label)
+			hawser__json_text(json, list, NULL, field->label(integers[k]));
+		else
+			value_json(json, list, NULL, hawser__integer_value(integers[k], field->flags), field->flags,
+			           HAWSER__NONE, view);
 }
 
 /* The keys of the fields that are shown. */
