@@ -7,7 +7,7 @@
 #include <string.h>
 
 /* Room for another element, of `size` bytes, behind the `count` that the array has; `array` is the
- * address of the pointer to it, NULL at first. The room doubles where the count is a power of 2, so that
+ * address of the pointer to it, NULL at first. The room doubles where the count is a power of 2, so
  * nothing but the count need be known. Not 0: memory is short, and the array is as it was. */
 static inline int hawser__more(void *array, long count, size_t size)
 {

@@ -1,5 +1,7 @@
 noinst_LTLIBRARIES += %D%/libcore.la
 %C%_libcore_la_SOURCES = \
+	%D%/append.c \
+	%D%/append.h \
 	%D%/bytes.c \
 	%D%/bytes.h \
 	%D%/digits.c \

@@ -12,6 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/append.h"
 #include "scene/reader.h"
 #include "scene/tree_keys.h"
 
@@ -122,8 +123,7 @@ enum hawser_status hawser__items_set(struct hawser__reader *reader, int index, c
 
 	for (int i = 0; hawser_scene_key(i) && key < 0; i++)
 		if (hawser__list_of(i) == list)
-			snprintf(keys + strlen(keys), sizeof keys - strlen(keys), "%s%s", *keys ? ", " : "",
-			         hawser__leaf(hawser_scene_key(i)->path));
+			hawser__append(keys, sizeof keys, ", ", "%s", hawser__leaf(hawser_scene_key(i)->path));
 	if (list->set && number >= 0 && rest)
 		return list->set(reader, number, rest + 1, tree);
 	if (!list->keys)

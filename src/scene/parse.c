@@ -158,8 +158,8 @@ static enum hawser_status top(struct hawser__reader *reader, const struct hawser
 {
 	reader->root = tree ? tree->value : (struct hawser__mark){.pass = 1};
 	if (!tree || (tree->kind == HAWSER__SCALAR && !*tree->text))
-		return hawser__reader_fail(reader, &reader->root, "the scene is empty: it needs at least cable, "
-		                           "span and tension (see hawser-scene(5))");
+		return hawser__reader_fail(reader, &reader->root, "the scene is empty: it needs at least "
+		                           "cable, span and tension (see hawser-scene(5))");
 	if (tree->kind != HAWSER__MAPPING)
 		return hawser__reader_fail(reader, &reader->root,
 		                           "a scene is a mapping of keys to values, such as "

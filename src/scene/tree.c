@@ -91,8 +91,8 @@ static enum hawser_status no_twins(struct hawser__reader *reader, const struct h
 			const struct hawser__mark *a = &list[i - 1]->at, *b = &list[i]->at;
 			int later = a->line != b->line ? b->line > a->line : b->column > a->column;
 
-			status = hawser__reader_fail(reader, later ? b : a, "duplicate key %s%s%s, already given %s: "
-			                             "keep one", path, *path ? "." : "",
+			status = hawser__reader_fail(reader, later ? b : a, "duplicate key %s%s%s, already given "
+			                             "%s: keep one", path, *path ? "." : "",
 			                             hawser__shown(shown, list[i]->name),
 			                             hawser__mark_text(where, sizeof where, later ? a : b));
 		}

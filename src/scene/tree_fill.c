@@ -13,6 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/append.h"
 #include "core/report.h"
 #include "scene/tree_keys.h"
 
@@ -60,26 +61,22 @@ static int fits(const struct hawser__tree_key *row, const struct hawser__tree *t
 /* "a number, or a list of 2 numbers in N": the forms of a value. */
 static void forms_of(char *text, size_t size, const char *path)
 {
-	size_t used = 0;
+	*text = '\0';
+	for (const struct hawser__tree_key *row = next(NULL, path), *after; row; row = after) {
+		const char *between;
 
-	for (const struct hawser__tree_key *row = next(NULL, path), *after; row && used < size;
-	     row = after) {
 		after = next(row, path);
-		if (used)
-			used += (size_t)snprintf(text + used, size - used, after ? ", " : ", or ");
-		if (used >= size)
-			return;
-		if (row->type == HAWSER__TREE_WORD)
-			used += (size_t)snprintf(text + used, size - used, "%s", row->unit);
-		else if (row->count)
-			used += (size_t)snprintf(text + used, size - used, "a list of %d numbers", row->count);
+		between = after ? ", " : ", or ";
+		if (row->count && row->type != HAWSER__TREE_WORD)
+			hawser__append(text, size, between, "a list of %d numbers", row->count);
 		else
-			used += (size_t)snprintf(text + used, size - used, "%s",
-			                         row->type == HAWSER__TREE_MAPPING ? "a mapping"
-			                         : row->type == HAWSER__TREE_LIST ? "a list"
-			                         : row->type == HAWSER__TREE_TEXT ? "a name" : "a number");
-		if (used < size && row->type == HAWSER__TREE_NUMBER && strcmp(row->unit, "1") != 0)
-			used += (size_t)snprintf(text + used, size - used, " in %s", row->unit);
+			hawser__append(text, size, between, "%s",
+			               row->type == HAWSER__TREE_WORD ? row->unit
+			               : row->type == HAWSER__TREE_MAPPING ? "a mapping"
+			               : row->type == HAWSER__TREE_LIST ? "a list"
+			               : row->type == HAWSER__TREE_TEXT ? "a name" : "a number");
+		if (row->type == HAWSER__TREE_NUMBER && strcmp(row->unit, "1") != 0)
+			hawser__append(text, size, " ", "in %s", row->unit);
 	}
 }
 

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "core/append.h"
 #include "core/spelling.h"
 #include "scene/tree_keys.h"
 
@@ -44,7 +45,6 @@ void hawser__tree_key_list(char *text, size_t size, const char *of)
 {
 	const struct hawser__tree_table *table = hawser__tree_table(of);
 	const char *before = "", *key;
-	size_t used = 0;
 
 	*text = '\0';
 	for (int i = 0; table && i < table->rows; i++) {
@@ -55,8 +55,7 @@ void hawser__tree_key_list(char *text, size_t size, const char *of)
 		if (!key || row->need == HAWSER__TREE_MESH || !strcmp(row->path, before))
 			continue;
 		before = row->path;
-		if (used < size)
-			used += (size_t)snprintf(text + used, size - used, "%s%s", used ? ", " : "", key);
+		hawser__append(text, size, ", ", "%s", key);
 	}
 }
 

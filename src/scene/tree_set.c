@@ -11,6 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/append.h"
 #include "core/report.h"
 #include "scene/tree_keys.h"
 
@@ -125,7 +126,6 @@ static enum hawser_status unknown(struct hawser__reader *reader, const struct ha
                                   const struct hawser__tree_words *words)
 {
 	char keys[HAWSER__TREE_LIST_SIZE] = "", best[HAWSER__TEXT_ROOM], shown[HAWSER__SHOWN];
-	size_t used;
 
 	if (tree->kind == HAWSER__MAPPING)
 		hawser__tree_key_list(keys, sizeof keys, path);
@@ -133,9 +133,8 @@ static enum hawser_status unknown(struct hawser__reader *reader, const struct ha
 		const struct hawser__tree *called = hawser__tree_find(one, "name");
 		const char *own = called ? called->text : one->name;
 
-		used = strlen(keys);
-		if (own && used < sizeof keys)
-			snprintf(keys + used, sizeof keys - used, "%s%s", used ? ", " : "", own);
+		if (own)
+			hawser__append(keys, sizeof keys, ", ", "%s", own);
 	}
 	hawser__tree_nearest(best, name, keys);
 	return hawser__reader_fail(reader, at, "the scene has no place %s here: %s%s%swrite names and "

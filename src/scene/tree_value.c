@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "core/append.h"
 #include "core/report.h"
 #include "scene/tree.h"
 
@@ -103,12 +104,9 @@ enum hawser_status hawser__tree_word(struct hawser__reader *reader, int *index,
 	if (status)
 		return status;
 	for (*index = 0; *index < count; ++*index) {
-		size_t used = strlen(list);
-
 		if (!strcmp(text, words[*index]))
 			return HAWSER_OK;
-		snprintf(list + used, sizeof list - used, "%s%s", !used ? "" : *index == count - 1 ? " or "
-		         : ", ", words[*index]);
+		hawser__append(list, sizeof list, *index == count - 1 ? " or " : ", ", "%s", words[*index]);
 	}
 	return hawser__reader_fail(reader, &tree->at, "%s: \"%s\" must be %s", what,
 	                           hawser__shown(shown, text), list);

@@ -17,6 +17,7 @@
 #include <hawser/plausible.h>
 #include <hawser/statics.h>
 
+#include "core/append.h"
 #include "scene/plausible.h"
 
 /* --- quantities; NAN if the scene does not have the quantity or has no static shape --- */
@@ -253,24 +254,15 @@ static void bounds(char *text, size_t size, const struct hawser_plausible_rule *
 	snprintf(text, size, "%s to %g%s%s", low, rule->high, *rule->unit ? " " : "", rule->unit);
 }
 
-static void append(char *text, size_t size, const char *before, const char *more)
-{
-	size_t used = strlen(text);
-
-	snprintf(text + used, size - used, "%s%s", before, more);
-}
-
 /* "cable.EA = 400 N" */
 static void append_key(struct hawser_doubt *doubt, const struct hawser_scene *scene,
-                       const char *before, const char *key)
+                       const char *key)
 {
 	const char *unit = unit_of(key);
 	int pure = strcmp(unit, "1") == 0;
-	char text[96];
 
-	snprintf(text, sizeof text, "%s = %.6g%s%s", key, get(scene, key), pure ? "" : " ",
-	         pure ? "" : unit);
-	append(doubt->text, sizeof doubt->text, before, text);
+	hawser__append(doubt->text, sizeof doubt->text, ", ", "%s = %.6g%s%s", key, get(scene, key),
+	               pure ? "" : " ", pure ? "" : unit);
 }
 
 /* Write the text of a doubt: the key that a factor would correct or, for factor 0, all keys of the
@@ -283,10 +275,12 @@ static void describe(struct hawser_doubt *doubt, const struct hawser_scene *scen
 
 	*doubt->text = '\0';
 	if (factor > 0.0)
-		append_key(doubt, scene, "", doubt->key);
+		append_key(doubt, scene, doubt->key);
 	for (int k = 0; !(factor > 0.0) && key_of(key, rule, k, scene); k++)
-		if (isfinite(get(scene, key)) && get(scene, key) != 0.0)
-			append_key(doubt, scene, many++ ? ", " : "", key);
+		if (isfinite(get(scene, key)) && get(scene, key) != 0.0) {
+			append_key(doubt, scene, key);
+			many++;
+		}
 	bounds(range, sizeof range, rule);
 	if (isnan(doubt->value))
 		snprintf(text, sizeof text, "the span is far from having a static shape");
@@ -294,13 +288,13 @@ static void describe(struct hawser_doubt *doubt, const struct hawser_scene *scen
 		snprintf(text, sizeof text, "%s%s%s%s is %.3g%s%s (plausible: %s)", rule->name,
 		         *rule->formula ? ", " : "", rule->formula, *rule->formula ? "," : "",
 		         doubt->value, *rule->unit ? " " : "", rule->unit, range);
-	append(doubt->text, sizeof doubt->text, many > 1 ? " look wrong: " : " looks wrong: ", text);
+	hawser__append(doubt->text, sizeof doubt->text, "", " look%s wrong: %s", many > 1 ? "" : "s", text);
 	if (!(factor > 0.0))
 		return;
 	show(text, sizeof text, factor*get(scene, doubt->key), unit_of(doubt->key));
-	append(doubt->text, sizeof doubt->text, "; it would be plausible with ", text);
+	hawser__append(doubt->text, sizeof doubt->text, "; ", "it would be plausible with %s", text);
 	if (factor > 1e5 && get(scene, doubt->key) < 1.0)
-		append(doubt->text, sizeof doubt->text, "", " (m is milli, M is mega)");
+		hawser__append(doubt->text, sizeof doubt->text, " ", "(m is milli, M is mega)");
 }
 
 /* --- */

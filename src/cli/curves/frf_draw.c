@@ -13,6 +13,7 @@
 #include "cli/curves/frf_over.h"
 #include "cli/curves/frf_picture.h"
 #include "cli/frame/view.h"
+#include "core/append.h"
 #include "core/order.h"
 #include "core/report.h"
 
@@ -226,7 +227,6 @@ static void label_naturals(struct cli_frf_picture *of)
 
 	for (int k = 0, next; k < count; k = next) {
 		char text[160] = "";
-		size_t used = 0;
 
 		omega = of->result->model->natural[k]*of->per_omega;
 		next = k + 1;
@@ -238,9 +238,8 @@ static void label_naturals(struct cli_frf_picture *of)
 			if (at > of->high || at >= end)
 				break;
 		}
-		for (int j = k; j < next && used < sizeof text; j++)
-			used += (size_t)snprintf(text + used, sizeof text - used, "%sω_{%d}", j > k ? ", " : "",
-			                         j + 1);
+		for (int j = k; j < next; j++)
+			hawser__append(text, sizeof text, ", ", "ω_{%d}", j + 1);
 		hawser__figure_above(&of->figure, end > of->high + 0.5*width ? of->high : omega,
 		                     end > of->high + 0.5*width ? "right offset 1.5,0.6 tc rgb '#505050'"
 		                     : "left offset -0.5,0.6 tc rgb '#505050'", text);

@@ -10,6 +10,8 @@
 #include "cli/curves/frf_cover.h"
 #include "cli/curves/frf_lift.h"
 #include "cli/curves/frf_over.h"
+#include "cli/frame/view.h"
+#include "core/append.h"
 
 /* Number of branches that end where the cable becomes slack. */
 static int ends_slack(const struct cli_frf_result *result)
@@ -60,16 +62,13 @@ static int gaps(char *text, size_t size, const struct cli_frf_result *result)
 {
 	const char *taut = ends_slack(result) ? "that keeps the cable taut " : "";
 	double per_omega = cli_per_omega(result->model);
-	int used = 0;
 
-	for (int k = 0; k < result->gaps && used < (int)size; k++)
-		used += snprintf(text + used, size - (size_t)used, "%s%s%s %.9g and %.9g",
-		                 k ? "," : "gaps: no periodic motion ", k ? "" : taut,
-		                 k ? "" : "was found between Omega =", result->gap[2*k]*per_omega,
-		                 result->gap[2*k + 1]*per_omega);
-	if (used > 0 && used < (int)size)
-		snprintf(text + used, size - (size_t)used, "%s: begin one there with --at, or look with "
-		         "--sweep both", cli_unit(result->model, " rad/s"));
+	snprintf(text, size, "gaps: no periodic motion %swas found between Omega =", taut);
+	for (int k = 0; k < result->gaps; k++)
+		hawser__append(text, size, k ? ", " : " ", "%.9g and %.9g", result->gap[2*k]*per_omega,
+		               result->gap[2*k + 1]*per_omega);
+	hawser__append(text, size, cli_unit(result->model, " rad/s"),
+	               ": begin one there with --at, or look with --sweep both");
 	return result->gaps > 0;
 }
 
@@ -129,26 +128,18 @@ static int slack(char *text, size_t size, const struct cli_frf_result *result)
 static int list_ends(char *text, size_t size, const struct cli_frf_result *result,
                      enum hawser_frf_end end, const char *before)
 {
-	int used = snprintf(text, size, "%s", before), count = 0;
+	int count = 0;
 
+	snprintf(text, size, "%s", before);
 	for (int k = 0; k <= result->others; k++) {
 		const struct hawser_frf *frf = k ? result->other[k - 1].frf : result->frf;
 
-		if (frf->end != end || frf->points < 1 || used >= (int)size)
-			continue;
-		used += snprintf(text + used, size - (size_t)used, "%s branch %d at %.9g%s", count++ ? "," : "",
-		                 frf->branch, place_of(result, &frf->point[frf->points - 1]),
-		                 result->over ? "" : cli_unit(result->model, " rad/s"));
+		if (frf->end == end && frf->points > 0)
+			hawser__append(text, size, count++ ? ", " : " ", "branch %d at %.9g%s", frf->branch,
+			               place_of(result, &frf->point[frf->points - 1]),
+			               result->over ? "" : cli_unit(result->model, " rad/s"));
 	}
 	return count;
-}
-
-/* Add to the text. */
-static void add(char *text, size_t size, const char *more, double number)
-{
-	size_t used = strlen(text);
-
-	snprintf(text + used, size - used, more, number);
 }
 
 static int unstable(char *text, size_t size, const struct cli_frf_result *result)
@@ -156,8 +147,8 @@ static int unstable(char *text, size_t size, const struct cli_frf_result *result
 	if (result->observed == 0 ||
 	    list_ends(text, size, result, HAWSER_END_UNSTABLE, "unstable: the curve ends on") == 0)
 		return 0;
-	add(text, size, ", where more than %.0f multipliers are unstable, so that nobody observes the "
-	    "motion (--unstable N follows it on)", result->observed);
+	hawser__append(text, size, ", ", "where more than %d multipliers are unstable, so that nobody "
+	               "observes the motion (--unstable N follows it on)", result->observed);
 	return 1;
 }
 
@@ -168,8 +159,8 @@ static int work(char *text, size_t size, const struct cli_frf_result *result)
 		if (!result->costly)
 			return 0;
 	}
-	add(text, size, ", since it takes more than some %.0f s, as counted: fewer modes (-n) or a "
-	    "narrower range take less, --max-points N goes on", result->allowed);
+	hawser__append(text, size, ", ", "since it takes more than some %.0f s, as counted: fewer modes "
+	               "(-n) or a narrower range take less, --max-points N goes on", result->allowed);
 	return 1;
 }
 

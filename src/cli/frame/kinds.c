@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "cli/frame/kinds.h"
+#include "core/append.h"
 #include "core/report.h"
 
 enum { COMMANDS = 400 }; /* characters of a list of commands */
@@ -93,16 +94,14 @@ static enum hawser_status check_options(const char *command, const struct cli_co
 static void list_commands(char *text, size_t size, int index, int forced)
 {
 	const struct cli_command *command;
-	size_t used = 0;
 
 	*text = '\0';
-	for (int i = 0; (command = cli_command_row(i)) && used < size; i++) {
+	for (int i = 0; (command = cli_command_row(i)); i++) {
 		int needs = (command->takes & CLI_FORCED) != 0;
 
 		if ((command->takes & CLI_EVERY) != CLI_EVERY && takes(command, index) &&
 		    (forced < 0 || forced == needs))
-			used += (size_t)snprintf(text + used, size - used, "%s%s", used ? ", " : "",
-			                         command->name);
+			hawser__append(text, size, ", ", "%s", command->name);
 	}
 }
 

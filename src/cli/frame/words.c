@@ -6,19 +6,18 @@
 #include <string.h>
 
 #include "cli/frame/input.h"
+#include "core/append.h"
 #include "core/report.h"
 
 enum hawser_status cli_choose(int *index, const char *command, const char *option, const char *text,
                               const char *const *words, int count, struct hawser_report *report)
 {
 	char list[160] = "";
-	size_t used = 0;
 
 	for (*index = 0; *index < count; (*index)++) {
 		if (strcmp(text, words[*index]) == 0)
 			return HAWSER_OK;
-		used += (size_t)snprintf(list + used, sizeof list - used, "%s%s", *index ? ", " : "",
-		                         words[*index]);
+		hawser__append(list, sizeof list, ", ", "%s", words[*index]);
 	}
 	return hawser__fail(report, HAWSER_ERR_ARGUMENT, command, "--%s %s: must be one of %s", option,
 	                    text, list);

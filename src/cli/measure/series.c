@@ -15,6 +15,7 @@
 #include <string.h>
 
 #include "cli/measure/series.h"
+#include "core/append.h"
 #include "core/grow.h"
 #include "core/report.h"
 
@@ -107,8 +108,7 @@ static enum hawser_status all_columns(struct table *table, struct hawser_report 
 	int first = 0;
 
 	for (int w = 0; w < table->wanteds; w++)
-		snprintf(list + strlen(list), sizeof list - strlen(list), "%s%s", w ? ", " : "",
-		         table->wanted[w]);
+		hawser__append(list, sizeof list, ", ", "%s", table->wanted[w]);
 	for (int k = 0; k < table->names; k++) {
 		int w = wanted(table, k);
 

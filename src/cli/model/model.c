@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "cli/model/rom_ropeway.h"
+#include "core/append.h"
 #include "core/report.h"
 
 /* Number of listed modes if the program chooses the modes. */
@@ -118,11 +119,12 @@ static enum hawser_status from_scene(struct cli_model *model, const struct cli_c
 static enum hawser_status set_parameters(struct hawser_rom_source *source,
                                          const struct cli_common *common, struct hawser_report *report)
 {
-	char name[32], names[160] = "none", *end;
+	char name[32], names[160] = "", *end;
 
-	for (int i = 0, used = 0; i < source->parameters && used < (int)sizeof names; i++)
-		used += snprintf(names + used, sizeof names - (size_t)used, "%s%s", i ? ", " : "",
-		                 source->parameter[i].name);
+	for (int i = 0; i < source->parameters; i++)
+		hawser__append(names, sizeof names, ", ", "%s", source->parameter[i].name);
+	if (!*names)
+		snprintf(names, sizeof names, "none");
 	for (int i = 0; i < common->sets; i++) {
 		const char *equals = strchr(common->set[i], '=');
 		double value = strtod(equals + 1, &end);

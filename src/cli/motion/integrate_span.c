@@ -8,6 +8,7 @@
 
 #include "cli/motion/integrate_span.h"
 #include "cli/frame/progress.h"
+#include "core/append.h"
 #include "core/report.h"
 #include "output/curves/plot_motions.h"
 
@@ -192,12 +193,10 @@ static void error_comment(struct hawser__table *table, const struct result *resu
 		most = fmax(most, result->size[i/3][i % 3]);
 	for (int i = 0; i < 3*PROBES; i++) {
 		double size = result->size[i/3][i % 3];
-		size_t used = strlen(text);
 
-		if (size > 1e-9*most && used < sizeof text)
-			snprintf(text + used, sizeof text - used, "%s%c_%s %.2g %%", used ? ", " : "",
-			         "xyz"[i % 3], hawser_net_span_probe(i/3),
-			         100.0*result->error[i/3][i % 3]/size);
+		if (size > 1e-9*most)
+			hawser__append(text, sizeof text, ", ", "%c_%s %.2g %%", "xyz"[i % 3],
+			               hawser_net_span_probe(i/3), 100.0*result->error[i/3][i % 3]/size);
 	}
 	hawser__table_comment(table, "estimated errors by mesh and steps, relative, root mean square: %s",
 	                      *text ? text : "nothing moves");

@@ -8,6 +8,7 @@
 
 #include "cli/report/report.h"
 #include "cli/frame/within.h"
+#include "core/append.h"
 #include "output/report/html.h"
 #include "output/report/sha256.h"
 
@@ -58,16 +59,14 @@ static void head(FILE *to, const struct cli_report_page *page)
 static void describe(char *text, size_t size, const char *tsv)
 {
 	enum { HEAD = 3 };
-	size_t used = 0;
 	int count = 0;
 
 	text[0] = '\0';
 	for (const char *line = tsv; line && *line == '#' && count < HEAD + DESCRIBED; count++) {
 		size_t length = strcspn(line, "\n");
 
-		if (count >= HEAD && length > 2 && used + length < size)
-			used += (size_t)snprintf(text + used, size - used, "%s%.*s", used ? "; " : "",
-			                         (int)length - 2, line + 2);
+		if (count >= HEAD && length > 2 && strlen(text) + length < size)
+			hawser__append(text, size, "; ", "%.*s", (int)length - 2, line + 2);
 		line += length + (line[length] == '\n');
 	}
 }
@@ -189,8 +188,8 @@ static void model_keys(FILE *to, const struct hawser_scene *scene)
 			snprintf(text, sizeof text, "%s", word);
 		else
 			continue;
-		snprintf(text + strlen(text), sizeof text - strlen(text), " (%s)",
-		         hawser_scene_written(scene, key->path) ? "given" : "default");
+		hawser__append(text, sizeof text, " ", "(%s)",
+		               hawser_scene_written(scene, key->path) ? "given" : "default");
 		hawser__html_words_row(to, key->path, text);
 	}
 	hawser__html_words_end(to);

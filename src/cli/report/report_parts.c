@@ -6,6 +6,7 @@
 
 #include "cli/frame/kinds.h"
 #include "cli/report/report_parts.h"
+#include "core/append.h"
 #include "core/report.h"
 
 /* Besides the kinds (enum cli_kind): of spans, and of paths of a towing point alone. */
@@ -129,11 +130,9 @@ static enum hawser_status check_list(const char *list, const struct cli_report_p
                                      int count, struct hawser_report *report)
 {
 	char known[200] = "", name[40];
-	size_t used = 0;
 
 	for (int i = 0; i < count; i++)
-		used += (size_t)snprintf(known + used, sizeof known - used, "%s%s", i ? ", " : "",
-		                         part[i]->name);
+		hawser__append(known, sizeof known, ", ", "%s", part[i]->name);
 	for (const char *word = list; word && *word; word += strcspn(word, ",")) {
 		int found = 0;
 

@@ -11,6 +11,7 @@
 #include "cli/frame/mesh_net.h"
 #include "cli/statics/statics_kinds.h"
 #include "cli/statics/statics_net.h"
+#include "core/append.h"
 #include "core/report.h"
 #include "output/structures/plot_net.h"
 
@@ -101,13 +102,9 @@ static void slack_comment(struct hawser__table *table, const struct result *resu
 	char names[400] = "";
 	int count = 0;
 
-	for (int c = 0; c < result->st.cables; c++) {
-		size_t used = strlen(names);
-
+	for (int c = 0; c < result->st.cables; c++)
 		if (result->st.member[c].slack > 0 && count++ < SHOWN)
-			snprintf(names + used, sizeof names - used, "%s%s", used ? ", " : "",
-			         result->mesh.net.cable[c].name);
-	}
+			hawser__append(names, sizeof names, ", ", "%s", result->mesh.net.cable[c].name);
 	if (count > 0)
 		hawser__table_comment(table, "%d cable%s with elements without tension: %s%s", count,
 		                      count == 1 ? "" : "s", names, count > SHOWN ? ", ..." : "");

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "cli/sweep/sweep.h"
+#include "core/append.h"
 
 void cli_sweep_miss(struct cli_sweep_rows *rows, const char *format, ...)
 {
@@ -43,11 +44,8 @@ static void no_column(struct cli_sweep_rows *rows, const struct cli_sweep_choice
 	for (; count < rows->columns && count < 200; count++)
 		names[count] = rows->column[count].name;
 	best = cli_nearest(name, names, count);
-	for (int c = 0; c < count && strlen(list) < 180; c++) {
-		size_t used = strlen(list);
-
-		snprintf(list + used, sizeof list - used, "%s%.50s", c ? ", " : "", names[c]);
-	}
+	for (int c = 0; c < count && strlen(list) < 180; c++)
+		hawser__append(list, sizeof list, ", ", "%.50s", names[c]);
 	cli_sweep_miss(rows, "--%s %s: the result of %s has no such column%s%s%s; it has %s%s", option,
 	               name, choice->command->name, best ? "; did you mean " : "", best ? best : "",
 	               best ? "?" : "", list, strlen(list) < 180 ? "" : ", ...");

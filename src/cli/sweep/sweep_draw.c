@@ -13,6 +13,7 @@
 #include "cli/model/axis.h"
 #include "cli/model/key_sweep.h"
 #include "cli/sweep/sweep.h"
+#include "core/append.h"
 #include "core/order.h"
 #include "core/report.h"
 #include "output/fields/fields.h"
@@ -202,9 +203,8 @@ static void curve_label(char label[LABEL], const struct drawing *of, long line)
 	const struct cli_sweep_plan *plan = of->plan;
 	const struct cli_sweep_line *row = &of->result->line[line];
 	char text[LABEL] = "", name[2*LABEL];
-	size_t used = 0;
 
-	for (int k = 0; k < plan->keys && used + 1 < sizeof text; k++) {
+	for (int k = 0; k < plan->keys; k++) {
 		const struct cli_sweep_key *key = &plan->key[k];
 		long at = cli_sweep_at(plan, k, row->variation);
 		int axis = 0;
@@ -214,16 +214,14 @@ static void curve_label(char label[LABEL], const struct drawing *of, long line)
 		if (axis == of->axis)
 			continue;
 		if (key->text)
-			snprintf(text + used, sizeof text - used, "%s%s = %s", used ? ", " : "", key->key,
-			         key->text[at]);
+			hawser__append(text, sizeof text, ", ", "%s = %s", key->key, key->text[at]);
 		else
-			snprintf(text + used, sizeof text - used, "%s%s = %.6g%s%s", used ? ", " : "", key->key,
-			         key->number[at], *key->unit ? " " : "", key->unit);
-		used = strlen(text);
+			hawser__append(text, sizeof text, ", ", "%s = %.6g%s%s", key->key, key->number[at],
+			               *key->unit ? " " : "", key->unit);
 	}
-	if (of->places > 1 && used + 1 < sizeof text)
-		snprintf(text + used, sizeof text - used, "%s%ld%s%s", used ? ", " : "", of->place[line] + 1,
-		         *word_of(row) ? ": " : "", word_of(row));
+	if (of->places > 1)
+		hawser__append(text, sizeof text, ", ", "%ld%s%s", of->place[line] + 1,
+		               *word_of(row) ? ": " : "", word_of(row));
 	cli_key_title(name, sizeof name, text);
 	snprintf(label, LABEL, "%.119s", name);
 }

@@ -12,6 +12,7 @@
 #include "cli/model/key_sweep.h"
 #include "cli/report/report.h"
 #include "cli/sweep/sweep.h"
+#include "core/append.h"
 #include "core/report.h"
 
 /* --- values --- */
@@ -406,19 +407,15 @@ void cli_sweep_set(char set[CLI_SWEEP_SET], const struct cli_sweep_plan *plan, i
 
 void cli_sweep_name(char *text, size_t size, const struct cli_sweep_plan *plan, long variation)
 {
-	size_t used = 0;
-
 	*text = '\0';
-	for (int k = 0; k < plan->keys && used + 1 < size; k++) {
+	for (int k = 0; k < plan->keys; k++) {
 		const struct cli_sweep_key *of = &plan->key[k];
 		long at = cli_sweep_at(plan, k, variation);
-		char number[40];
 
-		if (!of->text)
-			snprintf(number, sizeof number, "%.10g%s%s", of->number[at], *of->unit ? " " : "",
-			         of->unit);
-		snprintf(text + used, size - used, "%s%s = %s", k ? ", " : "", of->key,
-		         of->text ? of->text[at] : number);
-		used = strlen(text);
+		if (of->text)
+			hawser__append(text, size, ", ", "%s = %s", of->key, of->text[at]);
+		else
+			hawser__append(text, size, ", ", "%s = %.10g%s%s", of->key, of->number[at],
+			               *of->unit ? " " : "", of->unit);
 	}
 }

@@ -13,6 +13,7 @@
 
 #include "cli/sweep/sweep.h"
 #include "cli/frame/view.h"
+#include "core/append.h"
 #include "core/grow.h"
 #include "output/fields/fields_units.h"
 #include "output/fields/visit.h"
@@ -273,11 +274,8 @@ static void list_names(char *text, size_t size, const json_t *root)
 	json_object_foreach((json_t *)root, key, value) {
 		int plain = json_array_size(value) > 0 && !json_is_object(json_array_get(value, 0));
 
-		if (json_is_array(value) && !is_head(key) && !plain) {
-			size_t used = strlen(text);
-
-			snprintf(text + used, size - used, "%s%s", used ? ", " : "", key);
-		}
+		if (json_is_array(value) && !is_head(key) && !plain)
+			hawser__append(text, size, ", ", "%s", key);
 	}
 }
 

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/append.h"
 #include "core/report.h"
 #include "net/motion/motion.h"
 #include "net/plan/plan.h"
@@ -60,17 +61,11 @@ static int list(char *names, size_t size, const struct hawser__net_planner *plan
 	int count = 0;
 
 	*names = '\0';
-	for (int c = 0; c < planner->plan->cables; c++) {
-		size_t used = strlen(names);
-
-		if (!has(planner, c))
-			continue;
-		if (count++ < NAMES)
-			snprintf(names + used, size - used, "%s%s", used ? ", " : "",
-			         planner->net->cable[c].name);
-	}
+	for (int c = 0; c < planner->plan->cables; c++)
+		if (has(planner, c) && count++ < NAMES)
+			hawser__append(names, size, ", ", "%s", planner->net->cable[c].name);
 	if (count > NAMES)
-		snprintf(names + strlen(names), size - strlen(names), " and %d more", count - NAMES);
+		hawser__append(names, size, " ", "and %d more", count - NAMES);
 	return count;
 }
 
@@ -114,8 +109,7 @@ static void directions(struct hawser__net_planner *planner)
 	for (int k = 0; k < 3; k++)
 		if (planner->still[k]) {
 			left++;
-			snprintf(axes + strlen(axes), sizeof axes - strlen(axes), "%s%c", left > 1 ? ", " : "",
-			         "xyz"[k]);
+			hawser__append(axes, sizeof axes, ", ", "%c", "xyz"[k]);
 		}
 	if (left == 0 && plane != 1) {
 		say(planner, "motion along x, y and z", 1, planner->net->surfaces
@@ -208,20 +202,18 @@ static int obstacles(char *names, size_t size, const struct hawser__net_planner 
 
 	*names = '\0';
 	for (int s = 0; s < net->surfaces; s++) {
-		size_t used = strlen(names);
 		int nodes = 0;
 
 		for (int i = 0; i < planner->st.contacts; i++)
 			nodes += planner->st.contact[i].surface == s;
 		if ((nodes > 0) != touched || count++ >= NAMES)
 			continue;
-		snprintf(names + used, size - used, "%s%s", used ? ", " : "", net->surface[s].name);
-		used = strlen(names);
+		hawser__append(names, size, ", ", "%s", net->surface[s].name);
 		if (touched)
-			snprintf(names + used, size - used, " (%d node%s)", nodes, nodes == 1 ? "" : "s");
+			hawser__append(names, size, " ", "(%d node%s)", nodes, nodes == 1 ? "" : "s");
 	}
 	if (count > NAMES)
-		snprintf(names + strlen(names), size - strlen(names), " and %d more", count - NAMES);
+		hawser__append(names, size, " ", "and %d more", count - NAMES);
 	return count;
 }
 

@@ -9,6 +9,7 @@
 
 #include <hawser/net_motion.h>
 
+#include "core/append.h"
 #include "core/report.h"
 #include "net/read/read.h"
 
@@ -181,8 +182,7 @@ static enum hawser_status known(struct hawser__reader *reader, const struct haws
 	int i = 0;
 
 	for (; hawser_net_scheme(i) && strcmp(hawser_net_scheme(i)->name, scheme) != 0; i++)
-		snprintf(names + strlen(names), sizeof names - strlen(names), "%s%s", i ? ", " : "",
-		         hawser_net_scheme(i)->name);
+		hawser__append(names, sizeof names, ", ", "%s", hawser_net_scheme(i)->name);
 	return hawser_net_scheme(i) ? HAWSER_OK
 	       : hawser__reader_fail(reader, &tree->at, "there is no scheme %.40s: the schemes are %s",
 	                             scheme, names);

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/append.h"
 #include "core/report.h"
 #include "net/statics/exact.h"
 #include "net/statics/solution.h"
@@ -36,13 +37,9 @@ enum hawser_status hawser__net_supported(const struct hawser__mesh *mesh, const 
 	if (mesh->around)
 		lost = -1; /* an obstacle holds it */
 
-	for (int i = 0; lost >= 0 && i < net->nodes; i++) {
-		size_t used = strlen(names);
-
+	for (int i = 0; lost >= 0 && i < net->nodes; i++)
 		if (part[i] == lost && ++count <= 4)
-			snprintf(names + used, sizeof names - used, "%s%s", count > 1 ? ", " : "",
-			         net->node[i].name);
-	}
+			hawser__append(names, sizeof names, ", ", "%s", net->node[i].name);
 	free(part);
 	if (status || lost < 0)
 		return status;

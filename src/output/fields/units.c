@@ -12,6 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/append.h"
 #include "core/report.h"
 #include <hawser/scene.h>
 #include "output/output.h"
@@ -63,15 +64,13 @@ static struct {
 static enum hawser_status not_shown(const char *unit, struct hawser_report *report)
 {
 	char base[128], possible[320] = "";
-	size_t used = 0;
 	enum hawser_status status = hawser_unit_base(base, sizeof base, unit, report);
 
 	if (status)
 		return hawser__fail(report, status, "units", "--units: \"%s\" is no unit; write a list such as "
 		                    "\"kN, ft, Hz\"", unit);
-	for (int d = 0; d < DIMENSIONS && used < sizeof possible; d++)
-		used += (size_t)snprintf(possible + used, sizeof possible - used, "%s%s", d ? ", " : "",
-		                         dimensions[d].si);
+	for (int d = 0; d < DIMENSIONS; d++)
+		hawser__append(possible, sizeof possible, ", ", "%s", dimensions[d].si);
 	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "units",
 	                    "--units: \"%s\" has the dimension of %s, and no result has that; possible "
 	                    "are those of %s", unit, base, possible);
@@ -394,14 +393,12 @@ char *hawser__units_text(const char *text)
 void hawser__units_comments(struct hawser__table *table)
 {
 	char list[DIMENSIONS*(HAWSER__UNIT_SIZE + 2)] = "";
-	size_t used = 0;
 
 	if (!chosen.any)
 		return;
 	for (int d = 0; d < DIMENSIONS; d++)
 		if (*chosen.unit[d])
-			used += (size_t)snprintf(list + used, sizeof list - used, "%s%s", used ? ", " : "",
-			                         chosen.unit[d]);
+			hawser__append(list, sizeof list, ", ", "%s", chosen.unit[d]);
 	hawser__table_remark(table, "units: %s, where something has their dimension; SI elsewhere", list);
 	for (int d = 0; d < DIMENSIONS; d++)
 		if (*chosen.unit[d] && !chosen.used[d])

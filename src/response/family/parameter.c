@@ -9,6 +9,7 @@
 
 #include <hawser/family.h>
 
+#include "core/append.h"
 #include "core/report.h"
 
 #define MODELS 10 /* kept at the same time: the first, and those of the last calls */
@@ -73,12 +74,9 @@ void hawser_parameter_close(struct hawser_rom_family *family)
 /* "eps, mu" */
 static void list(char *text, size_t size, const struct hawser_rom_source *source)
 {
-	size_t used = 0;
-
-	snprintf(text, size, "none");
-	for (int i = 0; i < source->parameters && used < size; i++)
-		used += (size_t)snprintf(text + used, size - used, "%s%s", i ? ", " : "",
-		                         source->parameter[i].name);
+	snprintf(text, size, "%s", source->parameters ? "" : "none");
+	for (int i = 0; i < source->parameters; i++)
+		hawser__append(text, size, ", ", "%s", source->parameter[i].name);
 }
 
 static enum hawser_status make(struct family **made, const struct hawser_rom_source *source,

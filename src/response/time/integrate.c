@@ -16,6 +16,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/append.h"
 #include "core/progress.h"
 #include "core/report.h"
 #include "response/orbit/rest.h"
@@ -78,11 +79,8 @@ static enum hawser_status no_such_method(const char *name, struct hawser_report 
 {
 	char names[200] = "auto";
 
-	for (int i = 0; i < METHODS; i++) {
-		size_t used = strlen(names);
-
-		snprintf(names + used, sizeof names - used, ", %s", methods[i]->about.name);
-	}
+	for (int i = 0; i < METHODS; i++)
+		hawser__append(names, sizeof names, ", ", "%s", methods[i]->about.name);
 	return hawser__fail(report, HAWSER_ERR_ARGUMENT, WHERE,
 	                    "no integration method is called '%s'; there are: %s", name, names);
 }

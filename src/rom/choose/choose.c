@@ -14,6 +14,7 @@
 #include "config.h"
 
 #include <complex.h>
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -258,12 +259,13 @@ enum hawser_reason hawser_choice_reason(const struct hawser_choice *choice, int 
 	return mode->measure > NEGLIGIBLE ? HAWSER_CONDENSED : HAWSER_NOT_EXCITED;
 }
 
-int hawser_choice_raise(struct hawser_choice *choice, double accuracy)
+/* Keep up to `count` more modes, the first ones, until the rest is within the accuracy. */
+static int keep_more(struct hawser_choice *choice, int count, double accuracy)
 {
 	int added = 0;
 
 	sort(choice);
-	for (int i = 0; i < choice->n && hawser_choice_rest(choice) > accuracy; i++) {
+	for (int i = 0; i < choice->n && added < count && hawser_choice_rest(choice) > accuracy; i++) {
 		struct hawser_choice_mode *mode = &choice->mode[choice->order[i]];
 
 		if (mode->kept || !(mode->measure > NEGLIGIBLE))
@@ -274,20 +276,14 @@ int hawser_choice_raise(struct hawser_choice *choice, double accuracy)
 	return added;
 }
 
+int hawser_choice_raise(struct hawser_choice *choice, double accuracy)
+{
+	return keep_more(choice, INT_MAX, accuracy);
+}
+
 int hawser_choice_add(struct hawser_choice *choice, int count)
 {
-	int added = 0;
-
-	sort(choice);
-	for (int i = 0; i < choice->n && added < count; i++) {
-		struct hawser_choice_mode *mode = &choice->mode[choice->order[i]];
-
-		if (mode->kept || !(mode->measure > NEGLIGIBLE))
-			continue;
-		mode->kept = 1;
-		added++;
-	}
-	return added;
+	return keep_more(choice, count, -INFINITY);
 }
 
 /* Whether the load drives mode j at its natural frequency. Measures are taken at folds and peaks;

@@ -10,6 +10,7 @@
 
 #include <math.h>
 
+#include "core/solve3.h"
 #include "rom/condense/condense.h"
 
 struct hawser__place hawser__space_place(const struct hawser_modes *modes,
@@ -41,28 +42,16 @@ void hawser__space_ties_add(struct hawser__ties *ties, const struct hawser__plac
 /* By Cholesky, from the stiff directions on: M is graded, its least entry along the chord. */
 void hawser__space_ties_solve(double lambda[3], const struct hawser__ties *ties, const double r[3])
 {
-	double L[3][3] = {{0.0}}, x[3];
+	double M[3][3], b[3], x[3];
 
-	for (int j = 0; j < 3; j++)
-		for (int i = j; i < 3; i++) {
-			double sum = ties->M[2 - i][2 - j];
-
-			for (int k = 0; k < j; k++)
-				sum -= L[i][k]*L[j][k];
-			L[i][j] = i == j ? sqrt(sum) : sum/L[j][j];
-		}
 	for (int i = 0; i < 3; i++) {
-		x[i] = r[2 - i];
-		for (int k = 0; k < i; k++)
-			x[i] -= L[i][k]*x[k];
-		x[i] /= L[i][i];
+		b[i] = r[2 - i];
+		for (int j = 0; j < 3; j++)
+			M[i][j] = ties->M[2 - i][2 - j];
 	}
-	for (int i = 2; i >= 0; i--) {
-		for (int k = i + 1; k < 3; k++)
-			x[i] -= L[k][i]*x[k];
-		x[i] /= L[i][i];
-		lambda[2 - i] = x[i];
-	}
+	hawser__solve3(x, M, b, 0.0);
+	for (int i = 0; i < 3; i++)
+		lambda[i] = x[2 - i];
 }
 
 void hawser__space_reach(double r[3], const struct hawser__place *at, const double q[3], double factor)

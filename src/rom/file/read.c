@@ -12,6 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/append.h"
 #include "core/report.h"
 #include "core/spelling.h"
 #include "rom/file/formula.h"
@@ -167,8 +168,7 @@ enum hawser_status hawser__read_keys(const struct hawser__parser *reader, json_t
 
 		for (int i = 0; keys[i]; i++) {
 			known = known || !strcmp(key, keys[i]);
-			snprintf(list + strlen(list), sizeof list - strlen(list), "%s%s",
-			         i ? ", " : "", keys[i]);
+			hawser__append(list, sizeof list, ", ", "%s", keys[i]);
 		}
 		if (known)
 			continue;

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/append.h"
 #include "core/locale.h"
 #include "core/report.h"
 #include "study/accuracy/respond.h"
@@ -95,12 +96,10 @@ const struct hawser_fidelity *hawser_fidelity(int index)
 static enum hawser_status no_such(struct hawser_report *report, const char *entry)
 {
 	char names[200] = "";
-	size_t length = 0;
 
 	for (int i = 0; i < row_count; i++)
-		length += (size_t)snprintf(names + length, sizeof names - length, "%s%s %s",
-		                           i ? ", " : "", rows[i].name,
-		                           rows[i].counts == HAWSER_NUMBER_PERCENT ? "A" : "N");
+		hawser__append(names, sizeof names, ", ", "%s %s", rows[i].name,
+		               rows[i].counts == HAWSER_NUMBER_PERCENT ? "A" : "N");
 	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "study",
 	                    "there is no fidelity \"%s\": write %s, separated by commas", entry,
 	                    names);

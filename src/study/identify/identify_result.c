@@ -14,6 +14,7 @@
 #include <gsl/gsl_cdf.h>
 #include <lapacke.h>
 
+#include "core/append.h"
 #include "core/report.h"
 #include "study/identify/identify.h"
 
@@ -28,13 +29,10 @@ static const char where[] = "identify";
 /* "tension.T0 and cable.rho": the keys of the larger components. */
 static void name_keys(char *text, size_t size, const struct hawser__fit *fit, const double *v)
 {
-	size_t at = 0;
-
 	text[0] = '\0';
-	for (int k = 0; k < fit->keys && at < size; k++)
+	for (int k = 0; k < fit->keys; k++)
 		if (fabs(v[k]) > 0.2)
-			at += (size_t)snprintf(text + at, size - at, "%s%.60s", at ? " and " : "",
-			                       fit->key[k]);
+			hawser__append(text, size, " and ", "%.60s", fit->key[k]);
 }
 
 /* V [keys][keys], rows, and s [keys] of the Jacobian J [keys + 1][count] at x. */

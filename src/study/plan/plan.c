@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/append.h"
 #include "core/report.h"
 #include "core/progress.h"
 #include "rom/build/build.h"
@@ -82,18 +83,15 @@ static enum hawser_status judge(char *text, size_t size, struct hawser_rom *rom,
                                 const struct hawser_statics *statics, struct hawser_report *report)
 {
 	enum hawser_status status = HAWSER_OK;
-	size_t used = 0;
 
 	if (rom->n <= JUDGED)
 		status = hawser_law_range(rom, statics, NULL, report);
-	for (int j = 0, told = 0; !status && j < rom->n && told < TOLD && used < size; j++) {
+	for (int j = 0, told = 0; !status && j < rom->n && told < TOLD; j++) {
 		const struct hawser_rom_range *range = &rom->range[j];
 
 		if (range->end != HAWSER_RANGE_UNKNOWN)
-			used += (size_t)snprintf(text + used, size - used, "%s%.3g m%s %s", told++ ? ", " : "",
-			                         range->amplitude,
-			                         range->end == HAWSER_RANGE_AT_LEAST ? " or more" : "",
-			                         rom->label[j]);
+			hawser__append(text, size, told++ ? ", " : "", "%.3g m%s %s", range->amplitude,
+			               range->end == HAWSER_RANGE_AT_LEAST ? " or more" : "", rom->label[j]);
 	}
 	return status;
 }
