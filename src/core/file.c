@@ -197,6 +197,13 @@ enum hawser_status hawser__file_check(const char *path, struct hawser_report *re
 	return status;
 }
 
+const char *hawser__file_name(const char *path)
+{
+	const char *slash = strrchr(path, '/');
+
+	return slash ? slash + 1 : path;
+}
+
 enum hawser_status hawser__file_put(const char *path, const char *text, size_t size,
                                     struct hawser_report *report)
 {

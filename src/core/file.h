@@ -30,6 +30,9 @@ void hawser__file_abort(struct hawser__file *file);
 enum hawser_status hawser__file_check(const char *path,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 
+/* The last part of a path. */
+const char *hawser__file_name(const char *path);
+
 /* Begin, write text [size], commit: HAWSER_ERR_IO names the file and the cause. */
 enum hawser_status hawser__file_put(const char *path, const char *text, size_t size,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;

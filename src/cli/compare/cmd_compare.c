@@ -9,6 +9,7 @@
 #include "cli/compare/compare_result.h"
 #include "cli/frame/progress.h"
 #include "cli/frame/view.h"
+#include "cli/motion/span_run.h"
 #include "core/report.h"
 
 enum { planned_most = 40 }; /* modes or functions: largest number for which the plan estimates
@@ -316,22 +317,12 @@ static void announce(const struct cli_compare_result *result)
 	                  result->limit, limit_of(result, result->reference));
 }
 
-static int moves(const struct hawser_scene *scene)
-{
-	int any = 0;
-
-	for (int i = 0; i < 6; i++)
-		any |= scene->support[i/3].present && scene->support[i/3].motion[i%3] != 0.0;
-	return any;
-}
-
 static enum hawser_status range(struct cli_compare_result *result, const struct settings *settings,
                                 struct hawser_report *report)
 {
 	const struct cli_model *model = result->model;
 
-	if (!model->scene.load.present && model->scene.loads == 0 && !moves(&model->scene) &&
-	    !(model->scene.travel.fluctuation > 0.0))
+	if (!cli_driven(&model->scene) && !(model->scene.travel.fluctuation > 0.0))
 		return hawser__fail(report, HAWSER_ERR_SCENE, "compare",
 		                    "%s: there is no load, so there is no response to compare: add a "
 		                    "section load", settings->common.input);

@@ -9,6 +9,7 @@
 
 #include "cli/frame/view.h"
 #include "cli/frame/within.h"
+#include "core/file.h"
 #include "core/report.h"
 
 enum { OUTPUTS = 4 }; /* of every command */
@@ -18,18 +19,10 @@ static int is_stdout(const char *path)
 	return path && strcmp(path, "-") == 0;
 }
 
-/* The last part of a path. */
-static const char *base_of(const char *path)
-{
-	const char *slash = strrchr(path, '/');
-
-	return slash ? slash + 1 : path;
-}
-
 /* The absolute path of the folder, without links and dots; the caller frees it. NULL on failure. */
 static char *folder_of(const char *path)
 {
-	size_t length = (size_t)(base_of(path) - path);
+	size_t length = (size_t)(hawser__file_name(path) - path);
 	char *folder = strndup(length ? path : ".", length ? length : 1), *real;
 
 	real = folder ? realpath(folder, NULL) : NULL;
@@ -42,7 +35,7 @@ static int same_new_name(const char *a, const char *b)
 {
 	char *folder = folder_of(a), *other = folder_of(b);
 	int same = folder && other && strcmp(folder, other) == 0 &&
-	           strcmp(base_of(a), base_of(b)) == 0;
+	           strcmp(hawser__file_name(a), hawser__file_name(b)) == 0;
 
 	free(folder);
 	free(other);

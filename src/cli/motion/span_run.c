@@ -10,9 +10,9 @@
 
 static const double most_rows = 1e7; /* as many as hawser_net_integrate keeps */
 
-static int moves(const struct hawser_scene *scene)
+int cli_driven(const struct hawser_scene *scene)
 {
-	int any = 0;
+	int any = scene->load.present || scene->loads > 0;
 
 	for (int i = 0; i < 6; i++)
 		any |= scene->support[i/3].present && scene->support[i/3].motion[i % 3] != 0.0;
@@ -90,7 +90,7 @@ enum hawser_status cli_span_run(struct cli_span_run *run, const struct cli_commo
 		status = cli_choice_prepare(model, report);
 	if (status)
 		return status;
-	forced = scene->load.present || scene->loads > 0 || moves(scene);
+	forced = cli_driven(scene);
 	if (forced && !texts->omega)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, command,
 		                    "the span is forced: give the frequency with --Omega, such as --Omega "

@@ -19,4 +19,6 @@ struct cli_span_run {
 enum hawser_status cli_span_run(struct cli_span_run *run, const struct cli_common *common,
                                 const struct cli_span_texts *texts, const char *command,
                                 struct hawser_report *report) HAWSER_MUST_CHECK;
+/* 1 if the scene has a varying load or a moving end. */
+int cli_driven(const struct hawser_scene *scene);
 #endif

@@ -9,6 +9,7 @@
 #include "cli/report/report.h"
 #include "cli/frame/within.h"
 #include "core/append.h"
+#include "core/file.h"
 #include "output/report/html.h"
 #include "output/report/sha256.h"
 
@@ -17,13 +18,6 @@ enum {
 	DESCRIBED = 4,     /* comments in the description of a picture */
 	DESCRIPTION = 400  /* letters of it, which is read aloud as a whole */
 };
-
-static const char *base_name(const char *path)
-{
-	const char *slash = strrchr(path, '/');
-
-	return slash ? slash + 1 : path;
-}
 
 static void heading(FILE *to, const char *id, const char *title)
 {
@@ -43,7 +37,7 @@ static void head(FILE *to, const struct cli_report_page *page)
 	fputs("<a class=\"skip\" href=\"#main\">Skip to the results</a>\n<header>\n", to);
 	hawser__html_element(to, "h1", page->title);
 	fprintf(to, "<p class=\"faint\">hawser %s%s; scene ", hawser_version(), day);
-	hawser__html_text(to, base_name(page->common->input));
+	hawser__html_text(to, hawser__file_name(page->common->input));
 	fputs("</p>\n</header>\n<nav aria-label=\"Contents\">\n<ul>\n", to);
 	for (int i = 0; i < page->results; i++) {
 		fprintf(to, "<li><a href=\"#%s\">", page->result[i].part->name);
@@ -204,7 +198,7 @@ static void provenance(FILE *to, const struct cli_report_page *page)
 	hawser__html_words_begin(to, "How these results were made");
 	hawser__html_words_row(to, "Program", "hawser " PACKAGE_VERSION
 	                       ", free software under the GNU GPL, version 3 or later");
-	hawser__html_words_row(to, "Scene", base_name(page->common->input));
+	hawser__html_words_row(to, "Scene", hawser__file_name(page->common->input));
 	hawser__sha256(digest, page->text, page->size);
 	hawser__html_words_row(to, "SHA-256 of the scene", digest);
 	for (int i = 0; i < page->common->sets; i++)

@@ -260,13 +260,6 @@ static char *drawing_of(const char *path)
 	return drawing;
 }
 
-static const char *name_in(const char *path)
-{
-	const char *slash = strrchr(path, '/');
-
-	return slash ? slash + 1 : path;
-}
-
 static enum hawser_status no_file(struct hawser_report *report)
 {
 	return hawser__fail(report, HAWSER_ERR_IO, "picture",
@@ -278,7 +271,7 @@ enum hawser_status hawser__latex_check(const char *path, struct hawser_report *r
 	enum hawser_status status;
 	char *drawing;
 
-	for (const char *name = name_in(path); *name; name++)
+	for (const char *name = hawser__file_name(path); *name; name++)
 		if (!isalnum((unsigned char)*name) && !strchr(".-+_=", *name))
 			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "picture",
 			                    "%s: LaTeX has to read the name of the drawing beside it: use letters, "
@@ -357,7 +350,7 @@ enum hawser_status hawser__latex_write(struct hawser__latex *latex, FILE *to, co
 	FILE *from = status ? NULL : open_one(latex, "picture.tex");
 
 	if (from) {
-		copy(to, from, name_in(drawing), size);
+		copy(to, from, hawser__file_name(drawing), size);
 		if (ferror(from))
 			status = no_file(report);
 		fclose(from);

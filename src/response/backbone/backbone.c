@@ -14,6 +14,7 @@
 #include "core/settle.h"
 #include "response/branch/amplitude.h"
 #include "response/backbone/backbone.h"
+#include "response/backbone/modulation.h"
 #include "response/floquet/half.h"
 #include "rom/terms/terms.h"
 
@@ -35,18 +36,10 @@ static enum hawser_status check(const struct hawser_rom *rom,
                                 const struct hawser_backbone_options *options,
                                 struct hawser_report *report)
 {
-	double off = 0.0, largest = 0.0;
+	enum hawser_status status = hawser__modal(rom, where, report);
 
-	for (int j = 0; j < rom->n; j++)
-		for (int k = 0; k < rom->n; k++) {
-			double K = fabs(rom->K[j*rom->n + k]);
-
-			*(j == k ? &largest : &off) = fmax(K, j == k ? largest : off);
-		}
-	if (off > 1e-12*largest)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
-		                    "K is not diagonal (%.3g off the diagonal): give the model in its "
-		                    "modes' coordinates", off);
+	if (status)
+		return status;
 	if (options->mode < 0 || options->mode >= rom->n)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where, "mode %d: the model has 1 to %d",
 		                    options->mode + 1, rom->n);

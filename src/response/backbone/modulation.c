@@ -44,11 +44,27 @@ static int place_of(const struct hawser_resonance *resonance, int s)
 
 /* --- carriers --- */
 
+enum hawser_status hawser__modal(const struct hawser_rom *rom, const char *function,
+                                 struct hawser_report *report)
+{
+	double off = 0.0, largest = 0.0;
+
+	for (int j = 0; j < rom->n; j++)
+		for (int k = 0; k < rom->n; k++) {
+			double K = fabs(rom->K[j*rom->n + k]);
+
+			*(j == k ? &largest : &off) = fmax(K, j == k ? largest : off);
+		}
+	return off > 1e-12*largest ? hawser__fail(report, HAWSER_ERR_ARGUMENT, function,
+	                                          "K is not diagonal (%.3g off the diagonal): give the "
+	                                          "model in its modes' coordinates", off) : HAWSER_OK;
+}
+
 static enum hawser_status check(const struct hawser_rom *rom,
                                 const struct hawser_resonance *resonance,
                                 struct hawser_report *report)
 {
-	double largest = 0.0, off = 0.0;
+	enum hawser_status status;
 
 	if (rom->drag)
 		return hawser__drag_refuse(rom, "the method of multiple scales", report);
@@ -60,16 +76,9 @@ static enum hawser_status check(const struct hawser_rom *rom,
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
 		                    "the exact strain energy has no quadratic and cubic terms to derive "
 		                    "from: take model.energy: quartic");
-	for (int j = 0; j < rom->n; j++)
-		for (int k = 0; k < rom->n; k++) {
-			double K = fabs(rom->K[j*rom->n + k]);
-
-			*(j == k ? &largest : &off) = fmax(K, j == k ? largest : off);
-		}
-	if (off > 1e-12*largest)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
-		                    "K is not diagonal (%.3g off the diagonal): give the model in its "
-		                    "modes' coordinates", off);
+	status = hawser__modal(rom, where, report);
+	if (status)
+		return status;
 	if (resonance->count < 1 || resonance->count > HAWSER_RESONANT_MOST ||
 	    !(resonance->omega0 > 0.0 && isfinite(resonance->omega0)))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,

@@ -27,6 +27,10 @@ enum hawser_status hawser__monomial_add(struct hawser_modulation *m, int equatio
                                         const int given[3], double complex value,
                                         struct hawser_report *report);
 
+/* Refuse a model whose K is not diagonal. */
+enum hawser_status hawser__modal(const struct hawser_rom *rom, const char *function,
+                                 struct hawser_report *report);
+
 /* Remove monomials that are zero to round-off, and sort the others. */
 void hawser__monomials_tidy(struct hawser_modulation *m);
 

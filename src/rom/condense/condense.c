@@ -317,8 +317,7 @@ void hawser__condensed_clear(struct hawser__condensed *condensed)
 	*condensed = (struct hawser__condensed){0};
 }
 
-/* Derivative of the displacement in global axes at the points of the grid, [3][points]. */
-static void global_slopes(double *global, const struct hawser_modes *modes, const double *strain)
+void hawser__global_slopes(double *global, const struct hawser_modes *modes, const double *strain)
 {
 	int points = modes->grid.points;
 
@@ -352,7 +351,7 @@ enum hawser_status hawser__condensed_at(const struct hawser__condensed *condense
 		const double *strain = condensed->strain + (size_t)x*points*3;
 
 		along = global + 3*points;
-		global_slopes(global, modes, strain);
+		hawser__global_slopes(global, modes, strain);
 		for (int axis = 0; axis < 3; axis++) {
 			hawser__grid_running(along + axis*points, grid, &reference,
 			                     global + axis*points);

@@ -28,6 +28,9 @@ enum hawser_status hawser__condense(struct hawser__condensed *condensed,
                                     struct hawser_report *report);
 void hawser__condensed_clear(struct hawser__condensed *condensed);
 
+/* Derivative of the displacement in global axes at the points of the grid, [3][points]. */
+void hawser__global_slopes(double *global, const struct hawser_modes *modes, const double *strain);
+
 /* Displacement P, Q, B and strains a, b, c of all w_jk at scaled arclength s: shape and slope are
  * [pairs][3], `stride` doubles from one pair to the next. */
 enum hawser_status hawser__condensed_at(const struct hawser__condensed *condensed,

@@ -81,14 +81,7 @@ void hawser__inertia_displacement(double *shape, const struct hawser_modes *mode
 	double *global = scratch, *along = scratch + 3*points;
 	const double *start = condensed->start + 3*(size_t)pair;
 
-	for (int p = 0; p < points; p++) {
-		struct hawser_frame_point at = hawser_statics_frame(&modes->statics, modes->grid.s[p]);
-		double v[3];
-
-		hawser__frame_out(v, &at, strain + 3*p);
-		for (int axis = 0; axis < 3; axis++)
-			global[axis*points + p] = v[axis];
-	}
+	hawser__global_slopes(global, modes, strain);
 	for (int axis = 0; axis < 3; axis++)
 		(void)hawser__grid_running(along + axis*points, &modes->grid, reference, global + axis*points);
 	for (int i = 0; i < 3*points; i++)
