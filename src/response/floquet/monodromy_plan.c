@@ -23,7 +23,7 @@
 #define STIFF_TURN 4.8
 #define RESOLVABLE 2e9       /* number of operations up to which the phases of all kept coordinates are
                               * resolved; chosen */
-#define STIFF_LEAST 12.0     /* least frequency, relative to Omega, that is resolved; chosen */
+#define STIFF_LEAST 6.0      /* least frequency, relative to Omega, that is resolved; chosen */
 
 /* Number of steps with which the error becomes a third of the goal; the error falls with h^16. */
 int hawser__monodromy_better(const struct hawser__monodromy *monodromy)
@@ -112,8 +112,8 @@ static void plan_stiff(struct hawser__monodromy *monodromy, const struct hawser_
 	monodromy->resolved = all*cost_of(system->n) < RESOLVABLE;
 	monodromy->steps = (int)fmin(monodromy->most,
 	                             ceil(monodromy->resolved ? all : 2.0*M_PI/STIFF_TURN*turns));
-	if (monodromy->resolved && monodromy->phases > monodromy->steps)
-		monodromy->steps = monodromy->phases - monodromy->phases/16;
+	if (monodromy->resolved && monodromy->phases > monodromy->steps) /* fewer along the branch */
+		monodromy->steps = monodromy->phases - (monodromy->phases + 15)/16;
 }
 
 enum hawser_status hawser__monodromy_plan(struct hawser__monodromy *monodromy,
