@@ -6,6 +6,7 @@ tests_study_SOURCES = tests/cases.c \
 	tests/property/test-accuracy.c \
 	tests/property/test-accuracy-once.c \
 	tests/property/test-basins.c \
+	tests/property/test-carry.c \
 	tests/property/test-decay.c \
 	tests/property/test-estimates.c \
 	tests/property/test-family.c \

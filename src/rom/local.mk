@@ -64,6 +64,8 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/terms/forced.c \
 	%D%/energy/full.c \
 	%D%/energy/full_error.c \
+	%D%/energy/full_map.c \
+	%D%/energy/full_map.h \
 	%D%/energy/gradient.c \
 	%D%/terms/history.c \
 	%D%/terms/history.h \

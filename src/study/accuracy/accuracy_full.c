@@ -9,10 +9,14 @@
  * to 14 functions, 1.5e-4 from 14 to 16). Therefore the estimated error is a multiple of the
  * difference.
  *
- * Drafts tell which basis is good: curves with long steps and without multipliers, a fifth of the
- * time of a response. Of the first two that agree the smaller basis is taken: each point of either
- * curve is compared with the curve through the others, not with points (curve.c). Its response is
- * then traced.
+ * A draft tells which basis is good: a curve with long steps and without multipliers, a fifth of the
+ * time of a response. Its folds, peaks and some points between them are its marks, and larger bases
+ * are asked for the counterparts of these alone (carry.h), a tenth of the time of a draft: what the
+ * curve is moved by there is its error. Of the first two bases that agree the smaller one is taken,
+ * and its response traced. Where a counterpart is not found or is far away, the larger basis has a
+ * draft of its own, with which the next ones are compared, and the two curves are compared as a whole
+ * (curve.c). A resonance that the draft lacks has no marks; but it lies above the modes that each of
+ * these bases holds.
  *
  * The agreement of two bases that do not resolve the linear modes of the range, or the load, means
  * nothing. Such a basis is skipped without a draft. So is one with as many coordinates as the
@@ -27,10 +31,13 @@
 #include "config.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "core/progress.h"
 #include "core/report.h"
+#include "response/branch/carry.h"
+#include "rom/energy/full_map.h"
 #include "study/accuracy/accuracy.h"
 
 #define SAFETY_BASIS 3.0 /* factor on the difference, calibrated by bench/accuracy.c */
@@ -45,7 +52,10 @@
                           * chosen */
 #define LONG 0.2         /* largest step of a curve for comparison, relative to the range; chosen */
 #define MORE_POINTS 1.2 /* of a response, over those of its draft or of the modes; chosen */
-#define LARGER 1.5      /* work of the next draft over that of the last; chosen */
+#define CARRIED 0.3     /* work of the marks in the next basis over that of a draft; chosen */
+#define NEAR 0.1        /* largest distance of marks from the curve that they are carried from: others
+                          * are of another curve; chosen */
+#define ROUGH 1e-5      /* least tolerance of orbits at marks; chosen, far below the distances */
 #define DOUBT 2.0       /* factor of what is foreseen of a draft that has not ended; chosen */
 #define SLACK_POINTS 50 /* fewest points of which slackness is judged; chosen */
 #define FIRST_POINTS 24 /* of a trace, before anything is foreseen; chosen */
@@ -139,13 +149,21 @@ static int retry(enum hawser_status status, int *functions, struct hawser_frf_op
 	return *functions < (options->most_functions > 0 ? options->most_functions : bases[BASES - 1]);
 }
 
-/* The draft of one basis. */
+/* The draft of one basis: its curve; or, as long as they are near it, the counterparts of marks of the
+ * curve of a smaller basis. */
 struct draft {
 	struct hawser_rom rom;
 	struct hawser__drawn_curve curve;
-	enum hawser_frf_end end;
 	int functions, points;
 	double work;
+};
+
+/* The last curve that was traced, and the orbits at its marks. */
+struct traced {
+	struct hawser__drawn_curve curve;
+	struct hawser__orbits orbits;
+	enum hawser_frf_end end;
+	int functions, *mark, marks;
 };
 
 /* What a trace is watched for. */
@@ -159,6 +177,14 @@ struct watch {
 	int n;         /* coordinates of the model whose response follows */
 	int drafts;    /* 1: it is a draft, which may be given up */
 };
+
+static void forget(struct traced *traced)
+{
+	hawser__curve_clear(&traced->curve);
+	hawser__orbits_clear(&traced->orbits);
+	free(traced->mark);
+	*traced = (struct traced){.functions = 0};
+}
 
 static void clear(struct draft *draft)
 {
@@ -208,31 +234,90 @@ static int watch_trace(void *data, const struct hawser_progress_state *state)
 	return hawser__told_to_stop(&watch->options->frf.progress, &shown);
 }
 
-/* Trace the draft of the model in *draft; a->frf becomes its curve. */
-static enum hawser_status draw(struct draft *draft, struct hawser_accuracy *a,
+/* Trace the draft of the model in *draft; a->frf and *traced become its curve. */
+static enum hawser_status draw(struct draft *draft, struct traced *traced, struct hawser_accuracy *a,
                                const struct hawser_accuracy_options *options,
                                const struct hawser_frf_options *settled, double before,
-                               const struct draft *last, struct hawser_report *report)
+                               int expected, struct hawser_report *report)
 {
-	int second = last->functions > 0; /* it may confirm the first, whose response then follows */
-	struct watch watch = {options, a, before, second ? 0.0 : LARGER,
-	                      second ? (int)(MORE_POINTS*last->points) : options->expected, &draft->rom,
-	                      second ? last->rom.n : draft->rom.n, 1};
+	struct watch watch = {options, a, before, CARRIED, expected, &draft->rom, draft->rom.n, 1};
 	struct hawser_frf_options frf = *settled;
+	struct hawser__trace_watch keep;
 	enum hawser_status status;
 
+	*traced = (struct traced){.functions = 0};
+	keep = hawser__orbits_watch(&traced->orbits);
 	frf.unjudged = frf.skip_events = 1;
 	frf.samples = HAWSER_NONE;
 	frf.most_unstable = 0;
 	frf.step_max = LONG;
 	frf.progress = (struct hawser_progress){watch_trace, &watch};
 	hawser_frf_clear(&a->frf);
-	status = hawser_frf_trace(&a->frf, &draft->rom, &frf, report);
-	draft->end = a->frf.end;
+	status = hawser__frf_trace(&a->frf, &draft->rom, &frf, &keep, report);
 	draft->points = a->frf.points;
 	draft->work = hawser_orbit_work(&a->frf.cost, &draft->rom);
 	a->slack = !status && !a->costly && hawser__mostly_slack(&a->frf);
-	return status ? status : hawser__curve_copy(&draft->curve, &a->frf, report);
+	if (!status)
+		status = hawser__curve_copy(&traced->curve, &a->frf, report);
+	if (status || !(traced->mark = malloc(((size_t)a->frf.points + 1)*sizeof(int))))
+		return status ? status : hawser__no_memory(report, "accuracy");
+	traced->functions = draft->functions;
+	traced->end = a->frf.end;
+	return hawser__curve_marks(traced->mark, &traced->marks, &traced->curve, report);
+}
+
+/* The counterparts of the marks in the model of *draft, if there are, and how far they are from the
+ * curve. */
+static enum hawser_status carry(struct draft *draft, double *away, const struct traced *traced,
+                                const struct hawser_statics *statics,
+                                const struct hawser_frf_options *settled,
+                                struct hawser_report *report)
+{
+	struct hawser_frf_options frf = *settled;
+	struct hawser_frf found = {.n = 0};
+	int lost = 1, rows, columns;
+	double *map = NULL;
+	enum hawser_status status = HAWSER_OK;
+
+	*away = INFINITY;
+	frf.tolerance = fmax(frf.tolerance, ROUGH);
+	if (traced->orbits.count != traced->curve.points)
+		return HAWSER_OK;
+	status = hawser__full_map(&map, &rows, &columns, statics, traced->functions, draft->functions,
+	                          report);
+	if (!status && rows == draft->rom.n && columns == traced->orbits.n)
+		status = hawser__carry(&found, &lost, &draft->rom, &traced->orbits, traced->mark,
+		                       traced->marks, map, &frf, report);
+	free(map);
+	draft->work = hawser_orbit_work(&found.cost, &draft->rom);
+	if (!status && !lost)
+		status = hawser__curve_copy(&draft->curve, &found, report);
+	if (!status && !lost)
+		status = hawser__curve_points_distance(away, &traced->curve, traced->mark, NULL,
+		                                       &draft->curve, report);
+	hawser_frf_clear(&found);
+	return status;
+}
+
+/* The same basis with a draft of its own, in place of the last one, with which it is compared. */
+static enum hawser_status draw_again(struct draft *next, double *moved, struct traced *traced,
+                                     const struct draft *chosen, struct hawser_accuracy *a,
+                                     const struct hawser_accuracy_options *options,
+                                     const struct hawser_frf_options *settled, double before,
+                                     struct hawser_report *report)
+{
+	struct traced last = *traced;
+	enum hawser_status status;
+
+	*moved = INFINITY;
+	hawser__curve_clear(&next->curve);
+	status = draw(next, traced, a, options, settled, before,
+	              last.functions ? (int)(MORE_POINTS*chosen->points) : options->expected, report);
+	if (!status && !hawser__accuracy_cut(a) && last.functions && last.functions == chosen->functions &&
+	    traced->end == last.end)
+		status = hawser__curve_distance(moved, &last.curve, &traced->curve, report);
+	forget(&last);
+	return status;
 }
 
 /* The first bases of which two agree: *chosen is the smaller one, *moved the distance of the two,
@@ -245,25 +330,38 @@ static enum hawser_status choose(struct draft *chosen, double *moved, int *check
 {
 	const struct hawser_accuracy_bases of = {&a->modes, scene, a->choice.to, a->asked,
 	                                         options->most_functions};
+	struct traced traced = {.functions = 0};
 	enum hawser_status status = HAWSER_OK;
 	int functions = 0;
 
 	while (!status) {
 		struct draft next = {.functions = 0};
+		double away = INFINITY;
+		int again = 0;
 
 		status = hawser_accuracy_basis(&next.rom, &functions, &of, chosen->rom.n, report);
 		if (status || next.rom.n == 0)
 			break;
 		a->functions = next.functions = functions;
-		status = draw(&next, a, options, frf, *work, chosen, report);
+		if (traced.functions)
+			status = carry(&next, &away, &traced, &a->modes.statics, frf, report);
 		*work += next.work;
-		if (retry(status, &functions, frf, options)) {
+		if (!status && away <= NEAR) {
+			next.points = chosen->points;
+			next.work = chosen->work*pow((double)next.rom.n/chosen->rom.n, 2.0);
+			status = hawser__curve_points_distance(moved, &traced.curve, traced.mark,
+			                                       chosen->curve.points ? &chosen->curve : NULL,
+			                                       &next.curve, report);
+		} else if (!status) {
+			status = draw_again(&next, moved, &traced, chosen, a, options, frf, *work, report);
+			*work += next.work;
+			again = retry(status, &functions, frf, options);
+		}
+		if (again) {
 			status = HAWSER_OK;
 			clear(&next);
 			continue;
 		}
-		if (!status && !hawser__accuracy_cut(a) && chosen->functions && next.end == chosen->end)
-			status = hawser__curve_distance(moved, &chosen->curve, &next.curve, report);
 		*checked = next.rom.n;
 		if (status || hawser__accuracy_cut(a) || SAFETY_BASIS**moved <= a->asked) {
 			clear(&next);
@@ -272,6 +370,7 @@ static enum hawser_status choose(struct draft *chosen, double *moved, int *check
 		clear(chosen);
 		*chosen = next;
 	}
+	forget(&traced);
 	return status;
 }
 

@@ -29,6 +29,8 @@
 enum { PARTS = 6 };             /* segments into which each segment of a curve is refined; chosen */
 static const double uneven = 100.0; /* ratio of successive steps above which the shorter one has too
                                      * few digits for a parabola; chosen */
+static const double apart = 0.4, small = 0.02; /* arclength between two marks, relative amplitude from
+                                                 * which on there are marks; chosen */
 static const double faintest = 0.5; /* smallest relevant component, relative to the largest one:
                                      * peaks are compared down to the same size */
 
@@ -235,4 +237,81 @@ enum hawser_status hawser__curve_distance(double *distance, const struct hawser_
 			status = compare(distance, a, b, c, scale, report);
 	}
 	return status;
+}
+
+enum hawser_status hawser__curve_points_distance(double *distance,
+                                                 const struct hawser__drawn_curve *curve,
+                                                 const int *at_point,
+                                                 const struct hawser__drawn_curve *a,
+                                                 const struct hawser__drawn_curve *b,
+                                                 struct hawser_report *report)
+{
+	double ends[2] = {HUGE_VAL, -HUGE_VAL}, most = 0.0;
+	enum hawser_status status = HAWSER_OK;
+
+	*distance = 0.0;
+	range(ends, curve);
+	for (int c = 1; c <= curve->width; c++)
+		most = fmax(most, largest(curve, c));
+	for (int c = 1; !status && c <= curve->width; c++) {
+		double scale = largest(curve, c);
+		struct line line = {0};
+
+		if (!(scale > 0.0 && scale >= faintest*most))
+			continue;
+		if (refine(&line, curve, c, scale))
+			status = hawser__no_memory(report, "study");
+		for (int i = 0; !status && i < b->points; i++) {
+			double w = at(b, i, 0), size = at(b, i, c), end;
+
+			if (a) {
+				w += at(curve, at_point[i], 0) - at(a, i, 0);
+				size += at(curve, at_point[i], c) - at(a, i, c);
+			}
+			end = fmin(w - ends[0], ends[1] - w);
+			if (end > *distance)
+				*distance = fmax(*distance, to_line(&line, w, size/scale, end));
+		}
+		free(line.wa);
+	}
+	return status;
+}
+
+/* Whether column `column` has an extreme at point i. */
+static int turns(const struct hawser__drawn_curve *curve, int i, int column)
+{
+	if (i < 1 || i + 1 >= curve->points)
+		return 0;
+	return (at(curve, i, column) - at(curve, i - 1, column))*
+	       (at(curve, i + 1, column) - at(curve, i, column)) <= 0.0;
+}
+
+enum hawser_status hawser__curve_marks(int *marks, int *count, const struct hawser__drawn_curve *curve,
+                                       struct hawser_report *report)
+{
+	double *scale = malloc(((size_t)curve->width + 1)*sizeof *scale), most = 0.0;
+	double last = -HUGE_VAL;
+
+	*count = 0;
+	if (!scale)
+		return hawser__no_memory(report, "study");
+	for (int c = 1; c <= curve->width; c++)
+		most = fmax(most, scale[c] = largest(curve, c));
+	for (int i = 0; i < curve->points; i++) {
+		int mark = 0;
+		double size = 0.0;
+
+		for (int c = 1; c <= curve->width; c++)
+			if (scale[c] > 0.0 && scale[c] >= faintest*most) {
+				size = fmax(size, at(curve, i, c)/scale[c]);
+				mark |= turns(curve, i, c);
+			}
+		mark |= turns(curve, i, 0) || curve->arc[i] - last >= apart;
+		if (mark && size >= small) {
+			marks[(*count)++] = i;
+			last = curve->arc[i];
+		}
+	}
+	free(scale);
+	return HAWSER_OK;
 }

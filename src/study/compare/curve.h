@@ -25,4 +25,19 @@ enum hawser_status hawser__curve_distance(double *distance, const struct hawser_
                                           const struct hawser__drawn_curve *b,
                                           struct hawser_report *report) HAWSER_MUST_CHECK;
 
+/* The same of the counterparts of some points of a curve, at[a->points], in two other responses a and
+ * b: the largest distance of a point of b from the curve, moved by what that of a is off. a == NULL:
+ * from the curve itself. */
+enum hawser_status hawser__curve_points_distance(double *distance,
+                                                 const struct hawser__drawn_curve *curve,
+                                                 const int *at,
+                                                 const struct hawser__drawn_curve *a,
+                                                 const struct hawser__drawn_curve *b,
+                                                 struct hawser_report *report) HAWSER_MUST_CHECK;
+/* at [curve->points]: points of which the counterparts show a difference, *count of them: the turning
+ * points of Omega and of the components that count, and between them points at some distance from
+ * each other whose amplitudes are not small. */
+enum hawser_status hawser__curve_marks(int *at, int *count, const struct hawser__drawn_curve *curve,
+                                       struct hawser_report *report) HAWSER_MUST_CHECK;
+
 #endif

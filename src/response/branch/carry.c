@@ -1,0 +1,218 @@
+/* response/branch/carry.c - orbits of one model as first values for another one of the same cable.
+ *
+ *    y, t    coefficients of an orbit and of the tangent of its curve (orbit/balance.h)
+ *    map     the coordinates of the second model that move as those of the first
+ *
+ * Two models are compared at a few orbits, in place of two curves: Newton's method in the plane through
+ * the first orbit that is normal to its curve finds the nearest one of the second, by two or three
+ * Jacobians. A point that is far away is no counterpart: the curves then differ by more than what
+ * this can tell.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <cblas.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "response/branch/carry.h"
+#include "response/orbit/balance.h"
+#include "rom/terms/terms.h"
+
+#define FAR 0.3    /* largest distance from an orbit to its counterpart, in the metric; chosen */
+#define PART 1e-4  /* smallest harmonic that is taken over, relative to the orbit; chosen */
+
+static size_t length_of(const struct hawser__series *series, int n)
+{
+	return (2*(size_t)series->order + 1)*(size_t)n + 1;
+}
+
+static void clear(struct hawser__orbits *orbits)
+{
+	for (int i = 0; i < orbits->count; i++)
+		free(orbits->item[i].y);
+	orbits->count = 0;
+}
+
+void hawser__orbits_clear(struct hawser__orbits *orbits)
+{
+	clear(orbits);
+	free(orbits->item);
+	*orbits = (struct hawser__orbits){.n = 0};
+}
+
+/* --- to keep them --- */
+
+static int order_of(const struct hawser__station *station, int n, int size)
+{
+	int at = size - 2;
+
+	while (at >= n && station->y[at] == 0.0 && station->t[at] == 0.0)
+		at--;
+	return (at/n + 1)/2;
+}
+
+static enum hawser_status keep(struct hawser__orbits *orbits, const struct hawser__trace *trace,
+                               const struct hawser__station *station)
+{
+	int n = trace->orbit->n, size = trace->orbit->size;
+	struct hawser__series *series;
+	size_t length;
+
+	if (orbits->count == orbits->room) {
+		int room = orbits->room ? 2*orbits->room : 256;
+		struct hawser__series *larger = realloc(orbits->item, (size_t)room*sizeof *larger);
+
+		if (!larger)
+			return hawser__no_memory(trace->report, "frf");
+		orbits->item = larger;
+		orbits->room = room;
+	}
+	series = &orbits->item[orbits->count];
+	*series = (struct hawser__series){.arc = station->arc, .order = order_of(station, n, size)};
+	length = length_of(series, n);
+	if (!(series->y = malloc(2*length*sizeof(double))))
+		return hawser__no_memory(trace->report, "frf");
+	orbits->n = n;
+	orbits->count++;
+	memcpy(series->y, station->y, length*sizeof(double));
+	memcpy(series->y + length, station->t, length*sizeof(double));
+	series->y[length - 1] = station->y[size - 1];
+	series->y[2*length - 1] = station->t[size - 1];
+	return HAWSER_OK;
+}
+
+static enum hawser_status step(void *context, struct hawser__trace *trace)
+{
+	struct hawser__orbits *orbits = context;
+	enum hawser_status status = HAWSER_OK;
+
+	if (strcmp(trace->frf->method, hawser__balance_method.about.name) != 0 ||
+	    hawser__rom_periods(trace->rom) > 1)
+		return HAWSER_OK;
+	if (trace->frf->points == 2) { /* also of a trace that begins again */
+		clear(orbits);
+		status = keep(orbits, trace, &trace->here);
+	}
+	return status ? status : keep(orbits, trace, &trace->next);
+}
+
+static void back(void *context)
+{
+	struct hawser__orbits *orbits = context;
+
+	if (orbits->count > 0)
+		free(orbits->item[--orbits->count].y);
+}
+
+struct hawser__trace_watch hawser__orbits_watch(struct hawser__orbits *orbits)
+{
+	return (struct hawser__trace_watch){.context = orbits, .step = step, .back = back};
+}
+
+/* --- and to find those of another model --- */
+
+/* y [size] of the second model; its other harmonics are 0. */
+static void take(const struct hawser__balance *balance, double *y, const double *from, int order,
+                 const double *map, int n)
+{
+	int own = balance->base.n, rows = 2*(order < balance->top ? order : balance->top) + 1;
+
+	memset(y, 0, (size_t)balance->base.size*sizeof *y);
+	cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, rows, own, n, 1.0, from, n, map, n, 0.0, y,
+	            own);
+	y[balance->base.size - 1] = from[(2*(size_t)order + 1)*(size_t)n];
+}
+
+/* Make the harmonics of y active that are not small. */
+static enum hawser_status adopt(struct hawser__balance *balance, const double *y, int order,
+                                struct hawser_report *report)
+{
+	int n = balance->base.n, pairs;
+	double whole = 0.0;
+
+	order = order < balance->top ? order : balance->top;
+	pairs = (order + 1)*n;
+	for (int i = 0; i < (2*order + 1)*n; i++)
+		whole += y[i]*y[i];
+	for (int e = 0; e < pairs; e++) {
+		double c = y[hawser__cos(n, e/n, e%n)], s = e < n ? 0.0 : y[hawser__sin(n, e/n, e%n)];
+
+		if (hypot(c, s) > PART*sqrt(whole))
+			balance->active[e] = 1;
+	}
+	return hawser__balance_arrange(balance, report);
+}
+
+/* Correct station->y in the plane normal to station->t. */
+static enum hawser_status correct(struct hawser__station *station, int *lost,
+                                  struct hawser__orbit *orbit, double tolerance,
+                                  struct hawser_report *report)
+{
+	enum hawser_status status = HAWSER_OK;
+	double length, first = 0.0;
+	int again = 1;
+
+	orbit->ops->metric(orbit, station->y);
+	length = sqrt(hawser__orbit_dot(orbit, station->t, station->t));
+	for (int i = 0; i < orbit->size; i++)
+		station->t[i] /= length;
+	while (!status && again && !*lost) {
+		*lost = hawser__orbit_correct(orbit, station->y, &station->correction, station->t,
+		                              tolerance);
+		first += station->correction.first;
+		*lost |= !(first <= FAR);
+		if (!*lost)
+			status = orbit->ops->refine(orbit, &again, tolerance,
+			                            hawser__orbit_omega(orbit, station->y), report);
+	}
+	if (status == HAWSER_ERR_CONVERGENCE) {
+		*lost = 1;
+		status = HAWSER_OK;
+	}
+	station->mesh = orbit->mesh/orbit->X;
+	station->error = station->mesh + station->correction.residual;
+	return status;
+}
+
+enum hawser_status hawser__carry(struct hawser_frf *frf, int *lost, const struct hawser_rom *rom,
+                                 const struct hawser__orbits *orbits, const int *which, int count,
+                                 const double *map, const struct hawser_frf_options *options,
+                                 struct hawser_report *report)
+{
+	struct hawser_report last = {.status = HAWSER_OK};
+	struct hawser__amplitude *amplitude = hawser__amplitude_new(rom);
+	struct hawser__station station = {.y = NULL};
+	struct hawser__orbit *orbit = NULL;
+	enum hawser_status status = amplitude ? HAWSER_OK : hawser__no_memory(report, "frf");
+
+	*frf = (struct hawser_frf){.n = rom->n, .probes = rom->shapes.points, .branch = 1, .period = 1,
+		.length = rom->length, .time = rom->time, .method = hawser__balance_method.about.name};
+	*lost = 0;
+	if (!status)
+		status = hawser__balance_method.open(&orbit, rom, options, report);
+	if (!status)
+		status = hawser__station_init(&station, orbit, report);
+	for (int i = 0; !status && !*lost && i < count; i++) {
+		struct hawser__balance *balance = (struct hawser__balance *)orbit;
+		const struct hawser__series *from = &orbits->item[which[i]];
+
+		take(balance, station.y, from->y, from->order, map, orbits->n);
+		take(balance, station.t, from->y + length_of(from, orbits->n), from->order, map, orbits->n);
+		station.arc = from->arc;
+		status = adopt(balance, station.y, from->order, report);
+		if (!status)
+			status = correct(&station, lost, orbit, options->tolerance, &last);
+		if (!status && !*lost)
+			status = hawser__record_point(frf, amplitude, &station, orbit, report);
+		if (!status && !*lost)
+			status = orbit->ops->relax(orbit, options->tolerance, report);
+	}
+	if (orbit)
+		orbit->ops->clear(orbit);
+	hawser__station_clear(&station);
+	hawser__amplitude_free(amplitude);
+	return status;
+}

@@ -1,0 +1,38 @@
+/* response/branch/carry.h - the orbits of a curve, and the same orbits of another model: see carry.c.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_RESPONSE_CARRY_H
+#define HAWSER_RESPONSE_CARRY_H
+
+#include <hawser/frf.h>
+
+#include "response/branch/trace.h"
+
+/* One orbit and the tangent of its curve. */
+struct hawser__series {
+	double arc;
+	int order; /* highest harmonic of either */
+	double *y; /* [2][(2 order + 1) n + 1] both, by harmonics as of harmonic balance, then Omega */
+};
+
+/* Those of the points of a curve, in their order. */
+struct hawser__orbits {
+	int n, count, room;
+	struct hawser__series *item;
+};
+
+/* The watch of a trace that fills *orbits, which is all zero; none is kept of another method than
+ * harmonic balance, and of motions of several periods. Release with hawser__orbits_clear. */
+struct hawser__trace_watch hawser__orbits_watch(struct hawser__orbits *orbits);
+void hawser__orbits_clear(struct hawser__orbits *orbits);
+
+/* The orbits which[count] of another model, `rom`, which moves by map [rom->n][orbits->n] as that of
+ * the orbits does: each is the point nearest to that orbit on the curve of `rom`, in the plane normal
+ * to the other curve. *lost: 1: one of them was not found, or it is far away; the search ends there.
+ * `frf` becomes these points, with the arclength of the other curve; clear it, whatever the status.
+ * Statuses: HAWSER_ERR_MEMORY, HAWSER_ERR_CONVERGENCE. */
+enum hawser_status hawser__carry(struct hawser_frf *frf, int *lost, const struct hawser_rom *rom,
+                                 const struct hawser__orbits *orbits, const int *which, int count,
+                                 const double *map, const struct hawser_frf_options *options,
+                                 struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

@@ -1,0 +1,120 @@
+/* Orbits of one full-order model carried over to another: the coordinates move the cable alike, and
+ * the counterparts of marks are on the curve that the other model has when it is traced by itself.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include <hawser/accuracy.h>
+
+#include "response/branch/carry.h"
+#include "rom/energy/full_map.h"
+#include "study/compare/curve.h"
+#include "tests/tap.h"
+
+static struct hawser_report report;
+static struct hawser_scene scene;
+static struct hawser_statics statics;
+
+/* A slack span under its own weight, loaded in both planes. */
+static const char text[] =
+	"cable: {EA: 2.4 MN, rho: 2 kg/m}\nspan: {d: 60 m, h: 4 m}\ntension: {sag: 3.85 m}\n"
+	"damping: {ratio: 0.02}\nload: {frame: global, per_length: [0, 0.3 N/m, 0.5 N/m]}\n";
+
+static struct hawser_frf_options range(double unit)
+{
+	return (struct hawser_frf_options){.method = "balance", .from = 0.87*unit, .to = 1.15*unit,
+		.tolerance = 1e-6, .step_max = 0.2, .unjudged = 1, .skip_events = 1,
+		.samples = HAWSER_NONE};
+}
+
+/* What a motion of `of` moves at the probes, and what its coordinates in `to` move. */
+static double off(const struct hawser_rom *of, const struct hawser_rom *to, const double *map)
+{
+	double worst = 0.0, size = 0.0;
+
+	for (int p = 0; p < 3*of->shapes.points; p++) {
+		double one = 0.0, other = 0.0;
+
+		for (int j = 0; j < of->n; j++)
+			one += cos(2.385*j)/(1 + j)*of->shapes.shape[3*of->shapes.points*j + p];
+		for (int k = 0; k < to->n; k++)
+			for (int j = 0; j < of->n; j++)
+				other += map[k*of->n + j]*cos(2.385*j)/(1 + j)*
+				         to->shapes.shape[3*to->shapes.points*k + p];
+		worst = fmax(worst, fabs(one - other));
+		size = fmax(size, fabs(one));
+	}
+	return worst/size;
+}
+
+static void compare(struct hawser_rom *rom, const double *map)
+{
+	struct hawser_frf_options options = range(sqrt(rom[1].K[0]));
+	struct hawser__orbits orbits = {.n = 0};
+	struct hawser__trace_watch watch = hawser__orbits_watch(&orbits);
+	struct hawser_frf frf[3];
+	struct hawser__drawn_curve curve[3];
+	double apart = 1.0, carried = 0.0, again = 1.0;
+	int marks = 0, lost = 1, *mark;
+
+	if (!ok(!hawser__frf_trace(&frf[0], &rom[0], &options, &watch, &report) &&
+	        !hawser_frf_trace(&frf[1], &rom[1], &options, &report), "both traced: %s", report.message))
+		return;
+	ok(orbits.count == frf[0].points, "%d orbits of %d points", orbits.count, frf[0].points);
+	mark = calloc((size_t)frf[0].points, sizeof *mark);
+	for (int k = 0; k < 2; k++)
+		ok(!hawser__curve_copy(&curve[k], &frf[k], &report), "curve");
+	ok(mark && !hawser__curve_marks(mark, &marks, &curve[0], &report) && marks > 8 &&
+	   2*marks < frf[0].points, "%d marks of %d points", marks, frf[0].points);
+	ok(!hawser__carry(&frf[2], &lost, &rom[1], &orbits, mark, marks, map, &options, &report) && !lost &&
+	   frf[2].points == marks, "%d counterparts, lost %d: %s", frf[2].points, lost, report.message);
+	ok(!hawser__curve_copy(&curve[2], &frf[2], &report) &&
+	   !hawser__curve_points_distance(&carried, &curve[0], mark, NULL, &curve[2], &report) &&
+	   !hawser__curve_distance(&apart, &curve[0], &curve[1], &report) &&
+	   !hawser__curve_points_distance(&again, &curve[1], mark, NULL, &curve[2], &report), "distances");
+	/* the curves also differ by what is between their points; three times the distance is stated */
+	ok(carried < 1.1*apart && apart < 2.0*carried, "%.3e by marks, %.3e by curves", carried, apart);
+	ok(again < 0.1*apart, "counterparts are %.1e off the curve of their model", again);
+	for (int k = 0; k < 3; k++) {
+		hawser__curve_clear(&curve[k]);
+		hawser_frf_clear(&frf[k]);
+	}
+	rom[1].harmonic[0].f[0] *= 3.0;
+	rom[1].harmonic[0].f[1] *= 3.0;
+	ok(!hawser__carry(&frf[2], &lost, &rom[1], &orbits, mark, marks, map, &options, &report) && lost,
+	   "with another load there is none nearby");
+	hawser_frf_clear(&frf[2]);
+	hawser__orbits_clear(&orbits);
+	free(mark);
+}
+
+CASE(property_carry)
+{
+	struct hawser_rom rom[2] = {{.n = 0}};
+	double *map = NULL;
+	int rows = 0, columns = 0;
+	double apart;
+	FILE *stream;
+
+	stream = tmpfile();
+	if (!ok(stream && fputs(text, stream) >= 0 && !fseek(stream, 0, SEEK_SET) &&
+	        !hawser_scene_read(&scene, stream, "span", NULL, 0, &report) &&
+	        !hawser_statics_scene(&statics, &scene, &report) &&
+	        !hawser_rom_build_full(&rom[0], &statics, &scene, 6, &report) &&
+	        !hawser_rom_build_full(&rom[1], &statics, &scene, 8, &report) &&
+	        !hawser__full_map(&map, &rows, &columns, &statics, 6, 8, &report), "models: %s",
+	        report.message))
+		return done_testing();
+	ok(rows == rom[1].n && columns == rom[0].n, "map %d by %d", rows, columns);
+	apart = off(&rom[0], &rom[1], map);
+	ok(apart < 1e-8, "displacements at the probes differ by %.1e", apart);
+	compare(rom, map);
+	free(map);
+	fclose(stream);
+	for (int k = 0; k < 2; k++)
+		hawser_rom_clear(&rom[k]);
+	return done_testing();
+}
