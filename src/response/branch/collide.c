@@ -32,6 +32,7 @@
 
 #include "response/branch/collide.h"
 
+#define MODULUS 5.0     /* weight of a logarithm of a modulus beside an argument; chosen */
 #define SAMPLES 8       /* points within a step at which the growth is evaluated; chosen */
 #define TURN 0.5        /* largest change of an argument per step, rad, with which pairs can be
                          * identified; chosen */
@@ -62,7 +63,9 @@ static double complex reflect(double complex lambda)
 
 /* Order next [count] like expected [count]; room is [count]. Those that are nearest to each other are
  * identified first: in the order of the list, a pair would take the place of another that it only
- * passes. Returns the largest distance. */
+ * passes. Arguments turn by the step; moduli of pairs that don't take part in anything hardly change,
+ * and tell them apart where their damping differs (a conductor with a damping ratio: a third of the
+ * alarms were of pairs that had been exchanged). Returns the largest distance. */
 static double match(double complex *next, const double complex *expected, double complex *room,
                     int count)
 {
@@ -78,7 +81,8 @@ static double match(double complex *next, const double complex *expected, double
 		for (int i = 0; i < count; i++)
 			for (int j = 0; j < count && isnan(creal(room[i])); j++) {
 				double complex gap = next[j] - expected[i];
-				double square = creal(gap)*creal(gap) + cimag(gap)*cimag(gap);
+				double apart = MODULUS*creal(gap);
+				double square = apart*apart + cimag(gap)*cimag(gap);
 
 				if (square < least) {
 					least = square;
@@ -90,10 +94,10 @@ static double match(double complex *next, const double complex *expected, double
 			return INFINITY;
 		room[to] = next[from];
 		next[from] = NAN;
-		worst = fmax(worst, least);
+		worst = fmax(worst, cabs(room[to] - expected[to]));
 	}
 	memcpy(next, room, (size_t)count*sizeof *next);
-	return sqrt(worst);
+	return worst;
 }
 
 /* Interpolate values g [4] at the four stations at arclengths s: value at `at`, and *error, the
