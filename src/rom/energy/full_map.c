@@ -44,11 +44,13 @@ static void columns_of(double *out, const struct hawser_modes *modes, const stru
 	}
 }
 
-static enum hawser_status solve(double **map, const struct hawser_modes *a, const struct hawser_modes *b,
-                                struct hawser_report *report)
+static enum hawser_status solve(double **map, const struct hawser_modes *a,
+                                const struct hawser_modes *b, struct hawser_report *report)
 {
-	int rows = 3*b->grid.points + (b->stroke ? b->statics.attachments : 0), m = b->n, n = a->n, info;
-	double *from = hawser__numbers((size_t)n, (size_t)rows), *to = hawser__numbers((size_t)m, (size_t)rows);
+	int rows = 3*b->grid.points + (b->stroke ? b->statics.attachments : 0), m = b->n, n = a->n;
+	int info;
+	double *from = hawser__numbers((size_t)n, (size_t)rows);
+	double *to = hawser__numbers((size_t)m, (size_t)rows);
 	double *gram = hawser__numbers((size_t)m, (size_t)m);
 
 	*map = hawser__numbers((size_t)m, (size_t)n);
