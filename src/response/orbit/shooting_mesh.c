@@ -9,6 +9,8 @@
 
 #define STEP_ANGLE 1.0         /* initial mesh: rad of the fastest mode per step; chosen, refined by
                                 * the error */
+#define REST_FINER 4           /* times as many steps at rest, where the orbit has no error that would
+                                * refine them: the multipliers of 1 rad per step are wrong by up to 1e-6 */
 #define STEP_DECAY 3.0         /* e-folds of the strongest damping per step: within the stability
                                 * limit */
 #define DEFAULT_SEGMENTS 4 /* default number of segments, which divide the growth of unstable
@@ -60,6 +62,17 @@ static int better_mesh(const struct hawser__shooting *shooting, double tolerance
 	return (int)ceil(shooting->steps*fmin(2.0, fmax(0.85, ratio)));
 }
 
+/* At rest the mesh is that of the multipliers. */
+static enum hawser_status refine_at_rest(struct hawser__shooting *shooting, int *again, double omega,
+                                         struct hawser_report *report)
+{
+	int steps = (int)fmin(MAX_MESH, REST_FINER*hawser__shooting_steps(shooting->base.rom, omega,
+	                                                                 shooting->segments));
+
+	*again = shooting->steps < steps;
+	return *again ? hawser__shooting_remesh(shooting, steps, report) : HAWSER_OK;
+}
+
 /* Fails if the mesh would have to be finer than MAX_MESH. */
 enum hawser_status hawser__shooting_refine(struct hawser__orbit *orbit, int *again,
                                            double tolerance, double omega,
@@ -69,6 +82,8 @@ enum hawser_status hawser__shooting_refine(struct hawser__orbit *orbit, int *aga
 	double mesh = orbit->mesh/orbit->X;
 	int steps;
 
+	if (orbit->mesh == 0.0)
+		return refine_at_rest(shooting, again, omega, report);
 	*again = mesh > tolerance;
 	if (!*again)
 		return HAWSER_OK;
@@ -88,7 +103,7 @@ enum hawser_status hawser__shooting_relax(struct hawser__orbit *orbit, double to
 	struct hawser__shooting *shooting = (struct hawser__shooting *)orbit;
 	int steps = better_mesh(shooting, tolerance);
 
-	if (steps >= shooting->steps || steps < 3)
+	if (steps >= shooting->steps || steps < 3 || shooting->base.mesh == 0.0)
 		return HAWSER_OK;
 	return hawser__shooting_remesh(shooting, steps, report);
 }
