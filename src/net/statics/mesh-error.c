@@ -98,7 +98,7 @@ static void compare(struct hawser_net_mesh_error *error, double *each,
 		most = fmax(most, st->member[c].T_max);
 	for (int c = 0; c < st->cables; c++) {
 		const struct hawser_net_member *a = &st->member[c], *b = &other->member[c];
-		double off = fmax(fabs(a->T_max - b->T_max),
+		double off = fmax(fmax(fabs(a->T_max - b->T_max), fabs(a->T_min - b->T_min)),
 		                  fmax(fabs(a->T_from - b->T_from), fabs(a->T_to - b->T_to)));
 
 		if (!error->exact)

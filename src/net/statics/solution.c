@@ -68,7 +68,7 @@ static void member(struct hawser_net_statics *st, int c, const struct hawser__te
 		m->T_from = i == 0 ? point->T : m->T_from;
 		m->T_to = point->T;
 		m->T_max = fmax(m->T_max, point->T);
-		m->T_min = fmin(m->T_min, i < n ? fmin(point->T, of->T[first + i]) : point->T);
+		m->T_min = i < n ? fmin(m->T_min, hawser__tension_least(of, c, i)) : m->T_min;
 		m->slack += i < n && l < mesh->length0[first + i];
 		m->length0 += i < n ? mesh->length0[first + i] : 0.0;
 		m->length += l;

@@ -127,12 +127,14 @@ static void load(double f[3], const struct hawser__tensions *of, int element, in
 		        of->far*(m*of->a[other][k] + drag*of->v[other][k]);
 }
 
-double hawser__tension_at(const struct hawser__tensions *of, int cable, int i)
+/* T at node i of a cable; returns whether there is a tension vector t there. */
+static int at_node(double t[3], double *T, const struct hawser__tensions *of, int cable, int i)
 {
 	int first = of->mesh->first[cable], last = of->mesh->first[cable + 1] - 1, node;
 	int before = i > 0 ? first + i - 1 : -1, behind = first + i <= last ? first + i : -1;
-	double t[3] = {0.0}, e[3], T;
+	double e[3];
 
+	memset(t, 0, 3*sizeof *t);
 	if (before < 0 || behind < 0) {
 		int element = before < 0 ? first : last;
 
@@ -140,19 +142,48 @@ double hawser__tension_at(const struct hawser__tensions *of, int cable, int i)
 		direction(e, of, element);
 		for (int k = 0; k < 3; k++)
 			t[k] = (before < 0 ? t[k] : -t[k]) + of->T[element]*e[k];
-		T = sqrt(hawser__dot(t, t));
-		return of->T[element] < 0.0 ? -T : T;
+		*T = sqrt(hawser__dot(t, t));
+		*T = of->T[element] < 0.0 ? -*T : *T;
+		return *T >= 0.0;
 	}
-	T = 0.5*(of->T[before] + of->T[behind]);
+	*T = 0.5*(of->T[before] + of->T[behind]);
 	node = of->mesh->end[behind][0];
-	if (T < 0.0 || (of->obstacle && hawser__dot(of->obstacle[node], of->obstacle[node]) > 0.0))
-		return T;
+	if (*T < 0.0 || (of->obstacle && hawser__dot(of->obstacle[node], of->obstacle[node]) > 0.0))
+		return 0;
 	for (int side = 0; side < 2; side++) {
 		direction(e, of, side ? behind : before);
 		for (int k = 0; k < 3; k++)
 			t[k] += 0.5*of->T[side ? behind : before]*e[k];
 	}
-	return sqrt(hawser__dot(t, t));
+	*T = sqrt(hawser__dot(t, t));
+	return 1;
+}
+
+double hawser__tension_at(const struct hawser__tensions *of, int cable, int i)
+{
+	double t[3], T;
+
+	(void)at_node(t, &T, of, cable, i);
+	return T;
+}
+
+/* Between two nodes the load is uniform, so that t is linear; on an obstacle |F| is what there is. */
+double hawser__tension_least(const struct hawser__tensions *of, int cable, int i)
+{
+	double a[3], b[3], T[2], change = 0.0, along = 0.0, part, F = of->T[of->mesh->first[cable] + i];
+	int vectors = at_node(a, &T[0], of, cable, i);
+
+	if (!(vectors & at_node(b, &T[1], of, cable, i + 1)))
+		return fmin(F, fmin(T[0], T[1]));
+	for (int k = 0; k < 3; k++) {
+		b[k] -= a[k];
+		change += b[k]*b[k];
+		along -= a[k]*b[k];
+	}
+	part = change > 0.0 ? fmin(fmax(along/change, 0.0), 1.0) : 0.0;
+	for (int k = 0; k < 3; k++)
+		a[k] += part*b[k];
+	return sqrt(hawser__dot(a, a));
 }
 
 void hawser__tension_obstacles(double (*force)[3], const struct hawser__mesh *mesh)
