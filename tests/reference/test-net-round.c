@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include <hawser/net.h>
 
@@ -54,6 +55,7 @@ static void drum(void)
 static void corner(void)
 {
 	static const char *const fine[] = {"cables.line.elements=800"};
+	static const char *const coarse[] = {"cables.line.elements=50"};
 	static const char *const sharp[] = {
 		"obstacles=[{segment: {from: [-10, 0], to: [149.65079, 0]}}, {segment: {from: [150.3483, "
 		"-0.02436], to: [900, -52.445]}}]"};
@@ -71,6 +73,11 @@ static void corner(void)
 	hawser_net_statics_clear(&st);
 	if (solved(&st, path, NULL, 0))
 		close_to(st.member[0].T_from, 650.4e3, 1.5e-3, "T_A of 400 elements, N");
+	hawser_net_statics_clear(&st);
+	ok(!hawser_net_open(&net, path, coarse, 1, &report) && hawser_net_solve(&st, &net, NULL, &report) &&
+	   strstr(report.message, "the radius of k, 10 m: give it more elements than 84"),
+	   "with elements longer than the radius: %s", report.message);
+	hawser_net_clear(&net);
 	hawser_net_statics_clear(&st);
 	ok(!hawser_net_open(&net, path, sharp, 1, &report) && hawser_net_solve(&st, &net, NULL, &report),
 	   "without the circle: %s", report.message);

@@ -21,6 +21,8 @@
 static const double ROUND = 1e-9;
 /* Of an element: without an equilibrium, ends of segments within it are named as the reason. */
 static const double NEAR = 2.0;
+/* Of a radius: the end of a segment that is no further from a circle is meant to be on it. */
+static const double CLOSE = 1e-3;
 
 double hawser__touch_friction(const struct hawser__touch *touch)
 {
@@ -170,9 +172,36 @@ static int cuts(double x[2], const struct hawser__mesh *mesh, int element,
 	       !goes_on(mesh, segment, to ? segment->to : segment->at, mesh->length0[element]);
 }
 
+/* The circle on which an end of a segment lies, with a radius that elements of length h are too long
+ * for; NULL: none. */
+static const struct hawser_surface *too_round(const struct hawser_net *net,
+                                              const struct hawser_surface *segment, double h)
+{
+	for (int i = 0; i < 2*net->surfaces; i++) {
+		const struct hawser_surface *circle = &net->surface[i/2];
+		double n[3];
+
+		if (circle->kind == HAWSER_SURFACE_CIRCLE && circle->radius <= h &&
+		    fabs(hawser_surface_gap(n, NULL, circle, i%2 ? segment->to : segment->at)) <=
+		    CLOSE*circle->radius)
+			return circle;
+	}
+	return NULL;
+}
+
 static enum hawser_status cut(const struct hawser__mesh *mesh, const struct hawser_net *net, int s,
                               int e, const double x[2], struct hawser_report *report)
 {
+	const struct hawser_surface *circle = too_round(net, &net->surface[s], mesh->length0[e]);
+	int c = mesh->cable[e], elements = mesh->first[c + 1] - mesh->first[c];
+
+	if (circle)
+		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "net", "%s: cable %s goes through obstacle "
+		                    "%s at (%.6g, %.6g) m, since its elements of %.3g m are too long for the "
+		                    "radius of %s, %.3g m: give it more elements than %.0f", net->name,
+		                    net->cable[c].name, net->surface[s].name, x[0], x[1], mesh->length0[e],
+		                    circle->name, circle->radius,
+		                    ceil(elements*mesh->length0[e]/circle->radius));
 	return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "net", "%s: cable %s goes through obstacle %s "
 	                    "at (%.6g, %.6g) m: nodes do not stay on the sharp end of a segment, whatever "
 	                    "their number: where the cable bends over it, end the segment on a circle with "
