@@ -178,7 +178,9 @@ static int is_near(const double *y, const double *from, int count)
 	return off <= NEAR*NEAR*all;
 }
 
-/* Increase the load from zero to its value, in steps that grow while Newton's method converges.
+/* Increase the load from zero to its value, in steps that grow while Newton's method converges, from
+ * the line through the last two orbits: with the last one scaled, steps of a full-order model with
+ * harmonics of moving ends shrank to 1e-3.
  * *failed is that of correct_at. */
 static enum hawser_status raise_load(double *y, struct hawser__orbit *orbit, int *failed,
                                      struct hawser__correction *correction, double omega,
@@ -188,11 +190,12 @@ static enum hawser_status raise_load(double *y, struct hawser__orbit *orbit, int
 	const struct hawser_rom *rom = orbit->rom;
 	size_t size = (size_t)orbit->size;
 	double *good = calloc(size, sizeof *good), *guess = calloc(size, sizeof *guess);
-	double load = 0.0, step = raised->lone ? BOLD : 0.1, growth = 1.5, leapt = -1.0;
+	double *last = calloc(size, sizeof *last), *other; /* the orbit before `good` */
+	double load = 0.0, last_load = 0.0, step = raised->lone ? BOLD : 0.1, growth = 1.5, leapt = -1.0;
 	struct hawser__load weak;
 	enum hawser_status status = hawser__load_open(&weak, rom, report);
 
-	if (!status && (!good || !guess))
+	if (!status && (!good || !guess || !last))
 		status = hawser__no_memory(report, "frf");
 	if (status)
 		goto done;
@@ -202,7 +205,7 @@ static enum hawser_status raise_load(double *y, struct hawser__orbit *orbit, int
 
 		hawser__load_set(&weak, next);
 		for (size_t i = 0; i + 1 < size; i++)
-			y[i] = load > 0.0 ? good[i]*next/load : 0.0;
+			y[i] = load > 0.0 ? good[i] + (good[i] - last[i])*(next - load)/(load - last_load) : 0.0;
 		if (load == 0.0 && (status = linear_response(y, orbit, omega, report)))
 			break;
 		memcpy(guess, y, size*sizeof *guess);
@@ -211,6 +214,10 @@ static enum hawser_status raise_load(double *y, struct hawser__orbit *orbit, int
 		if (!*failed && raised->lone && !is_near(y, guess, (int)size - 1))
 			*failed = 1;
 		if (!*failed) {
+			other = last;
+			last = good;
+			good = other;
+			last_load = load;
 			memcpy(good, y, size*sizeof *good);
 			load = next;
 			step *= growth;
@@ -235,6 +242,7 @@ static enum hawser_status raise_load(double *y, struct hawser__orbit *orbit, int
 	orbit->rom = rom;
 done:
 	hawser__load_clear(&weak);
+	free(last);
 	free(guess);
 	free(good);
 	return status;
