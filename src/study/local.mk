@@ -9,6 +9,8 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/identify/half_power_one.c %D%/identify/half_power_pair.c %D%/identify/half_power_quotient.c \
 	%D%/plan/cost.c \
 	%D%/plan/decide.c \
+	%D%/plan/foresee.c \
+	%D%/plan/own.c \
 	%D%/accuracy/estimate.c \
 	%D%/map/family.c \
 	%D%/accuracy/fidelity.c \

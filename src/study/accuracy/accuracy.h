@@ -40,6 +40,10 @@ enum hawser_status hawser__accuracy_candidates(struct hawser_modes *modes,
                                                double to, double accuracy, int fewest,
                                                struct hawser_report *report) HAWSER_MUST_CHECK;
 
+/* The error that is stated of a model which keeps the modes of the choice, from what has been weighed. */
+void hawser__accuracy_add_up(struct hawser_accuracy_fixed *fixed, const struct hawser_choice *choice,
+                             double located);
+
 /* Set the estimated error: that of the model, `model`, plus the error of the located peaks. */
 void hawser__accuracy_claim(struct hawser_accuracy *a, double model,
                             const struct hawser__marks *marks);

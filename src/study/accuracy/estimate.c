@@ -34,7 +34,7 @@
 #include <stdlib.h>
 
 #include "core/report.h"
-#include "rom/terms/dampers.h"
+#include "rom/choose/weigh.h"
 #include "study/accuracy/scales.h"
 #include "study/accuracy/survey.h"
 
@@ -62,7 +62,7 @@ static double own_cubic(const struct hawser_rom *rom, int j)
 static double effective(const struct hawser_survey *survey, int j, int n, int condensed)
 {
 	const struct hawser_modes *modes = &survey->plan->modes;
-	double gamma = own_cubic(condensed ? &survey->condensed : &survey->raw, j);
+	double gamma = own_cubic(condensed ? survey->condensed : &survey->raw, j);
 
 	for (int s = 0; s < modes->n; s++) {
 		double beta = beta_of(&survey->raw, s, j), w = modes->mode[s].omega;
@@ -79,7 +79,7 @@ static double doubt_of(const struct hawser_survey *survey, int j)
 {
 	const struct hawser_modes *modes = &survey->plan->modes;
 	double q = pow(2.0*modes->mode[j].omega/modes->mode[modes->n - 1].omega, 2), tail = 0.0;
-	double rest = own_cubic(&survey->condensed, j) - own_cubic(&survey->raw, j);
+	double rest = own_cubic(survey->condensed, j) - own_cubic(&survey->raw, j);
 
 	for (int s = 3*modes->n/4; s < modes->n; s++)
 		tail += fabs(hawser__returned_static(beta_of(&survey->raw, s, j), modes->mode[s].omega));
@@ -130,7 +130,7 @@ static double largest_motion(const struct hawser_modes *modes, int j)
 
 static void resonate(struct hawser_plan_resonance *out, const struct hawser_survey *survey, int j)
 {
-	struct hawser__resonance resonance = hawser__resonance_of(&survey->condensed, j);
+	struct hawser__resonance resonance = hawser__resonance_of(survey->condensed, j);
 	struct hawser__scales scales;
 
 	/* the coefficient by a second derivation, with the uncertainty due to the modes above */
@@ -163,7 +163,7 @@ enum hawser_status hawser__find_resonances(struct hawser_plan *plan,
 		if (!(w > low && w < high && fabs(plan->load[j]) > faint*most))
 			continue;
 		/* without damping the peak is infinite */
-		if (survey->condensed.D[(size_t)j*survey->condensed.n + j] > 0.0)
+		if (survey->condensed->D[(size_t)j*survey->condensed->n + j] > 0.0)
 			resonate(&plan->resonance[plan->resonances++], survey, j);
 		else
 			plan->undamped++;
@@ -174,14 +174,14 @@ enum hawser_status hawser__find_resonances(struct hawser_plan *plan,
 /* --- rows --- */
 
 /* The largest error over the resonances, for a model with these coefficients. */
-static void worst_of(struct hawser_plan_row *row, const struct hawser_survey *survey, int condensed)
+static void worst_of(struct hawser_plan_row *row, const struct hawser_survey *survey)
 {
 	const struct hawser_plan *plan = survey->plan;
 
 	row->omega_error = plan->resonances ? 0.0 : NAN;
 	for (int i = 0; i < plan->resonances; i++) {
 		const struct hawser_plan_resonance *at = &plan->resonance[i];
-		double off = fabs(effective(survey, at->mode, row->n, condensed) - at->cubic) + at->doubt;
+		double off = fabs(effective(survey, at->mode, row->n, 0) - at->cubic) + at->doubt;
 		double error = 0.375*off*pow(at->peak/at->omega, 2);
 
 		if (at->mode >= row->n)
@@ -194,7 +194,7 @@ static void worst_of(struct hawser_plan_row *row, const struct hawser_survey *su
 }
 
 /* Why the worst resonance has this error. */
-static void explain(struct hawser_plan_row *row, const struct hawser_survey *survey, int condensed)
+static void explain(struct hawser_plan_row *row, const struct hawser_survey *survey)
 {
 	const struct hawser_plan *plan = survey->plan;
 	int j = row->worst;
@@ -210,77 +210,129 @@ static void explain(struct hawser_plan_row *row, const struct hawser_survey *sur
 		for (int i = 0; i < plan->resonances; i++)
 			if (plan->resonance[i].mode == j)
 				snprintf(row->why, sizeof row->why, "mode %d: cubic coefficient %.4g, with all "
-				         "modes %.4g", j + 1, effective(survey, j, row->n, condensed),
+				         "modes %.4g", j + 1, effective(survey, j, row->n, 0),
 				         plan->resonance[i].cubic);
 }
 
-static void estimate_modes(struct hawser_plan_row *row, const struct hawser_survey *survey,
-                           int condensed)
+/* What hawser frf would state of a condensed model of these modes. */
+static void state(struct hawser_plan_row *row, const struct hawser_survey *survey, const int *kept)
+{
+	struct hawser_accuracy_fixed fixed;
+	struct hawser_report report = {.message = ""};
+
+	if (hawser__foresee(&fixed, survey, kept, row->n, &report)) {
+		snprintf(row->why, sizeof row->why, "not estimated: %.180s", report.message);
+		return;
+	}
+	row->omega_error = fixed.estimated;
+	snprintf(row->why, sizeof row->why, "modes left out %.1e, modes not looked at %.1e; what no mode "
+	         "makes up for %.1e", fixed.rest, fixed.beyond, fixed.truncation);
+}
+
+/* A resonance whose mode is not kept. */
+static void miss(struct hawser_plan_row *row, const struct hawser_survey *survey)
+{
+	for (int i = survey->plan->resonances - 1; i >= 0; i--)
+		if (survey->plan->resonance[i].mode >= row->n) {
+			row->omega_error = INFINITY;
+			row->worst = survey->plan->resonance[i].mode;
+			snprintf(row->why, sizeof row->why, "mode %d resonates in the range and is not in it",
+			         row->worst + 1);
+		}
+}
+
+static int sized(struct hawser_plan_row *row, const struct hawser_survey *survey)
 {
 	hawser__count_entries(row, survey, NULL, (int)row->choice.number);
-	if (!hawser__scene_driven(survey->scene))
-		return;
-	worst_of(row, survey, condensed);
-	explain(row, survey, condensed);
-	hawser__estimate_cost(row, survey);
+	return hawser__scene_driven(survey->scene);
 }
 
 void hawser__estimate_raw(struct hawser_plan_row *row, const struct hawser_survey *survey)
 {
-	estimate_modes(row, survey, 0);
+	if (!sized(row, survey))
+		return;
+	worst_of(row, survey);
+	explain(row, survey);
+	hawser__estimate_cost(row, survey);
 }
 
 void hawser__estimate_condensed(struct hawser_plan_row *row, const struct hawser_survey *survey)
 {
-	estimate_modes(row, survey, 1);
+	if (!sized(row, survey))
+		return;
+	state(row, survey, NULL);
+	miss(row, survey);
+	hawser__estimate_cost(row, survey);
 }
 
-/* The error that is due to the modes other than the N most important ones, by the first estimate of
- * the motions. */
+/* The modes that matter most by the first look, index [modes] in ascending order: at most `count`, and
+ * no more than leave `accuracy` to the others. Returns their number. */
+static int first(int *index, const struct hawser_plan *plan, int count, double accuracy)
+{
+	int n = plan->modes.n, kept = 0;
+	double rest = 0.0;
+
+	for (int j = 0; j < n; j++)
+		rest += plan->mode[j].measure;
+	for (; kept < count && kept < n && rest > accuracy; kept++) {
+		int best = -1, at = kept;
+
+		for (int j = 0; j < n; j++) {
+			int taken = 0;
+
+			for (int i = 0; i < kept; i++)
+				taken |= index[i] == j;
+			if (!taken && (best < 0 || plan->mode[j].measure > plan->mode[best].measure))
+				best = j;
+		}
+		if (!(plan->mode[best].measure > HAWSER__NEGLIGIBLE))
+			break;
+		rest -= plan->mode[best].measure;
+		for (; at > 0 && index[at - 1] > best; at--)
+			index[at] = index[at - 1];
+		index[at] = best;
+	}
+	return kept;
+}
+
+static void unchosen(struct hawser_plan_row *row, const struct hawser_survey *survey)
+{
+	if (hawser__scene_driven(survey->scene))
+		snprintf(row->why, sizeof row->why, "not available: %.180s", *survey->unweighed
+		         ? survey->unweighed : "modes are not chosen with a motion of supports");
+}
+
+/* The N most important modes, by the first estimate of the motions. */
 void hawser__estimate_chosen(struct hawser_plan_row *row, const struct hawser_survey *survey)
 {
-	const struct hawser_plan *plan = survey->plan;
-	struct hawser_choice choice;
-	int *index = calloc((size_t)plan->modes.n, sizeof *index);
+	int *index = calloc((size_t)survey->plan->modes.n, sizeof *index);
 
-	if (index && hawser__scene_driven(survey->scene) &&
-	    !hawser_choose(&choice, &plan->modes, survey->scene, plan->from, plan->to, 0.5, NULL)) {
-		int kept = hawser_choice_first(&choice, (int)row->choice.number);
-
-		(void)hawser_choice_kept(index, &choice);
-		hawser__count_entries(row, survey, index, kept);
-		row->omega_error = hawser_choice_rest(&choice) + hawser_choice_beyond(&choice);
-		snprintf(row->why, sizeof row->why, "the measures of the modes left out, as the first "
-		         "look has them");
-		hawser_choice_clear(&choice);
+	if (index && survey->plan->chosen) {
+		hawser__count_entries(row, survey, index,
+		                      first(index, survey->plan, (int)row->choice.number, 0.0));
+		state(row, survey, index);
 		hawser__estimate_chosen_cost(row, survey);
+	} else {
+		unchosen(row, survey);
 	}
-	if (!row->n && hawser__has_dampers(&plan->modes.statics))
-		snprintf(row->why, sizeof row->why, "not available: modes are not chosen with dampers");
 	free(index);
 }
 
 /* The modes that the first estimate keeps; a search traces two or three models until the last one. */
 void hawser__estimate_auto(struct hawser_plan_row *row, const struct hawser_survey *survey)
 {
-	const struct hawser_plan *plan = survey->plan;
-	struct hawser_choice choice;
-	int *index = calloc((size_t)plan->modes.n, sizeof *index);
+	int *index = calloc((size_t)survey->plan->modes.n, sizeof *index);
+	double asked = row->choice.number > 0.0 ? row->choice.number/100.0
+	               : survey->scene->model.accuracy;
 
-	row->omega_error = row->choice.number > 0.0 ? row->choice.number/100.0
-	                   : survey->scene->model.accuracy;
-	if (index && hawser__scene_driven(survey->scene) &&
-	    !hawser_choose(&choice, &plan->modes, survey->scene, plan->from, plan->to,
-	                   row->omega_error, NULL)) {
-		hawser__count_entries(row, survey, index, hawser_choice_kept(index, &choice));
-		hawser_choice_clear(&choice);
+	if (index && survey->plan->chosen) {
+		row->omega_error = asked;
+		hawser__count_entries(row, survey, index, first(index, survey->plan, survey->plan->modes.n,
+		                                                asked));
 		hawser__estimate_auto_cost(row, survey);
-	}
-	if (!row->n && hawser__has_dampers(&plan->modes.statics)) {
-		row->omega_error = NAN;
-		snprintf(row->why, sizeof row->why, "not available: modes are not chosen with dampers");
-	} else {
 		snprintf(row->why, sizeof row->why, "what is asked for; modes as the first look has them");
+	} else {
+		unchosen(row, survey);
 	}
 	free(index);
 }
@@ -298,9 +350,10 @@ void hawser__estimate_scales(struct hawser_plan_row *row, const struct hawser_su
 {
 	const struct hawser_plan *plan = survey->plan;
 
-	estimate_modes(row, survey, 1);
-	if (!hawser__scene_driven(survey->scene))
+	if (!sized(row, survey))
 		return;
+	state(row, survey, NULL);
+	miss(row, survey);
 	hawser__estimate_closed_cost(row, survey);
 	for (int i = 0; i < plan->resonances; i++) {
 		const struct hawser_plan_resonance *at = &plan->resonance[i];

@@ -83,8 +83,8 @@ static enum hawser_status begin(struct hawser_choice *choice, struct hawser_mode
 	return status;
 }
 
-static void add_up(struct hawser_accuracy_fixed *fixed, const struct hawser_choice *choice,
-                   double located)
+void hawser__accuracy_add_up(struct hawser_accuracy_fixed *fixed, const struct hawser_choice *choice,
+                             double located)
 {
 	fixed->rest = hawser_choice_rest(choice);
 	fixed->beyond = hawser_choice_beyond(choice);
@@ -124,7 +124,7 @@ enum hawser_status hawser_accuracy_fixed(struct hawser_accuracy_fixed *fixed,
 	if (!status)
 		status = hawser__weigh_response(&choice, rom, frf, &marks, BETWEEN, report);
 	if (!status)
-		add_up(fixed, &choice, hawser__marks_located(&marks));
+		hawser__accuracy_add_up(fixed, &choice, hawser__marks_located(&marks));
 	fixed->seconds = now() - start;
 	hawser__marks_clear(&marks);
 	hawser_choice_clear(&choice);
@@ -151,7 +151,7 @@ enum hawser_status hawser_accuracy_once(struct hawser_accuracy_fixed *fixed,
 		status = hawser__weigh_motion(&choice, rom, motion, 1, HAWSER__BY_PLANE, HAWSER__BY_PLANE,
 		                              report);
 	if (!status)
-		add_up(fixed, &choice, 0.0);
+		hawser__accuracy_add_up(fixed, &choice, 0.0);
 	fixed->seconds = now() - start;
 	hawser_choice_clear(&choice);
 	hawser_modes_clear(&modes);

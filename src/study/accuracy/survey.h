@@ -4,6 +4,7 @@
 #ifndef HAWSER_STUDY_SURVEY_H
 #define HAWSER_STUDY_SURVEY_H
 
+#include <hawser/accuracy.h>
 #include <hawser/law.h>
 #include <hawser/plan.h>
 
@@ -14,8 +15,16 @@ struct hawser_survey {
 	const struct hawser_scene *scene;
 	const struct hawser_plan *plan; /* modes, resonances, range */
 	struct hawser_rom raw;          /* with all modes of the plan */
-	struct hawser_rom condensed;
+	const struct hawser_rom *condensed; /* of `choice`, or `own` */
+	struct hawser_rom own;
+	struct hawser_choice *choice;   /* the modes of the plan; NULL: they are not weighed */
+	char unweighed[240];            /* why */
+	int motions;                    /* foreseen, by which modes are weighed (foresee.c) */
+	double *u, *omega;              /* [motions][ROWS][modes], [motions] */
 	struct hawser_rom_inertia inertia; /* of the condensed modes of the scene's own model */
+	struct hawser_accuracy_fixed fixed; /* of the scene's own modes; NAN: not foreseen */
+	enum { HAWSER__MODES, HAWSER__INSTEAD, HAWSER__TOO_LONG } instead; /* whether the exact energy takes
+	                                                                    * their place */
 	char range[160];                /* of its coordinates (law.h); "" if not sought */
 	char forces[240];               /* what its forces are evaluated from; "" without modes */
 	double slowness;                /* of this machine, relative to that of the constants of cost.c */
@@ -39,6 +48,7 @@ double hawser__plan_slowness(void);
 void hawser__estimate_full_cost(struct hawser_plan_row *row, const struct hawser_survey *survey);
 void hawser__estimate_closed_cost(struct hawser_plan_row *row, const struct hawser_survey *survey);
 void hawser__estimate_cost(struct hawser_plan_row *row, const struct hawser_survey *survey);
+void hawser__estimate_exact_cost(struct hawser_plan_row *row, const struct hawser_survey *survey);
 void hawser__estimate_chosen_cost(struct hawser_plan_row *row, const struct hawser_survey *survey);
 void hawser__estimate_auto_cost(struct hawser_plan_row *row, const struct hawser_survey *survey);
 
@@ -54,6 +64,20 @@ void hawser__estimate_chosen(struct hawser_plan_row *row, const struct hawser_su
 void hawser__estimate_auto(struct hawser_plan_row *row, const struct hawser_survey *survey);
 void hawser__estimate_full(struct hawser_plan_row *row, const struct hawser_survey *survey);
 void hawser__estimate_scales(struct hawser_plan_row *row, const struct hawser_survey *survey);
+
+/* Set the motions of a survey with resonances; free them and the choice. */
+enum hawser_status hawser__foresee_motions(struct hawser_survey *survey,
+                                           struct hawser_report *report) HAWSER_MUST_CHECK;
+void hawser__foresee_clear(struct hawser_survey *survey);
+/* The error of a condensed model of the modes kept [count]; NULL: the first ones. HAWSER_ERR_ARGUMENT:
+ * modes are not weighed. */
+enum hawser_status hawser__foresee(struct hawser_accuracy_fixed *fixed,
+                                   const struct hawser_survey *survey, const int *kept, int count,
+                                   struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* The row of what hawser frf answers with the scene as it is. */
+enum hawser_status hawser__estimate_own(struct hawser_plan_row *row, struct hawser_survey *survey,
+                                        struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* Which effects are modelled. */
 enum hawser_status hawser__decide(struct hawser_plan *plan, const struct hawser_survey *survey,

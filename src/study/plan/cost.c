@@ -41,6 +41,8 @@ static const double each = 22.0, each_fold = 12.0;
 #define SEARCHED 6.6
 #define CHOSEN 2.6
 #define CHOICE 0.1
+/* Curves of a response with the exact energy in place of modes, with drafts. */
+#define EXACT 3.5
 
 /* 1: the i-th of the modes at `index` is out of the plane. */
 static int out(const struct hawser_survey *survey, const int *index, int i)
@@ -148,6 +150,12 @@ void hawser__estimate_cost(struct hawser_plan_row *row, const struct hawser_surv
 void hawser__estimate_full_cost(struct hawser_plan_row *row, const struct hawser_survey *survey)
 {
 	state(row, survey, 0.0, 1.0, POINT_FULL);
+}
+
+/* The exact energy in place of modes: their response, drafts of full-order models, the last one's. */
+void hawser__estimate_exact_cost(struct hawser_plan_row *row, const struct hawser_survey *survey)
+{
+	state(row, survey, 0.0, EXACT, POINT_FULL);
 }
 
 void hawser__estimate_chosen_cost(struct hawser_plan_row *row, const struct hawser_survey *survey)

@@ -229,6 +229,22 @@ static void decide_always(struct hawser_plan *plan, const struct hawser_scene *s
 	    : "perfectly flexible; a negative tension is compression");
 }
 
+/* What hawser frf answers by default (own.c). */
+static void decide_response(struct hawser_plan *plan, const struct hawser_survey *survey)
+{
+	const struct hawser_accuracy_fixed *fixed = &survey->fixed;
+
+	if (isnan(fixed->estimated))
+		return;
+	decide(plan, "exact energy in a response", survey->instead == HAWSER__INSTEAD, "the scene's modes "
+	    "are off by %s%.2g, of which %s%.2g with any number of modes, in the resonances below%s",
+	    fixed->estimated < 1.0 ? "about " : "more than ", fixed->estimated,
+	    fixed->truncation < 1.0 ? "" : "more than ", fmin(fixed->truncation, 1.0),
+	    survey->instead == HAWSER__INSTEAD ? ": hawser frf takes full-order models" :
+	    survey->instead == HAWSER__TOO_LONG ? ": hawser frf warns, since full-order models take long "
+	                                          "(model.energy: exact)" : "");
+}
+
 enum hawser_status hawser__decide(struct hawser_plan *plan, const struct hawser_survey *survey,
                                   struct hawser_report *report)
 {
@@ -249,5 +265,6 @@ enum hawser_status hawser__decide(struct hawser_plan *plan, const struct hawser_
 	if (*survey->forces)
 		decide(plan, "forces from strains", strncmp(survey->forces, "from strains", 12) == 0, "%s",
 		    survey->forces);
+	decide_response(plan, survey);
 	return HAWSER_OK;
 }

@@ -4,6 +4,7 @@
 #include "config.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -13,6 +14,7 @@
 #include "rom/build/build.h"
 #include "rom/terms/drag.h"
 #include "rom/choose/drive.h"
+#include "rom/choose/weigh.h"
 #include "study/accuracy/survey.h"
 
 /* Number of modes: those of the largest model, and enough to reach well above twice the range; both
@@ -45,34 +47,45 @@ static enum hawser_status look(struct hawser_plan *plan, const struct hawser_sta
 	}
 }
 
-/* Which of the modes are kept, and why. If the load drives no mode, there is nothing to choose. */
-static enum hawser_status choose(struct hawser_plan *plan, const struct hawser_scene *scene,
+/* Which of the modes are kept, and why. If the load drives no mode, there is nothing to choose; with a
+ * motion of supports, modes are weighed, but not chosen. */
+static enum hawser_status choose(struct hawser_survey *survey, struct hawser_plan *plan,
                                  struct hawser_report *report)
 {
-	struct hawser_choice choice;
+	const struct hawser_scene *scene = survey->scene;
+	struct hawser_choice *choice = survey->choice = calloc(1, sizeof *choice);
+	struct hawser_report why = {.message = ""};
 	enum hawser_status status;
 
 	plan->mode = calloc((size_t)plan->modes.n, sizeof *plan->mode);
-	if (!plan->mode)
+	if (!plan->mode || !choice)
 		return hawser__no_memory(report, "plan");
 	for (int j = 0; j < plan->modes.n; j++)
 		plan->mode[j].kept = scene->model.modes != HAWSER_MODES_AUTO && j < scene->model.modes;
-	if (!hawser__scene_driven(scene))
-		return HAWSER_OK;
-	status = hawser_choose(&choice, &plan->modes, scene, plan->from, plan->to,
-	                       scene->model.accuracy, report);
-	if (status == HAWSER_ERR_ARGUMENT)
-		return HAWSER_OK;
-	plan->chosen = !status;
-	for (int j = 0; j < plan->modes.n && !status; j++) {
-		plan->mode[j].worth = choice.mode[j].kept;
-		plan->mode[j].reason = hawser_choice_reason(&choice, j);
-		plan->mode[j].measure = choice.mode[j].measure;
-		if (scene->model.modes == HAWSER_MODES_AUTO)
-			plan->mode[j].kept = choice.mode[j].kept;
+	plan->chosen = hawser__scene_driven(scene) && !hawser__support_moves(scene);
+	status = plan->chosen
+	         ? hawser_choose(choice, &plan->modes, scene, plan->from, plan->to, scene->model.accuracy, &why)
+	         : hawser__scene_driven(scene)
+	         ? hawser__choice_begin(choice, &plan->modes, scene, plan->from, plan->to,
+	                                scene->model.accuracy, 0, &why)
+	         : HAWSER_ERR_ARGUMENT;
+	if (status) {
+		free(choice);
+		survey->choice = NULL;
+		plan->chosen = 0;
+		snprintf(survey->unweighed, sizeof survey->unweighed, "%.239s", why.message);
+		if (report && status != HAWSER_ERR_ARGUMENT)
+			*report = why;
+		return status == HAWSER_ERR_ARGUMENT ? HAWSER_OK : status;
 	}
-	hawser_choice_clear(&choice);
-	return status;
+	for (int j = 0; j < plan->modes.n && plan->chosen; j++) {
+		plan->mode[j].worth = choice->mode[j].kept;
+		plan->mode[j].reason = hawser_choice_reason(choice, j);
+		plan->mode[j].measure = choice->mode[j].measure;
+		if (scene->model.modes == HAWSER_MODES_AUTO)
+			plan->mode[j].kept = choice->mode[j].kept;
+	}
+	return HAWSER_OK;
 }
 
 enum { JUDGED = 40, /* most coordinates whose ranges are sought: half a second; chosen */
@@ -139,7 +152,9 @@ static enum hawser_status build(struct hawser_survey *survey, struct hawser_plan
 		return status;
 	scene.model.condense = HAWSER_CONDENSE_STATIC;
 	scene.model.inertia = HAWSER_INERTIA_NONE; /* the coordinates of this model are modes only */
-	status = hawser__rom_of_modes(&survey->condensed, &plan->modes, &scene, report);
+	survey->condensed = survey->choice ? &survey->choice->all : &survey->own;
+	status = survey->choice ? HAWSER_OK
+	                        : hawser__rom_of_modes(&survey->own, &plan->modes, &scene, report);
 	if (status)
 		return status;
 	plan->load = calloc((size_t)plan->modes.n, sizeof *plan->load);
@@ -149,7 +164,7 @@ static enum hawser_status build(struct hawser_survey *survey, struct hawser_plan
 }
 
 /* Sizes in every case; estimates if there is a response. */
-static enum hawser_status fill_rows(struct hawser_plan *plan, const struct hawser_survey *survey,
+static enum hawser_status fill_rows(struct hawser_plan *plan, struct hawser_survey *survey,
                                     const struct hawser_fidelity_choice *choice, int count,
                                     struct hawser_report *report)
 {
@@ -164,7 +179,9 @@ static enum hawser_status fill_rows(struct hawser_plan *plan, const struct hawse
 		                                .worst = -1};
 		choice[i].fidelity->estimate(row, survey);
 	}
-	return HAWSER_OK;
+	survey->fixed.estimated = NAN;
+	return hawser__scene_driven(survey->scene)
+	       ? hawser__estimate_own(&plan->row[plan->rows++], survey, report) : HAWSER_OK;
 }
 
 enum hawser_status hawser_plan_make(struct hawser_plan *plan, const struct hawser_statics *statics,
@@ -188,19 +205,22 @@ enum hawser_status hawser_plan_make(struct hawser_plan *plan, const struct hawse
 	survey.slowness = hawser__plan_slowness();
 	status = look(plan, statics, scene, choice, count, report);
 	if (!status)
+		status = choose(&survey, plan, report);
+	if (!status)
 		status = build(&survey, plan, report);
 	if (!status)
-		status = choose(plan, scene, report);
-	if (!status)
 		status = weigh_own(&survey, plan, report);
-	if (!status)
-		status = hawser__decide(plan, &survey, report);
 	if (!status && hawser__scene_driven(scene))
 		status = hawser__find_resonances(plan, &survey, report);
+	if (!status && survey.choice)
+		status = hawser__foresee_motions(&survey, report);
 	if (!status)
 		status = fill_rows(plan, &survey, choice, count, report);
+	if (!status)
+		status = hawser__decide(plan, &survey, report);
+	hawser__foresee_clear(&survey);
 	hawser_rom_clear(&survey.raw);
-	hawser_rom_clear(&survey.condensed);
+	hawser_rom_clear(&survey.own);
 	plan->seconds = hawser__processor_seconds() - start;
 	if (status)
 		hawser_plan_clear(plan);
