@@ -62,7 +62,7 @@ struct hawser_net_plan_options {
 	int modes;      /* 0: 6 */
 	double seconds; /* for the modes,
 	and for the beginning of the motion; the statics may take ten times
-	                 * as long; 0: 1 */
+	                 * as long; 0: 0.2 */
 };
 
 enum { HAWSER_NET_JOBS = 3 };

@@ -56,9 +56,10 @@ struct hawser_plan_row {
 	int estimated;       /* 1: the scene has a response, and these are known */
 	enum hawser_status status; /* with which the response will end, as far as is foreseen */
 	char foreseen[240];  /* why; or "" */
-	double omega_error;  /* estimated relative error of the frequencies of folds and peaks, for the
-	                      * worst resonance; NAN: not known, INFINITY: a mode in the range is
-	                      * missing */
+	double omega_error;  /* of condensed models: what hawser_accuracy_fixed would state of their
+	                      * response, in motions that are foreseen; of raw ones and multiple scales the
+	                      * relative error of the frequencies of folds and peaks for the worst
+	                      * resonance. NAN: not known, INFINITY: a mode in the range is missing */
 	int worst;           /* index of this resonance, or -1 */
 	char why[200];       /* basis of the error estimate */
 };
@@ -75,7 +76,8 @@ struct hawser_plan {
 	int decisions;
 	struct hawser_plan_decision *decision;   /* [decisions] */
 	int rows;
-	struct hawser_plan_row *row;             /* [rows] in the order of the given choice */
+	struct hawser_plan_row *row;             /* [rows] in the order of the given choice; then, of a
+	                                          * scene with a load, what hawser frf answers by default */
 	double seconds;              /* processor time taken by the plan itself */
 };
 

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <hawser/accuracy.h>
 #include <hawser/plan.h>
 
 #include "tests/tap.h"
@@ -34,7 +35,8 @@ static int open_scene(const char *name)
 	return ok(opened, "%s %s", name, report.message);
 }
 
-/* The points of the curve of N modes by the formula against those of the curve itself. */
+/* The points of the curve of N modes by the formula against those of the curve itself, and the error
+ * that is foreseen against the one that is stated of the curve. */
 static void check_points(const char *name, int n, double from, double to)
 {
 	struct hawser_frf_options options = {.method = NULL};
@@ -42,6 +44,7 @@ static void check_points(const char *name, int n, double from, double to)
 	struct hawser_fidelity_choice choice;
 	struct hawser_modes modes = {.n = 0};
 	struct hawser_plan plan = {.rows = 0};
+	struct hawser_accuracy_fixed fixed;
 	struct hawser_rom rom = {.n = 0};
 	struct hawser_frf frf = {.n = 0};
 	char list[20];
@@ -60,10 +63,16 @@ static void check_points(const char *name, int n, double from, double to)
 	       !hawser_frf_trace(&frf, &rom, &options, NULL) &&
 	       !hawser_fidelities_read(&choice, &count, list, 1, NULL) &&
 	       !hawser_plan_make(&plan, &statics, &scene, &choice, 1, options.from, options.to, NULL),
-	       "a curve and its plan"))
+	       "a curve and its plan")) {
 		ok(fmax(plan.row[0].points/frf.points, frf.points/plan.row[0].points) < 2.0,
 		   "%s: %.0f points foretold, %d with %d events", name, plan.row[0].points, frf.points,
 		   frf.events);
+		if (ok(!hawser_accuracy_fixed(&fixed, &rom, &frf, n, &statics, &scene, options.from, options.to,
+		                              NULL), "its error"))
+			ok(fmax(plan.row[0].omega_error/fixed.estimated,
+			        fixed.estimated/plan.row[0].omega_error) < 4.0,
+			   "an error of %.2g foreseen, %.2g stated", plan.row[0].omega_error, fixed.estimated);
+	}
 	hawser_plan_clear(&plan);
 	hawser_frf_clear(&frf);
 	hawser_rom_clear(&rom);

@@ -32,7 +32,7 @@ static const struct cli_option options[] = {
 	{"fidelities", 0, "LIST", "what to estimate, separated by commas",
 	 CLI_TEXT_FOR(fidelities, CLI_SPAN)},
 	CLI_HEADING("Nets"),
-	{"limit", 0, "SECONDS", "nets: processor time for measuring times (1 and a tenth of the estimate)",
+	{"limit", 0, "SECONDS", "nets: processor time for measuring (0.2 and a tenth of the estimate)",
 	 CLI_POSITIVE_FOR(limit, CLI_SPAN | CLI_NET)},
 	{"until", 0, "TIME", "nets: end of the motion (ten periods of the slowest load)",
 	 CLI_TEXT_FOR(net.until, CLI_NET)},

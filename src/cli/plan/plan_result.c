@@ -244,7 +244,7 @@ static void print_rows(FILE *stream, const struct cli_plan_result *result)
 
 	fputs("\nFidelities (time of this machine's processor and error, estimated by formulas)\n", stream);
 	fprintf(stream, "  %-20s %8s %8s %9s %7s %7s %-14s %9s  %s\n", "fidelity", "unknowns", "Q", "C",
-	        "points", "time s", "between", "error", "error of the frequencies, from");
+	        "points", "time s", "between", "error", "of folds and peaks, from");
 	for (int i = 0; i < plan->rows; i++) {
 		const struct hawser_plan_row *row = &plan->row[i];
 		char text[3][16], between[32];

@@ -114,7 +114,7 @@ static enum hawser_status settle(struct hawser__net_planner *planner, struct haw
 	struct hawser_net_plan_options *options = &planner->options;
 
 	options->modes = options->modes > 0 ? options->modes : MODES;
-	options->seconds = options->seconds > 0.0 ? options->seconds : 1.0;
+	options->seconds = options->seconds > 0.0 ? options->seconds : 0.2;
 	if (options->motion.until < 0.0 || !isfinite(options->motion.until))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "the end of the motion must be a "
 		                    "positive time, not %g s", options->motion.until);

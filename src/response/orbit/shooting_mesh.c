@@ -9,8 +9,8 @@
 
 #define STEP_ANGLE 1.0         /* initial mesh: rad of the fastest mode per step; chosen, refined by
                                 * the error */
-#define REST_FINER 4           /* times as many steps at rest, where the orbit has no error that would
-                                * refine them: the multipliers of 1 rad per step are wrong by up to 1e-6 */
+#define REST_FINER 4           /* times as many steps at rest, where no error of the orbit refines
+                                * them: multipliers of 1 rad per step are wrong by up to 1e-6 */
 #define STEP_DECAY 3.0         /* e-folds of the strongest damping per step: within the stability
                                 * limit */
 #define DEFAULT_SEGMENTS 4 /* default number of segments, which divide the growth of unstable

@@ -40,7 +40,7 @@ enum hawser_status hawser__accuracy_candidates(struct hawser_modes *modes,
                                                double to, double accuracy, int fewest,
                                                struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* The error that is stated of a model which keeps the modes of the choice, from what has been weighed. */
+/* The error that is stated of a model which keeps the modes of the choice, from what was weighed. */
 void hawser__accuracy_add_up(struct hawser_accuracy_fixed *fixed, const struct hawser_choice *choice,
                              double located);
 

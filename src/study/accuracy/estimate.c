@@ -1,4 +1,5 @@
-/* study/accuracy/estimate.c - the estimated error of a fidelity, from its effective cubic coefficients.
+/* study/accuracy/estimate.c - the estimated error of a fidelity: of condensed models as hawser frf
+ * states it (plan/foresee.c), of raw ones from their effective cubic coefficients.
  *
  *    j           a mode whose primary resonance is in the range;  s  any mode, j included
  *    omega_s     frequency;  beta_s  coefficient of u_j^2 in the equation of s
@@ -13,7 +14,7 @@
  *    (3/8) |gamma_N - gamma| a^2/omega_j^2.
  *
  * gamma follows from beta_s for any number of modes (scales.c). The raw model of N modes has its
- * own C_jjjj and the responses of the N modes. The condensed model has in addition the static
+ * own C_jjjj and the responses of the N modes. The best one known has in addition the static
  * responses of all others: those up to M one by one, and R, the sum of those above M, from the
  * condensation of a model of M modes. The dynamic response is the static one times 1 + q/(3 (1 -
  * q)), q = (2 omega_j/omega_s)^2. The uncertainty of gamma has two parts: the dynamic responses of

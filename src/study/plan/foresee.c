@@ -1,26 +1,25 @@
-/* study/plan/foresee.c - the error that hawser frf would state of modes that are kept, before anything is
- * traced: the same sum (accuracy/fixed.c), in motions that are foreseen instead of computed.
+/* study/plan/foresee.c - the error that hawser frf would state of modes that are kept, before anything
+ * is traced: the same sum (accuracy/fixed.c), in motions that are foreseen instead of computed.
  *
  *    u      [ROWS][n] a motion of all modes over a period
  *    a      amplitude of a resonance at its peak by multiple scales or, where its backbone leaves the
  *           range before, there
  *    Gamma  the backbone is omega + Gamma a^2
+ *    beta   coefficient of u_j^2 in the equation of another mode
  *
  * The motions are those of the primary resonances, each alone, to second order in a, so that the modes
- * that answer at 2 Omega and in the mean have their part; and the linear response at both ends of the
- * range, no mode of which moves more than the largest resonance. What resonances share with each other
- * is not foreseen (decide.c and the column `meets` name such modes).
+ * that answer at 2 Omega and in the mean have their part, with their damping: the expansion without
+ * it has no bound where 2 Omega meets a mode. And the linear response at both ends of the range, no
+ * mode of which moves more than the largest resonance. What resonances share with each other is not
+ * foreseen (the column `meets` names such modes).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <complex.h>
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-#include <hawser/primary.h>
 
 #include "core/report.h"
 #include "rom/choose/drive.h"
@@ -46,63 +45,40 @@ static double within(double *omega, const struct hawser_plan *plan,
 	return a;
 }
 
-/* Near an internal resonance the second order of another mode has no bound: at most the amplitude of
- * this one. u [ROWS] with this stride. */
-static void limit(double *u, int stride, double a)
+/* u_s for a sin(tau) of mode j: u_s'' + D u_s' + omega_s^2 u_s = -beta_s a^2/2 (1 - cos 2 tau), for
+ * j itself too. */
+static void answer(double *u, const struct hawser_rom *rom, int j, double a, double omega)
 {
-	double most = 0.0;
+	for (int i = 0; i < rom->quads; i++) {
+		const struct hawser_quad *q = &rom->Q[i];
+		size_t diagonal = (size_t)q->j*((size_t)rom->n + 1);
+		double half = 0.5*q->value*a*a, K = rom->K[diagonal];
+		double complex twice = half/(K - 4.0*omega*omega + 2.0*I*omega*rom->D[diagonal]);
 
-	for (int t = 0; t < ROWS; t++)
-		most = fmax(most, fabs(u[t*stride]));
-	for (int t = 0; t < ROWS && most > a; t++)
-		u[t*stride] *= a/most;
-}
-
-/* A resonance: by its modulation equation, or by its mode alone where another one is in exact resonance
- * with it. */
-static enum hawser_status resonate(double *u, double a, const struct hawser_survey *survey,
-                                   const struct hawser_plan_resonance *at,
-                                   struct hawser_report *report)
-{
-	const struct hawser_rom *rom = survey->condensed;
-	struct hawser_report unused;
-	struct hawser_primary primary;
-	enum hawser_status status = hawser_primary_derive(&primary, rom, at->mode, &unused);
-	double x[2];
-
-	if (status == HAWSER_ERR_MEMORY)
-		return hawser__no_memory(report, "plan");
-	if (!status)
-		for (int i = 0; i < 2; i++) /* a quarter of a period behind the load */
-			x[i] = (i ? -0.5 : 0.5)*a*primary.load[!i]/hypot(primary.load[0], primary.load[1]);
-	for (int t = 0; t < ROWS; t++) {
-		double *row = u + (size_t)t*(size_t)rom->n, tau = 2.0*M_PI*t/ROWS;
-
-		if (status)
-			row[at->mode] = a*sin(tau);
-		else
-			hawser_modulation_motion(&primary.modulation, row, x, tau);
+		for (int t = 0; q->k == j && q->l == j && t < ROWS; t++)
+			u[t*rom->n + q->j] += creal(twice*cexp(4.0*I*M_PI*t/ROWS)) - half/K;
 	}
-	for (int j = 0; j < rom->n; j++)
-		limit(u + j, rom->n, a);
-	if (!status)
-		hawser_primary_clear(&primary);
-	return HAWSER_OK;
 }
 
-/* The linear response, with amplitudes of at most `most`. */
-static enum hawser_status respond(double *u, double most, double omega,
+/* The linear response with no amplitude above `most`; with mode j, unless it is negative, at its own
+ * resonance of this amplitude, and what answers it. */
+static enum hawser_status respond(double *u, double most, int j, double omega,
                                   const struct hawser_survey *survey, struct hawser_report *report)
 {
-	int n = survey->condensed->n;
-	double complex *a = malloc((size_t)n*sizeof *a);
-	enum hawser_status status = a ? hawser__respond(survey->condensed, a, omega, report)
+	const struct hawser_rom *rom = survey->condensed;
+	double complex *a = malloc((size_t)rom->n*sizeof *a);
+	enum hawser_status status = a ? hawser__respond(rom, a, omega, report)
 	                              : hawser__no_memory(report, "plan");
 
+	for (int s = 0; !status && s < rom->n; s++)
+		a[s] *= fmin(1.0, most/fmax(cabs(a[s]), 1e-300));
+	if (!status && j >= 0)
+		a[j] = -I*most;
 	for (int t = 0; !status && t < ROWS; t++)
-		for (int j = 0; j < n; j++)
-			u[t*n + j] = creal(a[j]*fmin(1.0, most/fmax(cabs(a[j]), 1e-300))*
-			                   cexp(I*2.0*M_PI*t/ROWS));
+		for (int s = 0; s < rom->n; s++)
+			u[t*rom->n + s] = creal(a[s]*cexp(2.0*I*M_PI*t/ROWS));
+	if (!status && j >= 0)
+		answer(u, rom, j, most, omega);
 	free(a);
 	return status;
 }
@@ -162,14 +138,16 @@ enum hawser_status hawser__foresee_motions(struct hawser_survey *survey, struct 
 	if (!u || !survey->omega)
 		return hawser__no_memory(report, "plan");
 	for (int i = 0; !status && i < plan->resonances; i++, u += size) {
-		double a = within(&survey->omega[survey->motions++], plan, &plan->resonance[i]);
+		double *omega = &survey->omega[survey->motions++];
+		double a = within(omega, plan, &plan->resonance[i]);
 
 		most = fmax(most, a);
-		status = resonate(u, a, survey, &plan->resonance[i], report);
+		status = respond(u, a, plan->resonance[i].mode, *omega, survey, report);
 	}
 	for (int end = 0; !status && end < 2; end++, u += size) {
-		survey->omega[survey->motions++] = end ? plan->to : plan->from;
-		status = respond(u, most > 0.0 ? most : HUGE_VAL, end ? plan->to : plan->from, survey, report);
+		survey->omega[survey->motions] = end ? plan->to : plan->from;
+		status = respond(u, most > 0.0 ? most : HUGE_VAL, -1, survey->omega[survey->motions++], survey,
+		                 report);
 	}
 	if (!status)
 		keep_strong(survey);
