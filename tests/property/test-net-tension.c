@@ -22,8 +22,8 @@ static int open_net(struct hawser_net *net, const char *folder, const char *name
 	return ok(!hawser_net_open(net, path, set, sets, &report), "%s %s", name, report.message);
 }
 
-/* net-bight.yaml: 14385.962 and 4576.892 N (outside program), which exact catenaries have too; the least
- * tension, in the bight between two nodes, is their horizontal part (Newton's method outside). */
+/* net-bight.yaml: 14385.962 and 4576.892 N (outside program), which exact catenaries have too; the
+ * least tension, in the bight between two nodes, is their horizontal part (outside program). */
 static void bight(void)
 {
 	const double T_to = 14385.962, T_from = 4576.892, T_min = 4153.466;

@@ -17,6 +17,7 @@
 #include "cli/model/label.h"
 #include "cli/frame/progress.h"
 #include "cli/frame/view.h"
+#include "cli/frame/within.h"
 #include "core/report.h"
 
 #define LOCATED 0.01 /* tolerance of peaks, as a part of the accuracy that was asked for */
@@ -30,6 +31,7 @@ struct settings {
 	const char *over, *omega, *label, *switched;
 	double tolerance, step;
 	int n, points, segments, unstable, sweep_points, multipliers, partial, backbone, energy, tori;
+	int peaks;
 	int branches, period, label_every;
 };
 static const struct settings defaults = {
@@ -84,6 +86,7 @@ static const struct cli_option options[] = {
 	 "on further branches and with modes: auto)", CLI_INTEGER(unstable)},
 	{"partial", 0, "", "write what was computed also if the run fails", CLI_FLAG(partial)},
 	CLI_HEADING("Contents of results"),
+	{"peaks", 0, "", "table of the peaks in place of the points", CLI_FLAG(peaks)},
 	{"multipliers", 0, "", "write the Floquet multipliers to JSON too", CLI_FLAG(multipliers)},
 	CLI_TEXT_WITH(beside, "FILE", "draw the response of this JSON result too, pale and behind",
 	              .needs = "plot, gp", .excludes = "energy"),
@@ -315,34 +318,46 @@ static enum hawser_status backbone(struct cli_backbone *to, const struct setting
 	                          result->to, settings->common.quiet, report);
 }
 
-static enum hawser_status write_result(struct cli_frf_result *result, struct cli_model *model,
-                                       int energy, struct hawser_report *report)
+/* All that is warned of, a line each, for JSON and standard error; the caller frees it. */
+static char *gather(struct cli_model *model, const struct cli_frf_result *result)
 {
-	struct cli_showing showing = cli_frf_showing;
-	enum hawser_status status;
-	char text[CLI_WARNING_SIZE];
+	char *said = NULL, **before = cli_warn_into(&said), text[CLI_WARNING_SIZE];
 	int note;
+
+	cli_basis_warn(result->model);
+	cli_known_warn(result->model, fmax(result->from, result->to));
+	cli_fixed_warn_worst(result);
+	cli_exact_warn(result->model);
+	cli_range_warn_frf(model, result);
+	for (int k = 0; (note = cli_frf_note(text, sizeof text, result, k)) >= 0; k++)
+		if (note > 0)
+			cli_warn(text);
+	for (int k = 0; k < result->misses; k++)
+		cli_warn(result->missed[k].text);
+	cli_warn_into(before);
+	return said;
+}
+
+static enum hawser_status write_result(struct cli_frf_result *result, struct cli_model *model,
+                                       int energy, int peaks, struct hawser_report *report)
+{
+	struct cli_showing showing = peaks ? cli_frf_show_peaks() : cli_frf_showing;
+	enum hawser_status status;
+	char *said;
 
 	if (energy)
 		showing.draw = cli_backbone_draw;
 	result->direction = cli_frf_direction(result->frf);
 	cli_label_all(result);
+	said = gather(model, result);
+	result->said = said;
 	status = cli_show(result->common, &showing, result, report);
-	if (!status)
-		cli_basis_warn(result->model);
-	if (!status)
-		cli_known_warn(result->model, fmax(result->from, result->to));
-	if (!status)
-		cli_fixed_warn_worst(result);
-	if (!status)
-		cli_exact_warn(result->model);
-	if (!status)
-		cli_range_warn_frf(model, result);
-	for (int k = 0; !status && (note = cli_frf_note(text, sizeof text, result, k)) >= 0; k++)
-		if (note > 0)
-			cli_warn(text);
-	for (int k = 0; k < result->misses && !status; k++)
-		cli_warn(result->missed[k].text);
+	for (char *line = said, *end; !status && line && (end = strchr(line, '\n')); line = end + 1) {
+		*end = '\0';
+		cli_warn(line);
+	}
+	result->said = NULL;
+	free(said);
 	return status;
 }
 
@@ -458,7 +473,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		result.overlays += more;
 	}
 	if (!written && (!status || (settings->partial && frf.points > 0)))
-		written = write_result(&result, &model, settings->energy, status ? &second : report);
+		written = write_result(&result, &model, settings->energy, settings->peaks,
+		                       status ? &second : report);
 	if (status && written)
 		cli_report_also(report, &second);
 	if (!status)

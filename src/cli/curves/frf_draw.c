@@ -305,6 +305,7 @@ static enum hawser_status draw(const char *path, const struct cli_frf_result *re
 	struct cli_frf_picture of = {.result = result, .branch = branch};
 	double from = result->from, to = result->to, room = HAWSER__LEGEND_CM, height;
 	enum hawser_status status;
+	char text[80];
 
 	of.x = cli_frf_axis(result->model);
 	of.y = cli_model_axis(result->model, "", "m");
@@ -328,6 +329,9 @@ static enum hawser_status draw(const char *path, const struct cli_frf_result *re
 	add_entries(&of);
 	draw_panels(&of, (room + cli_frf_details_cm(&of))/height);
 	cli_frf_draw_details(&of, room);
+	for (int k = 0, note; (note = cli_frf_caution(text, sizeof text, result, k)) >= 0; k++)
+		if (note > 0)
+			hawser__legend_once(&of.figure.legend, text, "with points pt 8 ps 1.2 lc rgb '#b00020'");
 	return hawser__figure_finish(&of.figure, report);
 }
 

@@ -246,11 +246,13 @@ static void warnings_json(struct hawser__json *json, json_t *into, const void *r
 
 	(void)into;
 	cli_warnings_json(json, NULL);
-	for (int k = 0; (note = cli_frf_note(text, sizeof text, row, k)) >= 0; k++)
+	for (int k = 0; !result->said && (note = cli_frf_note(text, sizeof text, row, k)) >= 0; k++)
 		if (note > 0)
 			hawser__json_text(json, json_object_get(json->root, "warnings"), NULL, text);
-	for (int k = 0; k < result->misses; k++)
-		hawser__json_text(json, json_object_get(json->root, "warnings"), NULL, result->missed[k].text);
+	for (const char *line = result->said; line && *line; line += strcspn(line, "\n") + 1) {
+		snprintf(text, sizeof text, "%.*s", (int)strcspn(line, "\n"), line);
+		hawser__json_text(json, json_object_get(json->root, "warnings"), NULL, text);
+	}
 }
 
 static void parameters_json(struct hawser__json *json, json_t *into, const void *row)
@@ -358,7 +360,8 @@ static const struct hawser__field result_field[] = {
 	{"gaps", NULL, "parts of the range in which no branch was found",
 	 HAWSER__OBJECTS_OF(gap_list), .when = BRANCHES},
 	THROUGH(model, cli_basis_field),
-	{"warnings", NULL, "sentences about a slack cable, gaps, and branches that were not found",
+	{"warnings", NULL, "what standard error says: a large error of the model, a range beyond its modes, a "
+	 "slack cable, undecided stability, gaps, branches that were not found",
 	 HAWSER__CALLS(warnings_json)},
 	{"tori", NULL, "curves of quasi-periodic motions, with --tori",
 	 HAWSER__STORED(struct cli_frf_result, tori, curves, cli_tori_field), .when = TORI},
@@ -374,6 +377,7 @@ static const struct hawser__field result_field[] = {
 
 const struct cli_listing cli_frf_listing[] = {
 	{"Columns of the table:", point_field, 0},
+	{"Columns of the table with --peaks:", cli_frf_peak_column, 0},
 	{"Keys of JSON:", result_field, 1},
 	{NULL, NULL, 0},
 };
@@ -412,6 +416,33 @@ static void more(struct hawser__table *table, const void *of)
 	}
 	if (result->backbone)
 		hawser__fields_rows(table, point_field, &free_list, result->backbone, &view);
+}
+
+static struct cli_head peaks_head(const void *of)
+{
+	struct cli_head of_peaks = head(of);
+
+	of_peaks.rows = of;
+	return of_peaks;
+}
+
+static void more_peaks(struct hawser__table *table, const void *of)
+{
+	const struct cli_frf_result *result = of;
+	struct hawser__view view = head(of).view;
+
+	for (int k = 0; k < result->others; k++)
+		hawser__fields_rows(table, cli_frf_peak_column, &cli_frf_peak_rows, &result->other[k], &view);
+}
+
+struct cli_showing cli_frf_show_peaks(void)
+{
+	struct cli_showing showing = cli_frf_showing;
+
+	showing.head = peaks_head;
+	showing.rows = &cli_frf_peak_rows;
+	showing.more = more_peaks;
+	return showing;
 }
 
 struct hawser__axis cli_frf_axis(const struct cli_model *model)

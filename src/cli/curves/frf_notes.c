@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "cli/model/exact.h"
+#include "cli/model/fixed.h"
 #include "cli/curves/frf_cover.h"
 #include "cli/curves/frf_lift.h"
 #include "cli/curves/frf_over.h"
@@ -171,10 +172,44 @@ static int unsearched(char *text, size_t size, const struct cli_frf_result *resu
 	return result->unsearched;
 }
 
+static int undecided(char *text, size_t size, const struct cli_frf_result *result)
+{
+	const struct hawser_frf *frf = result->frf;
+
+	snprintf(text, size, "stability: %d of %d points have multipliers whose moduli differ from 1 by less "
+	         "than their error, as without damping: whether these motions are stable is not known",
+	         frf->undecided, frf->points);
+	return frf->undecided > 0;
+}
+
+int cli_frf_caution(char *text, size_t size, const struct cli_frf_result *result, int k)
+{
+	const struct cli_frf_result *worst = cli_fixed_worst(result);
+	char unused[CLI_WARNING_SIZE];
+	double off = worst ? worst->error.fixed.estimated : 0.0;
+
+	switch (k) {
+	case 0:
+		snprintf(text, size, "may be off by %s%.0f %%", off < 1.0 ? "" : "more than ", 100.0*off);
+		return worst != NULL;
+	case 1:
+		snprintf(text, size, "beyond the model's modes");
+		return cli_known_lacks(unused, sizeof unused, result->model, fmax(result->from, result->to));
+	case 2:
+		snprintf(text, size, ends_slack(result) ? "ends slack" : "slack in parts");
+		return slack(unused, sizeof unused, result);
+	case 3:
+		snprintf(text, size, "stability undecided in parts");
+		return result->frf->undecided > 0;
+	default:
+		return -1;
+	}
+}
+
 int cli_frf_note(char *text, size_t size, const struct cli_frf_result *result, int k)
 {
 	static int (*const note[])(char *, size_t, const struct cli_frf_result *) = {
-		slack, cli_frf_lift, lost, unstable, work, gaps, unsearched};
+		slack, cli_frf_lift, lost, unstable, work, gaps, unsearched, undecided};
 
 	return k < (int)(sizeof note/sizeof *note) ? note[k](text, size, result) : -1;
 }

@@ -70,10 +70,20 @@ void cli_frf_peak_comments(struct hawser__table *table, const struct cli_frf_res
 struct peak {
 	const char *probe;
 	char component[name_size];
-	double at_rest;
+	const char *kind; /* of the component, without a number */
+	double coordinate, at_rest;
 	struct hawser_landmark of;
 	double tension, amplitude; /* one of them is NAN */
 };
+
+static const char *kind_of(const struct hawser_landmark *peak)
+{
+	static const char *const axes[] = {"x", "y", "z"};
+
+	if (tells_tension(peak))
+		return peak->kind == HAWSER_LANDMARK_TENSION ? "T_max" : "T_min";
+	return peak->probe < 0 ? "u" : axes[peak->axis];
+}
 
 static const void *peak_row(void *to, const void *parent, size_t k)
 {
@@ -85,7 +95,8 @@ static const void *peak_row(void *to, const void *parent, size_t k)
 	*peak = (struct peak){
 		.probe = of->probe < 0 ? NULL : result->model->rom.shapes.name[of->probe], .of = *of,
 		.at_rest = tension ? of->rest : NAN, .tension = tension ? tension_of(of) : NAN,
-		.amplitude = tension ? NAN : of->size};
+		.amplitude = tension ? NAN : of->size, .kind = kind_of(of),
+		.coordinate = of->probe < 0 && !tension ? of->axis + 1 : NAN};
 	component(peak->component, sizeof peak->component, of);
 	return to;
 }
@@ -109,6 +120,25 @@ static const struct hawser__field peak_field[] = {
 	{"arc", NULL, "place along the curve", OF(of.arc)},
 	HAWSER__END,
 };
+const struct hawser__field cli_frf_peak_column[] = {
+	{NULL, "probe", "where; none of tensions and of a model without probes", OF(probe),
+	 .flags = HAWSER__NULL | HAWSER__MISSING},
+	{NULL, "component", "x, y or z; T_max, T_min; u of a model without probes", OF(kind)},
+	{NULL, "coordinate", "whose peak it is, of such a model", OF(coordinate),
+	 .flags = HAWSER__NULL | HAWSER__MISSING},
+	{NULL, "Omega", "where it is", OF(of.omega), .unit = HAWSER__RAD_S},
+	{NULL, "amplitude", "of a displacement", OF(amplitude), .unit = HAWSER__M,
+	 .flags = HAWSER__NULL | HAWSER__MISSING},
+	{NULL, "T", "of a tension: the tension", OF(tension), .unit = HAWSER__NEWTON,
+	 .flags = HAWSER__NULL | HAWSER__MISSING},
+	{NULL, "stable", "whether the motion is stable", HAWSER__FLAG_AT(struct peak, of.stable)},
+	{NULL, "Omega_error", "estimated error of Omega, relative", OF(of.omega_error)},
+	{NULL, "size_error", "estimated error of amplitude or change of tension, relative",
+	 OF(of.size_error)},
+	HAWSER__END,
+};
 #undef OF
+const struct hawser__list cli_frf_peak_rows = HAWSER__MADE_ROWS(
+	struct peak, cli_frf_peak_column, struct cli_frf_result, peaks, peak_row);
 const struct hawser__list cli_frf_peak_list = HAWSER__MADE_ROWS(
 	struct peak, peak_field, struct cli_frf_result, peaks, peak_row);

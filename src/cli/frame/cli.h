@@ -429,6 +429,7 @@ struct cli_frf_result {
 	const struct cli_frf_result *other; /* [others] further branches (frf_cover.h) */
 	const double *gap; /* [gaps][2] scaled Omega: parts of the range in which no branch was found */
 	const struct cli_missed *missed; /* [misses] what was not followed (frf_cover.h) */
+	const char *said;                /* lines: all that is warned of; NULL: nothing */
 	int others, gaps, misses, label_every; /* label_every: 0: of events alone */
 	int observed;   /* most unstable multipliers of further branches, not asked for; 0: no limit */
 	int unsearched; /* 1: further branches are not searched for, since the model is too far off */
@@ -445,9 +446,12 @@ int cli_frf_direction(const struct hawser_frf *frf);
 /* Warning k about a result, from 0: slackness, parts of the range without a branch and the like
  * (frf_notes.c). 1: text [size] is it; 0: there is nothing to say; -1: no further k. */
 int cli_frf_note(char *text, size_t size, const struct cli_frf_result *result, int k);
+/* The same in a few words, for the picture, of the errors of the model too. */
+int cli_frf_caution(char *text, size_t size, const struct cli_frf_result *result, int k);
 void cli_frf_peak_comments(struct hawser__table *table, const struct cli_frf_result *result);
 void cli_frf_comments(struct hawser__table *table, const void *result);
 extern const struct cli_showing cli_frf_showing;
+struct cli_showing cli_frf_show_peaks(void); /* a table of the peaks in place of the points */
 enum hawser_status cli_frf_draw(const char *path, const void *result, struct hawser_report *report);
 /* Write "Amplitude of z, mid-span (m)" in gnuplot's markup; probes may have any name. */
 void cli_probe_label(char *label, size_t size, char component, const char *probe, const char *unit);

@@ -315,9 +315,12 @@ void cli_warn_doubts(const struct hawser_scene *scene)
 
 static char **kept;
 
-void cli_warn_into(char **text)
+char **cli_warn_into(char **text)
 {
+	char **before = kept;
+
 	kept = text;
+	return before;
 }
 
 /* Add a line to the text; without memory it is not kept. */

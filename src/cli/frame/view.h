@@ -59,6 +59,9 @@ extern const struct hawser__field cli_fixed_field[];
 extern const struct hawser__field cli_warnings_field[];
 /* Of a struct cli_frf_result: its peaks. */
 extern const struct hawser__list cli_frf_peak_list;
+/* The same as a table. */
+extern const struct hawser__field cli_frf_peak_column[];
+extern const struct hawser__list cli_frf_peak_rows;
 
 /* Axes: Omega of a response; Omega or energy of a backbone. */
 struct hawser__axis cli_frf_axis(const struct cli_model *model);

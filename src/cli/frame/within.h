@@ -45,7 +45,7 @@ void cli_show_to(const struct cli_taker *taker);
 
 /* From now on add warnings, a line each, to *text, which the caller frees, in place of standard
  * error; NULL: no longer. */
-void cli_warn_into(char **text);
+char **cli_warn_into(char **text);
 
 /* --- signals.c --- */
 

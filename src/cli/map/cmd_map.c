@@ -423,8 +423,12 @@ static enum hawser_status make(struct settings *settings, struct hawser__ranks *
 	if (!status && result.options.parts > 0)
 		cli_map_part_done(&result.options, &map, settings->common.quiet || is_worker(ranks));
 	else if (!status && !is_worker(ranks))
+		cli_map_judge(&result);
+	if (!status && result.options.parts == 0 && !is_worker(ranks))
 		status = write_result(&result, settings, report);
 	if (!status && !is_worker(ranks)) {
+		if (*result.flat)
+			cli_warn(result.flat);
 		cli_exact_range_warn(&model);
 		warn_uncomputed(&map);
 		cli_judged_warn(&result.judged);

@@ -3,6 +3,7 @@
 #include "config.h"
 
 #include <ctype.h>
+#include <limits.h>
 #include <math.h>
 #include <string.h>
 
@@ -146,6 +147,8 @@ static void comments(struct hawser__table *table, const void *of)
 		hawser__table_comment(table, "incomplete: %d rows, in which responses may be missing; the "
 		                      "first: %s", map->incomplete, map->broken);
 	hawser__table_comment(table, "boundaries: %d points", map->boundaries);
+	if (*result->flat)
+		hawser__table_comment(table, "%s", result->flat);
 	cli_condensed_comment(table, &map->condensed);
 	cli_tongues_comment(table, &map->narrow);
 	cli_judged_comment(table, &result->judged);
@@ -166,6 +169,41 @@ static void comments(struct hawser__table *table, const void *of)
 static int has_value(const struct hawser_map_sample *sample)
 {
 	return sample->code == HAWSER_MAP_OK || sample->code == HAWSER_MAP_SLACK;
+}
+
+/* Relative to the largest value: no picture shows less. */
+static const double VISIBLE = 1e-6;
+
+void cli_map_judge(struct cli_map_result *result)
+{
+	const struct hawser_map *map = result->map;
+	double low = INFINITY, high = -INFINITY;
+	int least = INT_MAX, most = 0, values = 0;
+
+	for (long i = 0; i < (long)map->nx*map->ny; i++) {
+		const struct hawser_map_sample *at = &map->point[i].sample;
+
+		if (!has_value(at) || !isfinite(at->value))
+			continue;
+		values++;
+		low = fmin(low, at->value);
+		high = fmax(high, at->value);
+		least = at->number < least ? at->number : least;
+		most = at->number > most ? at->number : most;
+	}
+	if (map->interrupted || map->boundaries > 0 || map->narrow.count > 0 || result->basins.count > 0)
+		return;
+	if (values == 0)
+		snprintf(result->flat, sizeof result->flat, "empty: no point of this plane has a value; the "
+		         "comments of the table count why");
+	else if (!(high - low > VISIBLE*fmax(fabs(low), fabs(high))))
+		snprintf(result->flat, sizeof result->flat, "constant: %s is %.6g at all points: it does not "
+		         "depend on %s and %s here", result->quantity->name, high, result->key[0],
+		         result->key[1]);
+	else if (!result->quantity->nonlinear && least == most)
+		snprintf(result->flat, sizeof result->flat, "empty: no boundary of stability is in this "
+		         "plane: all points are %s, with %s from %.4g to %.4g", most > 0 ? "unstable"
+		         : "stable", result->quantity->name, low, high);
 }
 
 static int shown(const struct cli_map_result *result, const struct hawser_map_point *point)
@@ -377,6 +415,7 @@ static const struct hawser__field result_field[] = {
 	{"Omega", NULL, "frequency of the excitation, if it is no parameter", OF(omega),
 	 .unit = HAWSER__RADIAN_S, .when = OMEGA},
 	{"", NULL, "", HAWSER__PART_OF(struct cli_map_result, judged, cli_judged_field)},
+	{"", NULL, "", HAWSER__PART_OF(struct cli_map_result, flat, cli_warnings_field)},
 	{"points", NULL, "lists by name", HAWSER__ARRAYS_OF(point_list), .flags = HAWSER__STREAM},
 	{"", NULL, "", HAWSER__PART_OF(struct cli_map_result, basins, basins_field), .when = BASINS},
 	{"", NULL, "", HAWSER__THROUGH(struct cli_map_result, map, map_field)},

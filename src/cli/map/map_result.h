@@ -17,7 +17,10 @@ struct cli_map_result {
 	struct cli_judged judged;
 	int full, along; /* 1: write rows of interpolated points too; by rows: the axis that is followed */
 	struct hawser_basins basins; /* or count 0 */
+	char flat[CLI_WARNING_SIZE]; /* why there is nothing to see; or "" */
 };
+/* Set `flat`. */
+void cli_map_judge(struct cli_map_result *result);
 /* Unit of the mapped value; "1" for a beam without dimensions. */
 const char *cli_map_value_unit(const struct cli_map_result *result);
 extern const struct cli_showing cli_map_showing;

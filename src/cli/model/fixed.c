@@ -280,7 +280,7 @@ void cli_fixed_warn(const struct cli_model_error *error)
 	warn(error, 1);
 }
 
-void cli_fixed_warn_worst(const struct cli_frf_result *result)
+const struct cli_frf_result *cli_fixed_worst(const struct cli_frf_result *result)
 {
 	const struct cli_frf_result *worst = result;
 
@@ -291,7 +291,15 @@ void cli_fixed_warn_worst(const struct cli_frf_result *result)
 		    !(other->error.fixed.estimated <= worst->error.fixed.estimated && is_much(&worst->error)))
 			worst = other;
 	}
-	warn(&worst->error, worst->frf->branch);
+	return is_much(&worst->error) ? worst : NULL;
+}
+
+void cli_fixed_warn_worst(const struct cli_frf_result *result)
+{
+	const struct cli_frf_result *worst = cli_fixed_worst(result);
+
+	if (worst)
+		warn(&worst->error, worst->frf->branch);
 }
 
 double *cli_range_reach(double *reached, const struct cli_model *model, const double *u, int rows,

@@ -64,7 +64,8 @@ static enum hawser_status choose(struct hawser_survey *survey, struct hawser_pla
 		plan->mode[j].kept = scene->model.modes != HAWSER_MODES_AUTO && j < scene->model.modes;
 	plan->chosen = hawser__scene_driven(scene) && !hawser__support_moves(scene);
 	status = plan->chosen
-	         ? hawser_choose(choice, &plan->modes, scene, plan->from, plan->to, scene->model.accuracy, &why)
+	         ? hawser_choose(choice, &plan->modes, scene, plan->from, plan->to,
+	                         scene->model.accuracy, &why)
 	         : hawser__scene_driven(scene)
 	         ? hawser__choice_begin(choice, &plan->modes, scene, plan->from, plan->to,
 	                                scene->model.accuracy, 0, &why)
