@@ -225,7 +225,7 @@ for a, b, keys in (("two", "twelve", ("z_mid", "z_quarter")), ("in2", "in12", ("
         for key in keys:
             assert abs(p["amplitude"][key]/q["amplitude"][key] - 1) < 3e-4, (key, p["amplitude"][key], q["amplitude"][key])
 END
-works "a map of the place and the size of a damper" map "$scene" --quantity growth --points 4x3 \
+flat "a map of the place and the size of a damper" map "$scene" --quantity growth --points 4x3 \
 	--set 'attach=[{at: 5 %, damper: [0, 30 kN.s/m, 1 kN.s/m], name: d}]' --x attach.d.at=0.02:0.1 \
 	--y 'attach.d.damper[2]=1e4:3e4' -n 2 --json map.json
 python "dampers damp" <<'END'
@@ -248,9 +248,9 @@ for p, q in ((a[0], b[0]), (a[-1], b[-1])):
         assert abs(p["amplitude"][key]/q["amplitude"][key] - 1) < 1e-3, (key, p["amplitude"][key], q["amplitude"][key])
 END
 # the coordinates of dampers have no lines of parametric resonance
-works "a map over Omega with a damper" map "$scene" --quantity multiplier --points 3x2 -n 3 \
+flat "a map over Omega with a damper" map "$scene" --quantity multiplier --points 3x2 -n 3 \
 	--set 'attach.0.damper=[0, 8 kN.s/m, 8 kN.s/m]' --x Omega=1:4 --y factor.load=1:20 --json lines.json -q
-works "where the damper vanishes" map "$scene" --quantity growth --points 2x2 -n 2 --x Omega=1:4 \
+flat "where the damper vanishes" map "$scene" --quantity growth --points 2x2 -n 2 --x Omega=1:4 \
 	--set 'attach.0.damper=[0, 8 kN.s/m, 0]' --y 'attach.0.damper[1]=0:9e3' -q
 works "not condensed" rom "$scene" --set 'attach.0.spring=[0, 1e4, 0]' --set model.condense=none --json s.json -q
 works "plan with a damper" plan "$scene" --fidelities "auto 5" --set 'attach.0.damper=[0, 1e3, 1e3]' --json damper.json -q
@@ -259,7 +259,7 @@ import json
 plan = json.load(open("damper.json"))
 why = {d["subject"]: d["why"] for d in plan["decisions"]}
 assert why["dampers to ground"].startswith("at 1 point:"), why
-assert any("not chosen with dampers" in f["why"] for f in plan["fidelities"]), plan["fidelities"]
+assert any("not weighed with dampers" in f["why"] for f in plan["fidelities"]), plan["fidelities"]
 END
 works "plan with masses" plan "$scene" --fidelities "raw 1, condensed 1" --to 1.1w1 --json plan.json -q
 works "plan with springs" plan "$scene" --set 'attach.0.spring=[0, 1e3, 0]' --fidelities 'condensed 1' --to 1.1w1 --json plan-springs.json -q

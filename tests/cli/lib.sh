@@ -138,6 +138,14 @@ rough() {
 	try "$text" like 0 '^hawser: warning: .* (may be|are) off by .* (because of what the model leaves out|so far is the model of another size|of the width of their region)'
 }
 
+# flat NAME ARGUMENTS: works, and says that its map has nothing to show, but nothing else.
+flat() {
+	text=$1
+	shift
+	run "$@"
+	try "$text" like 0 '^hawser: warning: (empty|constant): '
+}
+
 # The files here, which a failed run must not have added to.
 holds() {
 	ls -A >"$scratch/ls"

@@ -114,13 +114,15 @@ try "--partial: status 0 and a warning" test $status -eq 0 -a "$(cat "$scratch/e
 	"hawser: warning: 70 of 85 points could not be computed and are empty; the comments of the table say why"
 run map "$chairlift" $half --json other.json -q --checkpoint kept
 try "a point that the checkpoint holds without a value ends the map, too" test $status -eq 3
-works "the other half alone" map "$chairlift" --x span.h=0:20 --y damping.alpha=0:0.125 --points 5x3 --coarse 1 \
-	--json right.json -q
+run map "$chairlift" --x span.h=0:20 --y damping.alpha=0:0.125 --points 5x3 --coarse 1 --json right.json -q
+try "the other half alone, without a boundary, which is said" grep -q \
+	'^hawser: warning: empty: no boundary of stability is in this plane: all points are stable, with growth from -' "$scratch/err"
 python "has the same values" <<'END'
 import json
 some, right = json.load(open("some.json"))["points"], json.load(open("right.json"))["points"]
 assert some["value"][:10] == [None]*10, some["value"]
 assert some["value"][10:] == right["value"], some["value"]
+assert json.load(open("right.json"))["warnings"][0].startswith("empty: ")
 END
 rm kept some.json right.json
 

@@ -26,9 +26,24 @@ for method in shooting balance; do
 	run frf $scene --from 1w2 --to 1.1w2 --method $method --slack follow --step 0.002 --json "$method-follow.json"
 	try "$method: the model's curve goes on" test "$status" = 0
 done
-run frf $scene -n 4 --from 0.9w2 --to 1.6w2 --method balance --step 0.05 -q
+run frf $scene -n 4 --from 0.9w2 --to 1.6w2 --method balance --step 0.05 -q --peaks --tsv peaks.tsv --json many.json --plot many.svg
 try "of errors of the model the largest is told, and its branch" \
 	grep -q '^hawser: warning: branch 2: folds and peaks may be off by' "$scratch/err"
+try "  and in the picture" grep -q 'may be off by' many.svg
+try "  and where the cable goes slack" grep -q 'ends slack' shooting.svg
+cp "$scratch/err" many.err
+python "what standard error says is in JSON, and --peaks is a table of the peaks" <<'END'
+import json
+a = json.load(open("many.json"))
+said = [line.rstrip("\n")[len("hawser: warning: "):] for line in open("many.err")]
+assert len(said) > 1 and a["warnings"] == said, (a["warnings"], said)
+rows = [line.rstrip("\n").split("\t") for line in open("peaks.tsv") if line[0] != "#"]
+peaks = a["peaks"] + [p for one in a["branches"] for p in one["peaks"]]
+assert rows[0][:4] == ["probe", "component", "coordinate", "Omega_rad_s"] and len(rows) == 1 + len(peaks)
+for row, peak in zip(rows[1:], peaks, strict=True):
+	assert row[1] == peak["component"] and row[0] == (peak["probe"] or "") and abs(float(row[3])/peak["Omega"] - 1) < 1e-14
+	assert float(row[5 if peak["component"][0] == "T" else 4]) == peak["size"]
+END
 python "the end is where the tension of the model's own curve is zero" <<'END'
 import json, math
 

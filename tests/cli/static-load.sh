@@ -132,7 +132,7 @@ for p, q in zip(ea, eb):
 top = lambda r: max(max(p["coordinates"]) for p in r["points"])
 assert abs(top(a) / top(b) - 1) < 1e-6
 END
-works "a map over the wind" map "$scene" --x Omega=0.9w1:1.1w1 --y "load.static.per_length[2]=0:20" --points 4x3 \
+flat "a map over the wind" map "$scene" --x Omega=0.9w1:1.1w1 --y "load.static.per_length[2]=0:20" --points 4x3 \
 	--quantity growth --rest
 works "a Campbell diagram of a swung rope" campbell "$scene" -n 1 --points 2 --to 2 \
 	--set "travel={speed: 1, hold: tension}"

@@ -172,14 +172,24 @@ static int unsearched(char *text, size_t size, const struct cli_frf_result *resu
 	return result->unsearched;
 }
 
+int cli_frf_damped(const struct cli_frf_result *result)
+{
+	const struct hawser_rom *rom = &result->model->rom;
+
+	for (int i = 0; i < rom->n*rom->n; i++)
+		if (rom->D[i] != 0.0)
+			return 1;
+	return 0;
+}
+
 static int undecided(char *text, size_t size, const struct cli_frf_result *result)
 {
 	const struct hawser_frf *frf = result->frf;
 
 	snprintf(text, size, "stability: %d of %d points have multipliers whose moduli differ from 1 by less "
-	         "than their error, as without damping: whether these motions are stable is not known",
+	         "than their error: whether these motions are stable is not known",
 	         frf->undecided, frf->points);
-	return frf->undecided > 0;
+	return frf->undecided > 0 && frf->undecided < frf->points && cli_frf_damped(result);
 }
 
 int cli_frf_caution(char *text, size_t size, const struct cli_frf_result *result, int k)
@@ -200,7 +210,7 @@ int cli_frf_caution(char *text, size_t size, const struct cli_frf_result *result
 		return slack(unused, sizeof unused, result);
 	case 3:
 		snprintf(text, size, "stability undecided in parts");
-		return result->frf->undecided > 0;
+		return undecided(unused, sizeof unused, result);
 	default:
 		return -1;
 	}

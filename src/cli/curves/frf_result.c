@@ -185,4 +185,8 @@ void cli_frf_comments(struct hawser__table *table, const void *of)
 			hawser__table_comment(table, "warning: %s", text);
 	for (k = 0; k < result->misses; k++)
 		hawser__table_comment(table, "warning: %s", result->missed[k].text);
+	if (frf->undecided > 0 && (frf->undecided == frf->points || !cli_frf_damped(result)))
+		hawser__table_comment(table, "%d of %d points have undecided multipliers: their moduli "
+		                      "differ from 1 by less than their error, as without damping. "
+		                      "They are not in unstable", frf->undecided, frf->points);
 }

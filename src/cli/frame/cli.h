@@ -446,6 +446,8 @@ int cli_frf_direction(const struct hawser_frf *frf);
 /* Warning k about a result, from 0: slackness, parts of the range without a branch and the like
  * (frf_notes.c). 1: text [size] is it; 0: there is nothing to say; -1: no further k. */
 int cli_frf_note(char *text, size_t size, const struct cli_frf_result *result, int k);
+/* Whether the model has damping: without it stability is undecided everywhere. */
+int cli_frf_damped(const struct cli_frf_result *result);
 /* The same in a few words, for the picture, of the errors of the model too. */
 int cli_frf_caution(char *text, size_t size, const struct cli_frf_result *result, int k);
 void cli_frf_peak_comments(struct hawser__table *table, const struct cli_frf_result *result);
