@@ -17,7 +17,6 @@
 #include "cli/model/label.h"
 #include "cli/frame/progress.h"
 #include "cli/frame/view.h"
-#include "cli/frame/within.h"
 #include "core/report.h"
 
 #define LOCATED 0.01 /* tolerance of peaks, as a part of the accuracy that was asked for */
@@ -318,38 +317,19 @@ static enum hawser_status backbone(struct cli_backbone *to, const struct setting
 	                          result->to, settings->common.quiet, report);
 }
 
-/* All that is warned of, a line each, for JSON and standard error; the caller frees it. */
-static char *gather(struct cli_model *model, const struct cli_frf_result *result)
-{
-	char *said = NULL, **before = cli_warn_into(&said), text[CLI_WARNING_SIZE];
-	int note;
-
-	cli_basis_warn(result->model);
-	cli_known_warn(result->model, fmax(result->from, result->to));
-	cli_fixed_warn_worst(result);
-	cli_exact_warn(result->model);
-	cli_range_warn_frf(model, result);
-	for (int k = 0; (note = cli_frf_note(text, sizeof text, result, k)) >= 0; k++)
-		if (note > 0)
-			cli_warn(text);
-	for (int k = 0; k < result->misses; k++)
-		cli_warn(result->missed[k].text);
-	cli_warn_into(before);
-	return said;
-}
-
 static enum hawser_status write_result(struct cli_frf_result *result, struct cli_model *model,
-                                       int energy, int peaks, struct hawser_report *report)
+                                       const struct settings *settings,
+                                       struct hawser_report *report)
 {
-	struct cli_showing showing = peaks ? cli_frf_show_peaks() : cli_frf_showing;
+	struct cli_showing showing = settings->peaks ? cli_frf_show_peaks() : cli_frf_showing;
 	enum hawser_status status;
 	char *said;
 
-	if (energy)
+	if (settings->energy)
 		showing.draw = cli_backbone_draw;
 	result->direction = cli_frf_direction(result->frf);
 	cli_label_all(result);
-	said = gather(model, result);
+	said = cli_frf_warnings(model, result);
 	result->said = said;
 	status = cli_show(result->common, &showing, result, report);
 	for (char *line = said, *end; !status && line && (end = strchr(line, '\n')); line = end + 1) {
@@ -473,8 +453,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		result.overlays += more;
 	}
 	if (!written && (!status || (settings->partial && frf.points > 0)))
-		written = write_result(&result, &model, settings->energy, settings->peaks,
-		                       status ? &second : report);
+		written = write_result(&result, &model, settings, status ? &second : report);
 	if (status && written)
 		cli_report_also(report, &second);
 	if (!status)

@@ -360,8 +360,8 @@ static const struct hawser__field result_field[] = {
 	{"gaps", NULL, "parts of the range in which no branch was found",
 	 HAWSER__OBJECTS_OF(gap_list), .when = BRANCHES},
 	THROUGH(model, cli_basis_field),
-	{"warnings", NULL, "what standard error says: a large error of the model, a range beyond its modes, a "
-	 "slack cable, undecided stability, gaps, branches that were not found",
+	{"warnings", NULL, "what standard error says: a large error of the model, a range "
+	 "beyond its modes, a slack cable, undecided stability, gaps, branches that were not found",
 	 HAWSER__CALLS(warnings_json)},
 	{"tori", NULL, "curves of quasi-periodic motions, with --tori",
 	 HAWSER__STORED(struct cli_frf_result, tori, curves, cli_tori_field), .when = TORI},

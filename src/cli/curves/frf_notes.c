@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -12,6 +13,7 @@
 #include "cli/curves/frf_lift.h"
 #include "cli/curves/frf_over.h"
 #include "cli/frame/view.h"
+#include "cli/frame/within.h"
 #include "core/append.h"
 
 /* Number of branches that end where the cable becomes slack. */
@@ -186,8 +188,8 @@ static int undecided(char *text, size_t size, const struct cli_frf_result *resul
 {
 	const struct hawser_frf *frf = result->frf;
 
-	snprintf(text, size, "stability: %d of %d points have multipliers whose moduli differ from 1 by less "
-	         "than their error: whether these motions are stable is not known",
+	snprintf(text, size, "stability: %d of %d points have multipliers whose moduli differ from 1 by "
+	         "less than their error: whether these motions are stable is not known",
 	         frf->undecided, frf->points);
 	return frf->undecided > 0 && frf->undecided < frf->points && cli_frf_damped(result);
 }
@@ -222,4 +224,23 @@ int cli_frf_note(char *text, size_t size, const struct cli_frf_result *result, i
 		slack, cli_frf_lift, lost, unstable, work, gaps, unsearched, undecided};
 
 	return k < (int)(sizeof note/sizeof *note) ? note[k](text, size, result) : -1;
+}
+
+char *cli_frf_warnings(struct cli_model *model, const struct cli_frf_result *result)
+{
+	char *said = NULL, **before = cli_warn_into(&said), text[CLI_WARNING_SIZE];
+	int note;
+
+	cli_basis_warn(result->model);
+	cli_known_warn(result->model, fmax(result->from, result->to));
+	cli_fixed_warn_worst(result);
+	cli_exact_warn(result->model);
+	cli_range_warn_frf(model, result);
+	for (int k = 0; (note = cli_frf_note(text, sizeof text, result, k)) >= 0; k++)
+		if (note > 0)
+			cli_warn(text);
+	for (int k = 0; k < result->misses; k++)
+		cli_warn(result->missed[k].text);
+	cli_warn_into(before);
+	return said;
 }

@@ -446,6 +446,8 @@ int cli_frf_direction(const struct hawser_frf *frf);
 /* Warning k about a result, from 0: slackness, parts of the range without a branch and the like
  * (frf_notes.c). 1: text [size] is it; 0: there is nothing to say; -1: no further k. */
 int cli_frf_note(char *text, size_t size, const struct cli_frf_result *result, int k);
+/* All that is warned of, a line each, for JSON and standard error; the caller frees it. */
+char *cli_frf_warnings(struct cli_model *model, const struct cli_frf_result *result);
 /* Whether the model has damping: without it stability is undecided everywhere. */
 int cli_frf_damped(const struct cli_frf_result *result);
 /* The same in a few words, for the picture, of the errors of the model too. */

@@ -160,12 +160,19 @@ static void ramp(struct hawser__writer *to, const struct hawser_ramp *from, int 
 	hawser__write_end(to);
 }
 
+/* One that drives nothing, as in a model whose load no mode feels: the reader takes it for a mistake. */
+static int is_empty(const struct hawser_harmonic *h)
+{
+	return !h->f && !h->D && !h->K && h->quads == 0 && h->terms == 0 && !h->answer && !h->known;
+}
+
 static void harmonics(struct hawser__writer *to, const struct hawser_rom *rom)
 {
 	hawser__write_key(to, "harmonics");
 	hawser__write_begin(to, '[', rom->harmonics > 0);
 	for (int h = 0; h < rom->harmonics; h++)
-		harmonic(to, &rom->harmonic[h], rom->n, rom->shapes.points, rom->known.modes);
+		if (!is_empty(&rom->harmonic[h]))
+			harmonic(to, &rom->harmonic[h], rom->n, rom->shapes.points, rom->known.modes);
 	hawser__write_end(to);
 }
 
