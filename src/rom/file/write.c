@@ -160,7 +160,7 @@ static void ramp(struct hawser__writer *to, const struct hawser_ramp *from, int 
 	hawser__write_end(to);
 }
 
-/* One that drives nothing, as in a model whose load no mode feels: the reader takes it for a mistake. */
+/* One that drives nothing, as where no mode feels the load: the reader takes it for a mistake. */
 static int is_empty(const struct hawser_harmonic *h)
 {
 	return !h->f && !h->D && !h->K && h->quads == 0 && h->terms == 0 && !h->answer && !h->known;
