@@ -44,7 +44,8 @@ static void sum_modes(double xyz[3], const struct hawser_rom *all, int p, double
 	xyz[2] = local[2];
 }
 
-/* Largest distance at frequency W, relative to the largest component of the response, to first order. */
+/* Largest distance at frequency W, relative to the largest component of the response; to first
+ * order. */
 static double distance(const struct hawser_rom *full, const struct hawser_rom *all, double W)
 {
 	const double rest[KEPT] = {0.0};

@@ -249,8 +249,9 @@ static void check_file(const struct hawser_rom *rom, double omega)
 	remove(name);
 }
 
-/* Displacement and tension with the kept modes at rest, to first order, against sums over all other modes of a
- * basis: for modes above the known ones the relative error of the response is (W/omega_s)^4. */
+/* Displacement and tension with the kept modes at rest, to first order, against sums over all other
+ * modes of a basis: for modes above the known ones the relative error of the response is
+ * (W/omega_s)^4. */
 static void check_sums(const struct hawser_rom *full, const struct hawser_rom *all, double omega)
 {
 	struct hawser_rom first_order = *full;

@@ -182,8 +182,8 @@ static enum hawser_status condensed_ends(struct hawser_rom *rom, const struct wo
 	return hawser__ends_condensed(rom, &work->wide, &own, report);
 }
 
-/* The second-order response to the load alone, where no support moves. The strain of the fields along the
- * cable is in `answer` of the harmonics. */
+/* The second-order response to the load alone, where no support moves. The strain of the fields along
+ * the cable is in `answer` of the harmonics. */
 static enum hawser_status condensed_answers(struct hawser_rom *rom, const struct work *work,
                                             struct hawser_report *report)
 {
