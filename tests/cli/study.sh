@@ -18,7 +18,7 @@ assert len(by) == len(plan["settings"])
 assert by["cable.EA"] == "user" and by["model.condense"] == "user" and by["g"] == "default"
 assert by["model.tolerance"] == "default" and by["--tolerance"] == "default"
 assert "tension.H" not in by, "the scene has no such key"
-assert [f["name"] for f in plan["fidelities"]] == ["raw 1", "raw 2", "full 2"]
+assert [f["name"] for f in plan["fidelities"]] == ["raw 1", "raw 2", "full 2", "hawser frf"]
 assert plan["fidelities"][2]["unknowns"] == 6
 assert [d["why"] for d in plan["decisions"] if d["subject"] == "forces from strains"][0].startswith("from ")
 assert all(d["why"] for d in plan["decisions"]) and any(not d["modelled"] for d in plan["decisions"])

@@ -157,7 +157,8 @@ static double load_error(const struct hawser_scene *scene, const struct hawser_m
 	if (!ok(!hawser_net_span(&net, scene, &modes->statics, &options, &report), "loads %s",
 	        report.message))
 		return NAN;
-	for (int h = 0; h < rom->harmonics; h++)
+	/* harmonics of the load; those with a power of it are products */
+	for (int h = 0; h < rom->harmonics && rom->harmonic[h].load_power == 0; h++)
 		for (int j = 0; j < rom->n; j++) {
 			double got = work(&net, modes, j, rom->harmonic[h].k*options.Omega,
 			                  rom->harmonic[h].phase == HAWSER_SIN ? -M_PI/2.0 : 0.0);

@@ -353,11 +353,11 @@ static void refused(void)
 
 CASE(property_same_stability)
 {
-	/* full order with the exact energy, about the response: 1.01965; the model neglects terms
-	 * quadratic in the load */
+	/* full order with the exact energy, about the response: 1.01965; the model of 5 modes has 1.02065,
+	 * and 1.02066 without the response to the load as a field */
 	known("cable: {EA: 400 MN, rho: 6 kg/m}\nspan: {d: 250 m, h: 10 m}\ntension: {T0: 80 kN}\n"
 	      "damping: {ratio: 0.01 %}\nload: {frame: local, per_length: [40 N/m, 0, 0]}\n"
-	      "model: {modes: 5}\n", "damping.ratio", 4.345, 1.02066, 1e-5);
+	      "model: {modes: 5}\n", "damping.ratio", 4.345, 1.02065, 1e-5);
 	/* full order: 1.01393 */
 	known("cable: {EA: 9 MN, rho: 2.2 kg/m}\nspan: {d: 40 m, h: -22 m}\ntension: {sag: 1.1 m}\n"
 	      "damping: {ratio: 0.4 %}\ntravel: {speed: 3, fluctuation: 4, hold: length}\n"
