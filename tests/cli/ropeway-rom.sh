@@ -10,8 +10,8 @@ works "a drive" rom "$small" -n 6 --damping 0.02 --ripple 0.01 --json drive.json
 works "the other lane, stuck" rom "$small" -n 4 --lane down --contact stick --json stick.json -q
 works "the modes of the lane" modes "$small" --set ropeway.down=off --contact slip -n 6 --json modes.json -q
 works "smeared carriers" rom "$small" -n 1 --carriers smeared --json smeared.json -q
-works "a response" frf passing.json --from 0.95w1 --to 1.02w1 --json frf.json -q
-rough "the same of the scene, with more modes" frf "$small" -n 6 --damping 0.02 --from 0.95w1 --to 1.02w1 \
+works "a response" frf passing.json --from 0.95w1 --to 1.02w1 --step 0.04 --json frf.json -q
+rough "the same of the scene, with more modes" frf "$small" -n 6 --damping 0.02 --from 0.95w1 --to 1.02w1 --step 0.04 \
 	--json scene.json --tsv scene.tsv --plot frf.svg -q
 works "a motion of the scene, by the name of the load" integrate "$small" -n 6 --damping 0.02 --load drive --ripple 0.01 \
 	--Omega 2.5 --until 20 --every 1 --json named.json -q
