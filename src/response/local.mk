@@ -34,8 +34,6 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/time/beam_model.c \
 	%D%/time/beam_motion.c \
 	%D%/branch/branches.c \
-	%D%/branch/carry.c \
-	%D%/branch/carry.h \
 	%D%/orbit/certify.c \
 	%D%/orbit/certify.h \
 	%D%/torus/circle.c \

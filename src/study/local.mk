@@ -49,6 +49,8 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/accuracy/accuracy.c \
 	%D%/accuracy/accuracy.h \
 	%D%/accuracy/accuracy_full.c \
+	%D%/accuracy/carry.c \
+	%D%/accuracy/carry.h \
 	%D%/compare/curve.c \
 	%D%/compare/curve.h \
 	%D%/compare/distance.c \

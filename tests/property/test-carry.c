@@ -9,7 +9,7 @@
 
 #include <hawser/accuracy.h>
 
-#include "response/branch/carry.h"
+#include "study/accuracy/carry.h"
 #include "rom/energy/full_map.h"
 #include "study/compare/curve.h"
 #include "tests/tap.h"

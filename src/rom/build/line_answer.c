@@ -13,6 +13,8 @@
 #include "rom/build/line.h"
 
 enum { ORDERS = 2 }; /* static response, first correction for inertia */
+_Static_assert((int)HAWSER__LEXPAND_MORE >= (int)HAWSER__LOAD_FIELDS,
+               "room for the fields among the shapes");
 
 struct target {
 	struct hawser_rom *rom;

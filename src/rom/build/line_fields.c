@@ -5,8 +5,8 @@
  * is one more shape of the expansion, as psi and z of a span are. Its terms of degree 2 vanish, and
  * the stiffness by T_jkZ is in line_load.c. Displacements and tensions have its products with itself
  * and with the coordinates as those of a span have the products of moving ends (rom/terms/ends.h).
- * Where the slopes of all fields change the tension by less than 2e-5, this is left out: its effect on
- * the motion is some thirty times that (tests/property/test-line-loaded.c).
+ * Where the slopes of all fields change the tension by less than HAWSER__FAINT_FIELD, this is left
+ * out, as in rom/condense/load_fields.c.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -18,8 +18,6 @@
 #include "rom/condense/fields.h"
 #include "rom/terms/ends.h"
 #include "rom/build/line.h"
-
-static const double faint = 2e-5; /* of the tension; chosen */
 
 /* Change of the tension by the slopes of a shape, relative, if they stretched its system alone. */
 static double tightens(const struct hawser__lexpand *t, int shape)
@@ -74,7 +72,7 @@ enum hawser_status hawser__line_fields(struct hawser_rom *rom, const struct haws
 	for (int i = 0; i < fields.count; i++) {
 		const struct hawser__line_field *field = &answers->field[i];
 
-		matter |= field->factor*field->factor*tightens(t, rom->n + i) >= faint;
+		matter |= field->factor*field->factor*tightens(t, rom->n + i) >= HAWSER__FAINT_FIELD;
 		*(field->sine ? &fields.signal[i].s[field->k] : &fields.signal[i].c[field->k]) = field->factor;
 	}
 	if (!matter)

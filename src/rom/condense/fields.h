@@ -19,6 +19,10 @@ enum {
 	HAWSER__FIELDS_TRIPLES = HAWSER__FIELDS_PAIRS*(HAWSER__FIELDS_MOST + 2)/3
 };
 
+/* Least change of the tension, relative, by the slopes of a response to the load that counts;
+ * chosen. */
+#define HAWSER__FAINT_FIELD 2e-5
+
 /* What multiplies a product of signals. */
 struct hawser__fields_share {
 	double *f, *K; /* [n], [n][n] of the model; NULL if there is none */

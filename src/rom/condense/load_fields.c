@@ -1,8 +1,9 @@
 /* rom/condense/load_fields.c - the static response of the condensed modes to the load, as fields of
  * the energy.
  *
- * Each harmonic of the load has one in each plane. Those whose slopes change the tension by less than
- * 2e-5 are left out: their effect on the motion is some thirty times that.
+ * Each harmonic of the load has one in each plane. Those whose slopes change the tension by less
+ * than HAWSER__FAINT_FIELD are left out. Their effect on the motion is much larger than that
+ * (doc/theory-rom.md).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -14,8 +15,6 @@
 #include "rom/condense/condense.h"
 #include "rom/condense/load_fields.h"
 #include "rom/condense/support.h"
-
-static const double faint = 2e-5; /* of the tension; chosen */
 
 /* Change of the tension, relative, by the slopes of a field whose ends are fixed. */
 static double tightens(const double *strain, const struct hawser_modes *modes)
@@ -39,7 +38,7 @@ static void add(struct hawser__load_fields *fields, const struct hawser_modes *m
 
 		for (size_t i = 0; i < numbers; i++)
 			own[i] = space || (i%3 == 2) == (plane == 1) ? both[i] : 0.0;
-		if (tightens(own, modes) < faint)
+		if (tightens(own, modes) < HAWSER__FAINT_FIELD)
 			continue;
 		fields->plane[fields->count] = plane ? HAWSER_OUT_OF_PLANE : HAWSER_IN_PLANE;
 		fields->k[fields->count] = loads->k[h];

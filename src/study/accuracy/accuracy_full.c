@@ -36,7 +36,7 @@
 
 #include "core/progress.h"
 #include "core/report.h"
-#include "response/branch/carry.h"
+#include "study/accuracy/carry.h"
 #include "rom/energy/full_map.h"
 #include "study/accuracy/accuracy.h"
 

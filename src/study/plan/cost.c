@@ -41,7 +41,8 @@ static const double each = 22.0, each_fold = 12.0;
 #define SEARCHED 6.6
 #define CHOSEN 2.6
 #define CHOICE 0.1
-/* Curves of a response with the exact energy in place of modes, with drafts. */
+/* Curves of a response with the exact energy in place of modes, with drafts; from conductor.yaml and
+ * footbridge.yaml alone. */
 #define EXACT 3.5
 
 /* 1: the i-th of the modes at `index` is out of the plane. */

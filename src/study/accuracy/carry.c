@@ -1,4 +1,4 @@
-/* response/branch/carry.c - orbits of one model as first values for another one of the same cable.
+/* study/accuracy/carry.c - orbits of one model as first values for another one of the same cable.
  *
  *    y, t    coefficients of an orbit and of the tangent of its curve (orbit/balance.h)
  *    map     the coordinates of the second model that move as those of the first
@@ -16,8 +16,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/grow.h"
 #include "core/report.h"
-#include "response/branch/carry.h"
+#include "study/accuracy/carry.h"
 #include "response/orbit/balance.h"
 #include "rom/terms/terms.h"
 
@@ -61,15 +62,8 @@ static enum hawser_status keep(struct hawser__orbits *orbits, const struct hawse
 	struct hawser__series *series;
 	size_t length;
 
-	if (orbits->count == orbits->room) {
-		int room = orbits->room ? 2*orbits->room : 256;
-		struct hawser__series *larger = realloc(orbits->item, (size_t)room*sizeof *larger);
-
-		if (!larger)
-			return hawser__no_memory(trace->report, "frf");
-		orbits->item = larger;
-		orbits->room = room;
-	}
+	if (hawser__more(&orbits->item, orbits->count, sizeof *orbits->item))
+		return hawser__no_memory(trace->report, "frf");
 	series = &orbits->item[orbits->count];
 	*series = (struct hawser__series){.arc = station->arc, .order = order_of(station, n, size)};
 	length = length_of(series, n);

@@ -1,7 +1,7 @@
-/* response/branch/carry.h - the orbits of a curve, and the same orbits of another model: see carry.c.
+/* study/accuracy/carry.h - the orbits of a curve, and the same orbits of another model: see carry.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_RESPONSE_CARRY_H
-#define HAWSER_RESPONSE_CARRY_H
+#ifndef HAWSER_STUDY_CARRY_H
+#define HAWSER_STUDY_CARRY_H
 
 #include <hawser/frf.h>
 
@@ -16,7 +16,7 @@ struct hawser__series {
 
 /* Those of the points of a curve, in their order. */
 struct hawser__orbits {
-	int n, count, room;
+	int n, count;
 	struct hawser__series *item;
 };
 
