@@ -258,20 +258,21 @@ static int is_much(const struct cli_model_error *error)
 static void warn(const struct cli_model_error *error, int number)
 {
 	char text[CLI_WARNING_SIZE], branch[24] = "";
+	const char *more = error->fixed.estimated < 1.0 ? "" : "more than ";
 
 	if (!is_much(error))
 		return;
 	if (number > 1)
 		snprintf(branch, sizeof branch, "branch %d: ", number);
 	if (error->compared)
-		snprintf(text, sizeof text, "%s%s may be off by %.0f %%: so far is the model of another size: "
-		         "a larger one (model.basis, or -n of a ropeway) may be closer", branch, error->about,
-		         100.0*error->fixed.estimated);
+		snprintf(text, sizeof text, "%s%s may be off by %s%.0f %%: so far is the model of another "
+		         "size: a larger one (model.basis, or -n of a ropeway) may be closer", branch,
+		         error->about, more, 100.0*error->fixed.estimated);
 	else
 		snprintf(text, sizeof text, "%s%s may be off by %s%.0f %% because of what the model leaves "
 		         "out, by an estimate to first order: hawser plan compares models; more modes (-n), "
-		         "model.modes: auto or model.energy: exact may be closer", branch, error->about,
-		         error->fixed.estimated < 1.0 ? "" : "more than ", 100.0*error->fixed.estimated);
+		         "model.modes: auto or model.energy: exact may be closer", branch, error->about, more,
+		         100.0*error->fixed.estimated);
 	cli_warn(text);
 }
 
