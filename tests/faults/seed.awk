@@ -2,7 +2,7 @@
 #   awk -v file=PATH -v only=NUMBER -f seed.awk faults.tsv SOURCE
 # only=0: all faults of that file, each behind a switch (fault.c); otherwise that one alone, as a developer would have
 # written it. The table marks the text that is replaced by {| and |}; the line of a fault must occur once in the file. The
-# forms are: expression; statement; text, a string in a constant table, where no expression can stand.
+# forms are: expression; statement; text, a string in a constant table, where no expression can stand: one there is refused.
 # SPDX-License-Identifier: GPL-3.0-or-later
 BEGIN { FS = "\t"; bad = 0 }
 
@@ -49,6 +49,9 @@ function text_of(i, name) {
 		"for (unsigned i = 0; i < sizeof with; i++) " name "[i] = with[i]; } "
 }
 
+/^\t*static const .*= \{$/ { table = 1 }
+/};$/ { table = 0 }
+
 {
 	line = $0
 	done = 0
@@ -61,6 +64,8 @@ function text_of(i, name) {
 		seen[i]++
 		if (done++)
 			wrong(number[i], "another fault is on its line")
+		if (table && form[i] != "text")
+			wrong(number[i], "no expression can stand in a constant table")
 		at += length(before[i])
 		line = substr($0, 1, at - 1) switched(i) substr($0, at + length(original[i]))
 	}
