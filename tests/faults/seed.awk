@@ -66,6 +66,10 @@ function text_of(i, name) {
 			wrong(number[i], "another fault is on its line")
 		if (table && form[i] != "text")
 			wrong(number[i], "no expression can stand in a constant table")
+		if (form[i] == "statement" && original[i] !~ /[;}]$/)
+			wrong(number[i], "that is no statement: " original[i])
+		if (form[i] == "expression" && before[i] ~ /(\.|->)$/)
+			wrong(number[i], "that is a member's name, not an expression: " original[i])
 		at += length(before[i])
 		line = substr($0, 1, at - 1) switched(i) substr($0, at + length(original[i]))
 	}
