@@ -35,6 +35,8 @@ left_out() {
 
 case $1 in
 list)
+	SRCDIR=${SRCDIR-$(value srcdir)} # where programs with tables of cases read them
+	export SRCDIR
 	value TEST_ENVIRONMENT >suite-environment
 	{ programs; scripts; } >suite-cases
 	longer=$(value srcdir)/tests/longer.txt
