@@ -1,8 +1,10 @@
 /* response/branch/collide.c - see collide.h.
  *
- *    lambda   log |mu| + i arg mu, arg mu in (0, pi): a complex pair of multipliers
+ *    lambda   log |mu| + i arg mu, arg mu in (0, pi): a complex pair of multipliers. Of two real ones
+ *             exp(L - d), exp(L + d) near 1 it is L - i d, near -1 L + i (pi + d): the argument goes on
+ *             where a pair has met on the real axis
  *    S        Re(lambda_i + lambda_j)
- *    z        cosh(lambda - S/2)
+ *    z        cosh(lambda - S/2); of real ones cosh(L - S/2) times cosh d or -cosh d
  *    D        (z_i - z_j)^2
  *    M        (z_i + z_j)/2
  *
@@ -39,10 +41,34 @@
 /* Factor on the error of D of one pair, which was up to 2.1 times the third difference (random undamped
  * models). */
 #define SAFETY 3.0
+#define REAL 0.4        /* real multipliers with a smaller logarithm are not near 1 or -1: those of
+                         * strong damping; chosen */
 #define CLOSE 1.0       /* distance at both ends, rad, above which pairs do not collide within a
                          * step; chosen */
 
-/* The complex pairs of one station without those of condensed coordinates; returns their number. */
+/* Real multipliers near the circle, of one sign, of the station, which has them by falling modulus: the
+ * number, and the rank-th of them. */
+static int list_real(double *rank_th, int rank, const struct hawser__station *station, int m,
+                     int negative)
+{
+	int count = 0;
+
+	for (int i = 0; i < m; i++) {
+		double angle = fabs(station->argument[i]);
+
+		if (station->condensed[i] || !(negative ? angle >= M_PI : angle == 0.0) ||
+		    !(fabs(station->log_modulus[i]) < REAL))
+			continue;
+		if (count == rank)
+			*rank_th = station->log_modulus[i];
+		count++;
+	}
+	return count;
+}
+
+/* The pairs of one station without those of condensed coordinates; returns their number, or -1 where a
+ * real multiplier has no partner. All pairs have similar S, so that the largest of the real ones
+ * belongs to the smallest. */
 static int list(double complex *lambda, const struct hawser__station *station, int m)
 {
 	int count = 0;
@@ -50,7 +76,27 @@ static int list(double complex *lambda, const struct hawser__station *station, i
 	for (int i = 0; i < m; i++)
 		if (station->argument[i] > 0.0 && station->argument[i] < M_PI && !station->condensed[i])
 			lambda[count++] = station->log_modulus[i] + I*station->argument[i];
+	for (int negative = 0; negative < 2; negative++) {
+		double larger = 0.0, smaller = 0.0;
+		int real = list_real(&larger, 0, station, m, negative);
+
+		if (real%2)
+			return -1;
+		for (int k = 0; k < real/2; k++) {
+			list_real(&larger, k, station, m, negative);
+			list_real(&smaller, real - 1 - k, station, m, negative);
+			lambda[count++] = 0.5*(larger + smaller) +
+			                  I*(negative ? M_PI + 0.5*(larger - smaller)
+			                              : 0.5*(smaller - larger));
+		}
+	}
 	return count;
+}
+
+/* d of a real pair, 0 of others. */
+static double apart(double complex lambda)
+{
+	return fmax(0.0, fmax(-cimag(lambda), cimag(lambda) - M_PI));
 }
 
 /* An argument beyond 0 or pi is that of the conjugate. */
@@ -81,8 +127,8 @@ static double match(double complex *next, const double complex *expected, double
 		for (int i = 0; i < count; i++)
 			for (int j = 0; j < count && isnan(creal(room[i])); j++) {
 				double complex gap = next[j] - expected[i];
-				double apart = MODULUS*creal(gap);
-				double square = apart*apart + cimag(gap)*cimag(gap);
+				double radial = MODULUS*creal(gap);
+				double square = radial*radial + cimag(gap)*cimag(gap);
 
 				if (square < least) {
 					least = square;
@@ -125,13 +171,21 @@ static double turning_point(const double complex *g, const double *s, int a, int
 	return fmax(s[b], fmin(s[c], at));
 }
 
-/* Error of pair lambda of the station. */
+/* Error of pair lambda of the station: of the larger multiplier of a real one. */
 static double bound_of(const struct hawser__station *station, int m, double complex lambda)
 {
-	for (int i = 0; i < m; i++)
-		if (station->log_modulus[i] == creal(lambda) && station->argument[i] == cimag(lambda))
-			return station->bound[i];
-	return 0.0;
+	double argument = fmax(0.0, fmin(cimag(lambda), M_PI)), least = INFINITY, bound = 0.0;
+
+	for (int i = 0; i < m; i++) {
+		double off = fabs(station->log_modulus[i] - creal(lambda) - apart(lambda));
+		double angle = fmin(fabs(station->argument[i]), M_PI);
+
+		if (angle == argument && !station->condensed[i] && off < least) {
+			least = off;
+			bound = station->bound[i];
+		}
+	}
+	return bound;
 }
 
 /* Error of the multipliers of pair i at both ends of the step, lambda [4][count]; -1 if it is outside
@@ -144,7 +198,7 @@ static double bound_within(const double complex *lambda, int count, int i,
 	for (int k = step; k < step + 2; k++) {
 		double here = bound_of(station[k], m, lambda[k*count + i]);
 
-		if (creal(lambda[k*count + i]) > here)
+		if (creal(lambda[k*count + i]) + apart(lambda[k*count + i]) > here)
 			return -1.0;
 		bound = fmax(bound, here);
 	}
@@ -168,6 +222,14 @@ static double square_growth(double complex z)
 	return y == 0.0 ? 0.0 : q > 0.0 ? 0.5*(root + q) : 2.0*y*y/(root - q);
 }
 
+/* z of a pair. */
+static double complex cosh_of(double complex lambda, double half)
+{
+	double d = apart(lambda), off = creal(lambda) - half;
+
+	return d == 0.0 ? ccosh(lambda - half) : cosh(off)*(cimag(lambda) < 0.0 ? cosh(d) : -cosh(d));
+}
+
 /* Whether pairs i and j, which are inside the unit circle at both ends of the step, may be outside
  * between them; lambda [4][count]. */
 static int grows_together(const double complex *lambda, int count, int i, int j, const double *s,
@@ -183,7 +245,7 @@ static int grows_together(const double complex *lambda, int count, int i, int j,
 	for (int k = 0; k < 4; k++) {
 		double complex a = lambda[k*count + i], b = lambda[k*count + j];
 		double half = 0.5*creal(a + b);
-		double complex z = ccosh(a - half), of_b = ccosh(b - half);
+		double complex z = cosh_of(a, half), of_b = cosh_of(b, half);
 
 		S[k] = 2.0*half;
 		D[k] = (z - of_b)*(z - of_b);
@@ -221,9 +283,10 @@ static int grows_alone(const double complex *lambda, int count, int i, const dou
 	if (bound < 0.0 || fmin(fabs(from - centre), fabs(to - centre)) >= 0.5*CLOSE)
 		return 0;
 	for (int k = 0; k < 4; k++) {
-		double complex own = lambda[k*count + i], between = own - conj(own) - 2.0*I*centre;
+		double complex own = lambda[k*count + i];
+		double d = apart(own), turned = cimag(own) - centre;
 
-		D[k] = between*between;
+		D[k] = d > 0.0 ? 4.0*d*d : -4.0*turned*turned;
 		S[k] = 2.0*creal(own);
 	}
 	for (int e = 0; e < SAMPLES; e++) {
@@ -247,11 +310,11 @@ int hawser__collide(int *followed, const struct hawser__station *const station[4
 
 	for (int k = 0; k < 4 && (k == 0 || count > 0); k++) {
 		double complex *here = lambda + k*count, *before = here - count;
-		int now = list(here, station[k], m);
+		int now = list(here, station[k], m); /* none or -1: nothing can be followed */
 
 		s[k] = station[k]->arc;
 		if (k == 0)
-			count = now;
+			count = now > 0 ? now : 0;
 		else if (now != count)
 			count = 0;
 		for (int i = 0; k > 0 && i < count; i++)

@@ -125,7 +125,7 @@ static int product_couples(double *product, const struct hawser__station *statio
  * step; before that, its product approaches zero. A step towards a minimum is halved until its
  * parabola is reliable. Multipliers of high modes rotate past `centre` from station to station;
  * they are different ones each time and are not considered.
- * followed: collide.c has followed each complex pair, and excludes this. It is believed where many
+ * followed: collide.c has followed each pair, and excludes this. It is believed where many
  * pass the centre together, as those of a string at its frequency: their product has a minimum that no
  * parabola foresees. */
 static int hides_excursion(const struct hawser__station *a, const struct hawser__station *b,
@@ -139,19 +139,8 @@ static int hides_excursion(const struct hawser__station *a, const struct hawser_
 	       product(&g[2], c, m, centre) == count && approaches_zero(a, b, c, g, SHALLOW);
 }
 
-/* Whether collide.c sees all that may happen near 1 or -1 at this station: no multiplier is undecided,
- * and none near them is real. */
-static int is_clear(const struct hawser__station *station, int m)
-{
-	for (int i = 0; i < m; i++)
-		if ((station->argument[i] == 0.0 || fabs(station->argument[i]) >= M_PI) &&
-		    (is_near(station, i, 1.0) || is_near(station, i, -1.0)))
-			return 0;
-	return station->circle.undecided == 0;
-}
-
 /* Two crossings of the unit circle, or two folds, between b and c change neither the signs nor the
- * count; a is the station beyond b. followed: collide.c has followed each complex pair through them. */
+ * count; a is the station beyond b. followed: collide.c has followed each pair through them. */
 static int hides(const struct hawser__trace *trace, const struct hawser__station *a,
                  const struct hawser__station *b, const struct hawser__station *c, int followed)
 {
@@ -160,7 +149,7 @@ static int hides(const struct hawser__trace *trace, const struct hawser__station
 	for (int i = 0; i < m; i++)
 		if (hides_modulus(a, b, c, i))
 			return 1;
-	followed = followed && is_clear(a, m) && is_clear(b, m) && is_clear(c, m);
+	followed = followed && !a->circle.undecided && !b->circle.undecided && !c->circle.undecided;
 	for (int centre = -1; centre <= 1; centre += 2)
 		if (hides_excursion(a, b, c, m, centre, followed, product_near) ||
 		    hides_excursion(a, b, c, m, centre, followed, product_couples))

@@ -39,8 +39,9 @@ enum hawser_status hawser__monodromy_init(struct hawser__monodromy *monodromy, i
 	monodromy->memory = next = calloc(room, sizeof *next);
 	monodromy->slow = calloc(2*(size_t)n, sizeof(int));
 	monodromy->frequency = calloc(2*(size_t)n, sizeof(double));
+	monodromy->block = calloc((size_t)n, sizeof *monodromy->block);
 	if (!monodromy->part || !monodromy->pivot || !next || !monodromy->slow ||
-	    !monodromy->frequency) {
+	    !monodromy->frequency || !monodromy->block) {
 		hawser__monodromy_release(monodromy);
 		return hawser__no_memory(report, "orbit");
 	}
@@ -69,6 +70,7 @@ void hawser__monodromy_release(struct hawser__monodromy *monodromy)
 	free(monodromy->damping);
 	free(monodromy->slow);
 	free(monodromy->frequency);
+	free(monodromy->block);
 	free(monodromy->room);
 	free(monodromy->reduced);
 	hawser__differentiate_release(&monodromy->rates);

@@ -69,6 +69,14 @@ static inline double hawser__series_factor(const struct hawser_harmonic *harmoni
 #define HAWSER__EXPECTED 4    /* initial value of hawser__monodromy.expected; chosen */
 #define HAWSER__SHARPER 1e-10 /* the same for multipliers that serve for comparison */
 
+/* Coordinates that are coupled with each other and with no others: in plane, for instance. Condensed
+ * coordinates are computed by blocks, since the work is cubic. */
+struct hawser__block {
+	int ns, nf;   /* of its slow and fast coordinates */
+	int s, f;     /* the first of them */
+	size_t F, N;  /* where its part of a row begins */
+};
+
 struct hawser__monodromy {
 	int n;                  /* largest number of coordinates */
 	int steps;              /* number of steps per period */
@@ -126,6 +134,7 @@ struct hawser__monodromy {
 	/* monodromy_condense.c */
 	double follow;          /* frequency, relative to Omega, up to which no coordinate is condensed */
 	int *slow, *fast;       /* [n] coordinates that are kept, and those that are condensed */
+	struct hawser__block *block; /* [n] workspace */
 	int expected;           /* number of iterations of the condensation that are expected to
 	                         * converge */
 	double *frequency;      /* [n] of the mean stiffness */

@@ -43,6 +43,7 @@
 
 #include <cblas.h>
 #include <lapacke.h>
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -60,23 +61,28 @@
                             * errors of events are those of sharper multipliers; chosen */
 #define SLIGHT 0.1         /* part of these errors by harmonics of N that are left out; chosen */
 #define MORE 6             /* harmonics of N beyond twice those of K; chosen */
+#define GUESS 10.0         /* expected error over the admitted one up to which coordinates are tried:
+                            * most is far above that of the iteration, which decides; chosen */
 #define ASIDE 1.0          /* harmonics beyond the highest resonance that a hasty computation
                             * includes; chosen */
 
-/* The coordinates of all matrices are ordered: the slow ones first. */
+/* The coordinates of all matrices are ordered: the slow ones first, by blocks. */
 struct work {
 	int n, ns, nf, rows, order; /* order of the result */
 	int symmetric;              /* 1: K is, and D is constant */
+	int blocks;
+	struct hawser__block *block;        /* [n] */
+	size_t wide_F, wide_N;      /* of a row */
 	int *pivot;                 /* [n] */
 	double *basis;              /* [rows][2 order + 1] */
 	double *sorted;             /* [2 order + 1][n][n] coefficients of K or D */
 	double *K, *D;              /* [rows][n][n]; D: [1][n][n] if it is constant */
 	size_t next_D;              /* n^2, or 0 if D is constant */
-	double *F, *F1, *rate;      /* [rows][nf][2 ns]; rate: time derivative of one of them */
-	double *N, *before;         /* [rows][ns][2 ns] of this and the last iteration */
+	double *F, *F1, *rate;      /* [rows][blocks][nf][2 ns]; rate: time derivative of one of them */
+	double *N, *before;         /* [rows][blocks][ns][2 ns] of this and the last iteration */
 	double *inverse;            /* [rows][nf][nf] of K_ff */
 	double *part;               /* [nf][2 ns] */
-	double *series;             /* [2 order + 1][ns][2 ns] of N */
+	double *series;             /* [2 order + 1][blocks][ns][2 ns] of N */
 	double *result[2];          /* [2 order + 1][ns][ns] K and D of the slow coordinates */
 	double last;                /* size of the last harmonic of N, relative as in reduce() */
 };
@@ -92,6 +98,56 @@ enum hawser_status hawser__monodromy_room(struct hawser__monodromy *monodromy, s
 	return monodromy->room ? HAWSER_OK : hawser__no_memory(report, "orbit");
 }
 
+/* Sorts the coordinates of a list by their components. */
+static void sort(int *list, int count, const int *part)
+{
+	for (int i = 1; i < count; i++) {
+		int own = list[i], j = i;
+
+		for (; j > 0 && part[list[j - 1]] > part[own]; j--)
+			list[j] = list[j - 1];
+		list[j] = own;
+	}
+}
+
+/* The number of coordinates of a list from `first` on that are of one component. */
+static int run_of(const int *list, int first, int count, const int *part, int own)
+{
+	int end = first;
+
+	while (end < count && part[list[end]] == own)
+		end++;
+	return end - first;
+}
+
+/* The blocks of the coordinates, which are sorted by them. A block of none but fast ones matters to
+ * no other. */
+static void divide(struct work *work, struct hawser__monodromy *monodromy)
+{
+	int s = 0, f = 0;
+
+	sort(monodromy->slow, work->ns, monodromy->part);
+	sort(monodromy->fast, work->nf, monodromy->part);
+	work->blocks = 0;
+	work->wide_F = work->wide_N = 0;
+	while (s < work->ns || f < work->nf) {
+		int of_slow = s < work->ns ? monodromy->part[monodromy->slow[s]] : INT_MAX;
+		int of_fast = f < work->nf ? monodromy->part[monodromy->fast[f]] : INT_MAX;
+		int own = of_slow < of_fast ? of_slow : of_fast;
+		struct hawser__block *block = &work->block[work->blocks++];
+
+		*block = (struct hawser__block){
+			.ns = run_of(monodromy->slow, s, work->ns, monodromy->part, own),
+			.nf = run_of(monodromy->fast, f, work->nf, monodromy->part, own),
+			.s = s, .f = f, .F = work->wide_F, .N = work->wide_N,
+		};
+		s += block->ns;
+		f += block->nf;
+		work->wide_F += 2*(size_t)block->nf*block->ns;
+		work->wide_N += 2*(size_t)block->ns*block->ns;
+	}
+}
+
 static enum hawser_status make_room(struct work *work, struct hawser__monodromy *monodromy,
                                     struct hawser_report *report)
 {
@@ -101,13 +157,13 @@ static enum hawser_status make_room(struct work *work, struct hawser__monodromy 
 		double **at;
 		size_t size;
 	} part[] = {
-		{&work->basis, rows*wide},      {&work->sorted, wide*n*n},
-		{&work->K, rows*n*n},           {&work->D, (work->next_D ? rows : 1)*n*n},
-		{&work->F, 2*rows*nf*ns},       {&work->F1, 2*rows*nf*ns},
-		{&work->rate, 2*rows*nf*ns},    {&work->N, 2*rows*ns*ns},
-		{&work->before, 2*rows*ns*ns},  {&work->inverse, rows*nf*nf},
-		{&work->part, 2*nf*ns + nf},    {&work->series, 2*wide*ns*ns},
-		{&work->result[0], wide*ns*ns}, {&work->result[1], wide*ns*ns},
+		{&work->basis, rows*wide},         {&work->sorted, wide*n*n},
+		{&work->K, rows*n*n},              {&work->D, (work->next_D ? rows : 1)*n*n},
+		{&work->F, rows*work->wide_F},     {&work->F1, rows*work->wide_F},
+		{&work->rate, rows*work->wide_F},  {&work->N, rows*work->wide_N},
+		{&work->before, rows*work->wide_N}, {&work->inverse, rows*nf*nf},
+		{&work->part, 2*nf*ns + nf},       {&work->series, wide*work->wide_N},
+		{&work->result[0], wide*ns*ns},    {&work->result[1], wide*ns*ns},
 	};
 	size_t need = 0, count = sizeof part/sizeof part[0];
 
@@ -115,7 +171,8 @@ static enum hawser_status make_room(struct work *work, struct hawser__monodromy 
 		need += part[p].size;
 	if (hawser__monodromy_room(monodromy, need, report))
 		return HAWSER_ERR_MEMORY;
-	if (hawser__differentiate_prepare(&monodromy->rates, work->rows, 2*work->nf*work->ns))
+	if (work->wide_F &&
+	    hawser__differentiate_prepare(&monodromy->rates, work->rows, (int)work->wide_F))
 		return hawser__no_memory(report, "orbit");
 	for (size_t p = 0, begin = 0; p < count; begin += part[p++].size)
 		*part[p].at = monodromy->room + begin;
@@ -145,10 +202,12 @@ static void sample(const struct work *work, double *value, int rows, const doubl
  * is positive (hawser__fast_separate), so that if K_ff is not positive at one phase, it is singular
  * at another. A pivot that is 0 but for round-off must not count as positive with any BLAS kernel:
  * the limit is far above the round-off of the largest entry. */
-static int positive(const double *factor, const struct hawser__monodromy *monodromy, int nf)
+static int positive(const double *factor, int stride, const struct hawser__monodromy *monodromy,
+                    const struct hawser__block *block)
 {
-	for (int f = 0; f < nf; f++) {
-		double mean = monodromy->frequency[monodromy->fast[f]], pivot = factor[f*nf + f];
+	for (int f = 0; f < block->nf; f++) {
+		double mean = monodromy->frequency[monodromy->fast[block->f + f]];
+		double pivot = factor[(size_t)f*stride + f];
 
 		if (!(pivot*pivot > SINGULAR*mean*mean))
 			return 0;
@@ -157,86 +216,116 @@ static int positive(const double *factor, const struct hawser__monodromy *monodr
 }
 
 /* The inverse of K_ff at one phase; returns 1 if K_ff is singular, or symmetric and not positive. */
-static int invert(const struct work *work, const struct hawser__monodromy *monodromy, int row)
+static int invert(const struct work *work, const struct hawser__monodromy *monodromy,
+                  const struct hawser__block *block, int row)
 {
-	int n = work->n, ns = work->ns, nf = work->nf;
-	const double *K_ff = work->K + (size_t)row*n*n + (size_t)ns*n + ns;
-	double *inverse = work->inverse + (size_t)row*nf*nf;
+	int n = work->n, stride = work->nf, nf = block->nf, first = work->ns + block->f;
+	const double *K_ff = work->K + (size_t)row*n*n + (size_t)first*(n + 1);
+	double *inverse = work->inverse + (size_t)row*stride*stride + (size_t)block->f*(stride + 1);
 
 	for (int f = 0; f < nf; f++)
-		memcpy(inverse + (size_t)f*nf, K_ff + (size_t)f*n, nf*sizeof(double));
+		memcpy(inverse + (size_t)f*stride, K_ff + (size_t)f*n, nf*sizeof(double));
 	if (!work->symmetric) /* the transpose of the inverse is the inverse of the transpose */
-		return LAPACKE_dgetrf_work(LAPACK_COL_MAJOR, nf, nf, inverse, nf, work->pivot) ||
-		       LAPACKE_dgetri_work(LAPACK_COL_MAJOR, nf, inverse, nf, work->pivot, work->part,
-		                           nf);
-	if (LAPACKE_dpotrf_work(LAPACK_COL_MAJOR, 'U', nf, inverse, nf) ||
-	    !positive(inverse, monodromy, nf) ||
-	    LAPACKE_dpotri_work(LAPACK_COL_MAJOR, 'U', nf, inverse, nf))
+		return LAPACKE_dgetrf_work(LAPACK_COL_MAJOR, nf, nf, inverse, stride, work->pivot) ||
+		       LAPACKE_dgetri_work(LAPACK_COL_MAJOR, nf, inverse, stride, work->pivot,
+		                           work->part, nf);
+	if (LAPACKE_dpotrf_work(LAPACK_COL_MAJOR, 'U', nf, inverse, stride) ||
+	    !positive(inverse, stride, monodromy, block) ||
+	    LAPACKE_dpotri_work(LAPACK_COL_MAJOR, 'U', nf, inverse, stride))
 		return 1;
 	for (int f = 0; f < nf; f++)
 		for (int e = 0; e < f; e++)
-			inverse[e*nf + f] = inverse[f*nf + e];
+			inverse[(size_t)e*stride + f] = inverse[(size_t)f*stride + e];
 	return 0;
 }
 
-/* out [rows][columns] += factor a b; a has n columns a row, those of b and out are 2 ns apart. */
-static void add_product(const struct work *work, double *out, double factor, const double *a, int rows,
-                        int inner, const double *b)
+/* out [rows][2 ns] += factor a b; a has as many columns a row as `stride`. */
+static void add_product(const struct hawser__block *block, double *out, double factor, const double *a,
+                        int stride, int rows, int inner, const double *b)
 {
-	cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, rows, 2*work->ns, inner, factor, a,
-	            work->n, b, 2*work->ns, 1.0, out, 2*work->ns);
+	cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, rows, 2*block->ns, inner, factor, a,
+	            stride, b, 2*block->ns, 1.0, out, 2*block->ns);
 }
 
 /* N at one phase; returns its change relative to the squared frequency `top` (columns of x_s) and to
  * top (columns of x_s'). */
-static double reduce(const struct work *work, int row, double top)
+static double reduce(const struct work *work, const struct hawser__block *block, int row, double top)
 {
-	int n = work->n, ns = work->ns, nf = work->nf;
-	const double *K = work->K + (size_t)row*n*n, *D = work->D + row*work->next_D;
-	double *N = work->N + 2*(size_t)row*ns*ns, *before = work->before + 2*(size_t)row*ns*ns;
+	int n = work->n, ns = block->ns, nf = block->nf;
+	size_t corner = (size_t)block->s*n, at = (size_t)row*work->wide_F + block->F;
+	const double *K = work->K + (size_t)row*n*n + corner, *D = work->D + row*work->next_D + corner;
+	double *N = work->N + (size_t)row*work->wide_N + block->N;
+	double *before = work->before + (size_t)row*work->wide_N + block->N;
 	double change = 0.0;
 
 	memcpy(before, N, 2*(size_t)ns*ns*sizeof(double));
 	for (int s = 0; s < ns; s++) {
-		memcpy(N + 2*(size_t)s*ns, K + (size_t)s*n, ns*sizeof(double));
-		memcpy(N + 2*(size_t)s*ns + ns, D + (size_t)s*n, ns*sizeof(double));
+		memcpy(N + 2*(size_t)s*ns, K + (size_t)s*n + block->s, ns*sizeof(double));
+		memcpy(N + 2*(size_t)s*ns + ns, D + (size_t)s*n + block->s, ns*sizeof(double));
 	}
-	add_product(work, N, 1.0, K + ns, ns, nf, work->F + 2*(size_t)row*nf*ns);
-	add_product(work, N, 1.0, D + ns, ns, nf, work->F1 + 2*(size_t)row*nf*ns);
+	add_product(block, N, 1.0, K + work->ns + block->f, n, ns, nf, work->F + at);
+	add_product(block, N, 1.0, D + work->ns + block->f, n, ns, nf, work->F1 + at);
 	for (int e = 0; e < 2*ns*ns; e++)
 		change = fmax(change, fabs(N[e] - before[e])/(e%(2*ns) < ns ? top*top : top));
 	return change;
 }
 
 /* out [nf][2 ns] = rate + F Y, the derivative of F y in time at one phase. */
-static void derive(const struct work *work, double *out, const double *F, int row)
+static void derive(const struct work *work, const struct hawser__block *block, double *out, const double *F,
+                   int row)
 {
-	int ns = work->ns, nf = work->nf;
-	size_t at = 2*(size_t)row*nf*ns;
+	int ns = block->ns, nf = block->nf;
+	const double *rate = work->rate + (size_t)row*work->wide_F + block->F;
 
-	if (out != work->rate + at)
-		memcpy(out, work->rate + at, 2*(size_t)nf*ns*sizeof(double));
+	if (out != rate)
+		memcpy(out, rate, 2*(size_t)nf*ns*sizeof(double));
 	for (int f = 0; f < nf; f++)
 		cblas_daxpy(ns, 1.0, F + 2*(size_t)f*ns, 1, out + (2*(size_t)f + 1)*ns, 1);
-	cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, nf, 2*ns, ns, -1.0, F + ns, 2*ns,
-	            work->N + 2*(size_t)row*ns*ns, 2*ns, 1.0, out, 2*ns);
+	add_product(block, out, -1.0, F + ns, 2*ns, nf, ns,
+	            work->N + (size_t)row*work->wide_N + block->N);
 }
 
 /* F at one phase from F_2 [nf][2 ns], which is overwritten, and F_1. */
-static void follow(const struct work *work, double *F2, int row)
+static void follow(const struct work *work, const struct hawser__block *block, double *F2, int row)
 {
-	int n = work->n, ns = work->ns, nf = work->nf;
-	const double *K = work->K + (size_t)row*n*n + (size_t)ns*n;
-	const double *D = work->D + row*work->next_D + (size_t)ns*n;
-	size_t at = 2*(size_t)row*nf*ns;
+	int n = work->n, ns = block->ns, nf = block->nf;
+	size_t corner = (size_t)(work->ns + block->f)*n, at = (size_t)row*work->wide_F + block->F;
+	const double *K = work->K + (size_t)row*n*n + corner, *D = work->D + row*work->next_D + corner;
+	const double *inverse = work->inverse + (size_t)row*work->nf*work->nf;
 
 	for (int f = 0; f < nf; f++) {
-		cblas_daxpy(ns, 1.0, K + (size_t)f*n, 1, F2 + 2*(size_t)f*ns, 1);
-		cblas_daxpy(ns, 1.0, D + (size_t)f*n, 1, F2 + (2*(size_t)f + 1)*ns, 1);
+		cblas_daxpy(ns, 1.0, K + (size_t)f*n + block->s, 1, F2 + 2*(size_t)f*ns, 1);
+		cblas_daxpy(ns, 1.0, D + (size_t)f*n + block->s, 1, F2 + (2*(size_t)f + 1)*ns, 1);
 	}
-	add_product(work, F2, 1.0, D + ns, nf, nf, work->F1 + at);
-	cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, nf, 2*ns, nf, -1.0,
-	            work->inverse + (size_t)row*nf*nf, nf, F2, 2*ns, 0.0, work->F + at, 2*ns);
+	add_product(block, F2, 1.0, D + work->ns + block->f, n, nf, nf, work->F1 + at);
+	memset(work->F + at, 0, 2*(size_t)nf*ns*sizeof(double));
+	add_product(block, work->F + at, -1.0, inverse + (size_t)block->f*(work->nf + 1), work->nf, nf,
+	            nf, F2);
+}
+
+/* The static response, which has no part of x_s'. */
+static void follow_at_rest(const struct work *work, const struct hawser__block *block, int row)
+{
+	double *F = work->F + (size_t)row*work->wide_F + block->F;
+
+	memset(work->part, 0, 2*(size_t)block->nf*block->ns*sizeof(double));
+	follow(work, block, work->part, row);
+	for (int f = 0; f < block->nf; f++)
+		memset(F + (2*(size_t)f + 1)*block->ns, 0, block->ns*sizeof(double));
+}
+
+/* F from that of the last iteration, its derivatives and N, at one phase: the first derivative
+ * (0), then F itself (1). */
+static void iterate(const struct work *work, const struct hawser__block *block, int row, int second)
+{
+	size_t at = (size_t)row*work->wide_F + block->F;
+
+	if (!second) {
+		derive(work, block, work->F1 + at, work->F + at, row);
+		return;
+	}
+	derive(work, block, work->rate + at, work->F1 + at, row);
+	follow(work, block, work->rate + at, row);
 }
 
 /* The largest change of N over all phases. */
@@ -245,7 +334,8 @@ static double reduce_all(const struct work *work, double top)
 	double change = 0.0;
 
 	for (int i = 0; i < work->rows; i++)
-		change = fmax(change, reduce(work, i, top));
+		for (int b = 0; b < work->blocks; b++)
+			change = fmax(change, reduce(work, &work->block[b], i, top));
 	return change;
 }
 
@@ -254,27 +344,21 @@ static double reduce_all(const struct work *work, double top)
 static double settle(const struct work *work, const struct hawser__monodromy *monodromy,
                      double omega, double goal)
 {
-	size_t block = 2*(size_t)work->nf*work->ns;
 	double change, last = INFINITY, top = monodromy->top;
 
-	memset(work->N, 0, 2*(size_t)work->rows*work->ns*work->ns*sizeof(double));
-	memset(work->F1, 0, work->rows*block*sizeof(double));
-	for (int i = 0; i < work->rows; i++) {
-		memset(work->part, 0, block*sizeof(double));
-		follow(work, work->part, i);
-		for (int f = 0; f < work->nf; f++) /* the static response has no part of x_s' */
-			memset(work->F + i*block + (2*(size_t)f + 1)*work->ns, 0,
-			       work->ns*sizeof(double));
-	}
+	memset(work->N, 0, work->rows*work->wide_N*sizeof(double));
+	memset(work->F1, 0, work->rows*work->wide_F*sizeof(double));
+	for (int i = 0; i < work->rows; i++)
+		for (int b = 0; b < work->blocks; b++)
+			follow_at_rest(work, &work->block[b], i);
 	reduce_all(work, top);
 	for (int k = 0; k < ITERATIONS; k++) {
-		hawser__differentiate(&monodromy->rates, work->rate, work->F, omega);
-		for (int i = 0; i < work->rows; i++)
-			derive(work, work->F1 + i*block, work->F + i*block, i);
-		hawser__differentiate(&monodromy->rates, work->rate, work->F1, omega);
-		for (int i = 0; i < work->rows; i++) {
-			derive(work, work->rate + i*block, work->F1 + i*block, i);
-			follow(work, work->rate + i*block, i);
+		for (int second = 0; second < 2; second++) {
+			hawser__differentiate(&monodromy->rates, work->rate,
+			                      second ? work->F1 : work->F, omega);
+			for (int i = 0; i < work->rows; i++)
+				for (int b = 0; b < work->blocks; b++)
+					iterate(work, &work->block[b], i, second);
 		}
 		change = reduce_all(work, top);
 		if (change < goal || !(change < last))
@@ -312,18 +396,26 @@ static int count_harmonics(const double *series, const struct work *work, double
  * relative as in reduce(). */
 static double transform(const struct work *work, double top)
 {
-	int ns = work->ns, columns = 2*work->order + 1;
+	int ns = work->ns, columns = 2*work->order + 1, wide = (int)work->wide_N;
 	double last = 0.0;
 
 	for (int i = 0; i < work->rows; i++)
 		work->basis[(size_t)i*columns] = 1.0; /* the constant is obtained twice */
-	cblas_dgemm(CblasRowMajor, CblasTrans, CblasNoTrans, columns, 2*ns*ns, work->rows,
-	            2.0/work->rows, work->basis, columns, work->N, 2*ns*ns, 0.0, work->series,
-	            2*ns*ns);
-	for (size_t r = 0; r < (size_t)columns*ns; r++)
-		for (int side = 0; side < 2; side++)
-			memcpy(work->result[side] + r*ns, work->series + (2*r + side)*ns,
-			       ns*sizeof(double));
+	cblas_dgemm(CblasRowMajor, CblasTrans, CblasNoTrans, columns, wide, work->rows, 2.0/work->rows,
+	            work->basis, columns, work->N, wide, 0.0, work->series, wide);
+	for (int side = 0; side < 2; side++)
+		memset(work->result[side], 0, (size_t)columns*ns*ns*sizeof(double));
+	for (int b = 0; b < work->blocks; b++) {
+		const struct hawser__block *block = &work->block[b];
+
+		for (int row = 0; row < 2*columns*block->ns; row++) { /* of K, D, K, ... */
+			int r = row/2/block->ns, s = row/2%block->ns;
+
+			memcpy(work->result[row%2] + ((size_t)r*ns + block->s + s)*ns + block->s,
+			       work->series + (size_t)r*wide + block->N + (2*(size_t)s + row%2)*block->ns,
+			       block->ns*sizeof(double));
+		}
+	}
 	for (size_t e = (size_t)(columns - 2)*ns*ns; e < (size_t)columns*ns*ns; e++)
 		last = fmax(last, fmax(fabs(work->result[0][e])/(top*top),
 		                       fabs(work->result[1][e])/top));
@@ -339,8 +431,9 @@ static int prepare(struct work *work, const struct hawser__monodromy *monodromy,
 	sample(work, work->D, work->next_D ? work->rows : 1, system->D, system->order_d,
 	       monodromy->slow, monodromy->fast);
 	for (int i = 0; i < work->rows; i++)
-		if (invert(work, monodromy, i))
-			return 1;
+		for (int b = 0; b < work->blocks; b++)
+			if (work->block[b].nf > 0 && invert(work, monodromy, &work->block[b], i))
+				return 1;
 	return 0;
 }
 
@@ -359,10 +452,11 @@ static enum hawser_status try_condense(struct work *work, struct hawser__monodro
 
 	monodromy->left_out = INFINITY;
 	work->last = 0.0;
-	monodromy->top = hawser__fast_split(monodromy, system, limit, expected, &work->ns);
+	monodromy->top = hawser__fast_split(monodromy, system, GUESS*limit, expected, &work->ns);
 	work->nf = work->n - work->ns;
 	if (work->nf == 0 || work->ns == 0 || !hawser__fast_separate(monodromy, system, work->nf))
 		return HAWSER_OK;
+	divide(work, monodromy);
 	if ((status = make_room(work, monodromy, report)))
 		return status;
 	if (prepare(work, monodromy, system)) {
@@ -411,7 +505,7 @@ enum hawser_status hawser__monodromy_condense(struct hawser__monodromy *monodrom
 	               : monodromy->rest && monodromy->sharper ? HAWSER__SHARPER
 	               : monodromy->haste ? HAWSER__HASTE : HAWSER__NEGLECTED;
 	double most = monodromy->sharper ? HAWSER__SHARPER : limit;
-	struct work work = {.n = n, .pivot = monodromy->pivot};
+	struct work work = {.n = n, .pivot = monodromy->pivot, .block = monodromy->block};
 	enum hawser_status status;
 
 	*kept = n;
