@@ -61,8 +61,9 @@
                             * errors of events are those of sharper multipliers; chosen */
 #define SLIGHT 0.1         /* part of these errors by harmonics of N that are left out; chosen */
 #define MORE 6             /* harmonics of N beyond twice those of K; chosen */
-#define GUESS 10.0         /* expected error over the admitted one up to which coordinates are tried:
-                            * most is far above that of the iteration, which decides; chosen */
+#define GUESS 10.0         /* of a model with rest: expected error up to which coordinates are tried, over
+                            * the admitted one. It is mostly far above the error of the iteration, which
+                            * decides; chosen */
 #define ASIDE 1.0          /* harmonics beyond the highest resonance that a hasty computation
                             * includes; chosen */
 
@@ -452,7 +453,7 @@ static enum hawser_status try_condense(struct work *work, struct hawser__monodro
 
 	monodromy->left_out = INFINITY;
 	work->last = 0.0;
-	monodromy->top = hawser__fast_split(monodromy, system, GUESS*limit, expected, &work->ns);
+	monodromy->top = hawser__fast_split(monodromy, system, limit, expected, &work->ns);
 	work->nf = work->n - work->ns;
 	if (work->nf == 0 || work->ns == 0 || !hawser__fast_separate(monodromy, system, work->nf))
 		return HAWSER_OK;
@@ -504,6 +505,7 @@ enum hawser_status hawser__monodromy_condense(struct hawser__monodromy *monodrom
 	double limit = monodromy->rough ? HAWSER__ROUGHER
 	               : monodromy->rest && monodromy->sharper ? HAWSER__SHARPER
 	               : monodromy->haste ? HAWSER__HASTE : HAWSER__NEGLECTED;
+	double guess = monodromy->rest && !monodromy->sharper ? GUESS : 1.0;
 	double most = monodromy->sharper ? HAWSER__SHARPER : limit;
 	struct work work = {.n = n, .pivot = monodromy->pivot, .block = monodromy->block};
 	enum hawser_status status;
@@ -533,7 +535,7 @@ enum hawser_status hawser__monodromy_condense(struct hawser__monodromy *monodrom
 	work.symmetric = system->order_d == 0 && hawser__fast_symmetric(system);
 	work.next_D = system->order_d > 0 ? (size_t)n*n : 0;
 	for (int expected = monodromy->expected;; expected--) {
-		status = try_orders(&work, monodromy, system, limit, expected, report);
+		status = try_orders(&work, monodromy, system, guess*limit, expected, report);
 		if (!monodromy->sharper) /* the next orbit is similar */
 			monodromy->expected = expected;
 		if (status || monodromy->left_out <= most || expected == 0)
