@@ -52,6 +52,9 @@ struct hawser_accuracy {
 	double foreseen;             /* s of processor time of full-order models and what follows, as
 	                              * counted: within a factor 2 on a core of 2 GHz */
 	int costly;                  /* 1: that is more than options->bearable, and the search ended */
+	double until;                /* options->partial: scaled frequency at which the response ends, since
+	                              * the rest was not to be had; NAN: it is whole */
+	char beyond[640];            /* why the motion there could not be followed; "": it is the work */
 };
 
 struct hawser_accuracy_options {
@@ -60,6 +63,8 @@ struct hawser_accuracy_options {
 	int most_functions;      /* of full-order models, per component; 0: 24 */
 	double bearable;         /* full-order models are given up where `foreseen` is more; 0: never */
 	int expected;            /* points of the response, by a reduced model; 0: not known */
+	int partial;             /* 1: where the range is not to be had as a whole, the part from `from` on
+	                          * that is */
 	int agreed;              /* 1: no response of a full-order model that no other agrees with */
 	double after;            /* over 0: the full-order model is wanted, not its response, and its use
 	                          * takes this many times as long as the coarse curve that chooses it */

@@ -60,6 +60,24 @@ static void take(struct cli_model *model, struct hawser_accuracy *better,
 	model->scene.model.basis = better->functions;
 }
 
+/* The range that its response has, and why the rest is left out. */
+static void shorten(struct cli_frf_result *result, struct cli_model *model,
+                    const struct hawser_accuracy *better, double bearable)
+{
+	struct cli_exact *exact = &model->exact;
+
+	if (isnan(better->until))
+		return;
+	result->to = better->until;
+	exact->until = better->until*cli_per_omega(model);
+	if (better->beyond[0])
+		snprintf(exact->rest, sizeof exact->rest, "%s", better->beyond);
+	else
+		snprintf(exact->rest, sizeof exact->rest, "further takes more than some %.0f s: ask for "
+		         "other parts of the range (--from, --to), or for all of it (--set "
+		         "model.energy=exact --set model.basis=%d)", bearable, better->functions);
+}
+
 /* The distance from the curve of the basis that it was checked with. */
 static void state(struct cli_model_error *error, const struct hawser_accuracy *better)
 {
@@ -94,9 +112,9 @@ static void explain(struct cli_model *model, const struct hawser_accuracy *bette
 		         : "no two bases agree");
 }
 
-/* Search for the model. points: of the response of the modes; after: hawser_accuracy_options. */
+/* Search for the model. result: NULL: for the model alone, whose range stays. points: of the response of the modes; after: hawser_accuracy_options. */
 static enum hawser_status search(struct hawser_accuracy *better, struct cli_model *model,
-                                 struct cli_model_error *error,
+                                 struct cli_model_error *error, struct cli_frf_result *result,
                                  const struct hawser_frf_options *options, int points, double after,
                                  struct hawser_report *report)
 {
@@ -107,6 +125,7 @@ static enum hawser_status search(struct hawser_accuracy *better, struct cli_mode
 
 	choice.expected = points;
 	choice.after = after;
+	choice.partial = choice.partial && result;
 	status = hawser_accuracy_exact(better, &model->statics, &model->scene, &choice, &why);
 	if (status == HAWSER_ERR_MEMORY) {
 		if (report)
@@ -116,6 +135,8 @@ static enum hawser_status search(struct hawser_accuracy *better, struct cli_mode
 	if (!status && better->reached) {
 		take(model, better, error);
 		state(error, better);
+		if (result)
+			shorten(result, model, better, choice.bearable);
 	} else {
 		explain(model, better, status, why.message);
 	}
@@ -137,7 +158,7 @@ static int points_wanted(const struct hawser_frf *frf, const struct hawser_frf_o
 }
 
 static enum hawser_status trace(struct hawser_frf *frf, struct hawser_frf_options *options,
-                                struct cli_model *model, struct cli_model_error *error, int step,
+                                struct cli_model *model, struct cli_frf_result *result, int step,
                                 struct hawser_report *report)
 {
 	struct hawser_accuracy better = {.tries = 0};
@@ -151,7 +172,7 @@ static enum hawser_status trace(struct hawser_frf *frf, struct hawser_frf_option
 		explain(model, &better, HAWSER_OK, "");
 		return HAWSER_OK;
 	}
-	status = search(&better, model, error, &choice,
+	status = search(&better, model, &result->error, result, &choice,
 	                step ? frf->points : points_wanted(frf, options), 0.0,
 	                report);
 	if (!status && model->exact.functions) {
@@ -178,7 +199,7 @@ enum hawser_status cli_exact_response(struct hawser_frf *frf, struct hawser_frf_
 		return so_far ? so_far : status;
 	if (!cli_exact_calls(model, so_far && frf->points < 2 ? NULL : &result->error))
 		return so_far;
-	status = trace(frf, options, model, &result->error, step, report);
+	status = trace(frf, options, model, result, step, report);
 	if (status || !model->exact.functions)
 		return status ? status : so_far;
 	return cli_basis_check(model, fmax(result->from, result->to), report);
@@ -227,7 +248,7 @@ enum hawser_status cli_exact_range(struct cli_model *model, double from, double 
 	status = judge(model, &points, &options, report);
 	if (!status && isfinite(model->error.fixed.estimated) && cli_exact_calls(model, &model->error)) {
 		options.step_max = 0.0;
-		status = search(&better, model, &model->error, &options, points, after, report);
+		status = search(&better, model, &model->error, NULL, &options, points, after, report);
 		hawser_accuracy_clear(&better);
 	}
 	cli_progress_end(&watch.progress);
@@ -324,10 +345,21 @@ enum hawser_status cli_exact_as(struct cli_model *model, const char *text, struc
 	return hawser_rom_build_full(&model->rom, &model->statics, &model->scene, functions, report);
 }
 
+static int unfinished(char *text, size_t size, const struct cli_model *model)
+{
+	if (model->exact.until > 0.0)
+		snprintf(text, size, "range: the exact energy, which these motions call for, is followed up to "
+		         "%.9g%s: %s", model->exact.until, cli_unit(model, " rad/s"), model->exact.rest);
+	return model->exact.until > 0.0;
+}
+
 void cli_exact_comment(struct hawser__table *table, const struct cli_model *model)
 {
 	const struct cli_exact *exact = &model->exact;
+	char text[CLI_WARNING_SIZE];
 
+	if (unfinished(text, sizeof text, model))
+		hawser__table_comment(table, "%s", text);
 	if (exact->failed[0])
 		hawser__table_comment(table, "the exact energy was called for, and not taken: %s",
 		                      exact->failed);
@@ -352,6 +384,8 @@ void cli_exact_warn(const struct cli_model *model)
 {
 	char text[CLI_WARNING_SIZE];
 
+	if (unfinished(text, sizeof text, model))
+		cli_warn(text);
 	if (!model->exact.failed[0])
 		return;
 	snprintf(text, sizeof text, "the exact energy was called for, and not taken: %s",

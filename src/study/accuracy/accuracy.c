@@ -421,7 +421,7 @@ enum hawser_status hawser__accuracy_begin(struct hawser_accuracy *a,
 {
 	*a = (struct hawser_accuracy){
 		.asked = options->accuracy > 0.0 ? options->accuracy : scene->model.accuracy,
-		.estimated = 1.0};
+		.estimated = 1.0, .until = NAN};
 	if (!(a->asked > 0.0 && a->asked < 1.0))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "accuracy",
 		                    "accuracy %g: it is a part, between 0 and 1 (0.01 is 1 %%)", a->asked);

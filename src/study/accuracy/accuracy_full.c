@@ -23,6 +23,10 @@
  * last: attachments divide the cable into elements, which share the functions out, so that 6 and 8
  * of them may give the same model.
  *
+ * With options->partial a draft ends where its response would take more than can be borne, or where
+ * the motion cannot be followed, and the range then ends there: a right answer to a part of the
+ * question.
+ *
  *    work     seconds of a trace, as hawser_orbit_work counts them: what is chosen does not depend
  *             on the machine and what else it does
  *    foreseen work of the whole search and its response; above options->bearable it ends
@@ -31,6 +35,7 @@
 #include "config.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -57,6 +62,7 @@
                           * are of another curve; chosen */
 #define ROUGH 1e-5      /* least tolerance of orbits at marks; chosen, far below the distances */
 #define DOUBT 2.0       /* factor of what is foreseen of a draft that has not ended; chosen */
+#define ASIDE 2         /* points before the one from which the curve cannot be followed; chosen */
 #define SLACK_POINTS 50 /* fewest points of which slackness is judged; chosen */
 #define FIRST_POINTS 24 /* of a trace, before anything is foreseen; chosen */
 #define REACH 2.0        /* 2: the second harmonic of the response may be in resonance with them */
@@ -176,6 +182,7 @@ struct watch {
 	const struct hawser_rom *rom; /* of the trace */
 	int n;         /* coordinates of the model whose response follows */
 	int drafts;    /* 1: it is a draft, which may be given up */
+	int afforded;  /* 1: it was ended where the rest of the range is more than can be borne */
 };
 
 static void forget(struct traced *traced)
@@ -205,6 +212,13 @@ static double follows(const struct hawser_accuracy_options *options, int n, int 
 	return options->after > 0.0 ? options->after*work : work + hawser_orbit_work(&judging, &as);
 }
 
+/* Work of the search and the response, if the range ended where the draft is now. */
+static double so_far(const struct watch *watch, int points, double work)
+{
+	return watch->before + work*(1.0 + watch->next) +
+	       follows(watch->options, watch->n, points, work, watch->rom);
+}
+
 /* Ends a draft when the work that is foreseen is more than can be borne, or where the cable is slack
  * from early on; passes the rest on with the time left. */
 static int watch_trace(void *data, const struct hawser_progress_state *state)
@@ -219,12 +233,15 @@ static int watch_trace(void *data, const struct hawser_progress_state *state)
 		double whole = work*fmax((double)most/points, 1.0);
 
 		if (watch->drafts)
-			watch->a->foreseen = watch->before + whole*(1.0 + watch->next) +
-			                     follows(watch->options, watch->n, points, whole, watch->rom);
+			watch->a->foreseen = so_far(watch, points, whole);
 		shown.fraction = fmin((double)points/most, 1.0);
 		shown.left = state->seconds*fmax((double)most/points - 1.0, 0.0);
 	}
-	if (watch->options->bearable > 0.0 && watch->drafts &&
+	watch->afforded = watch->options->partial && watch->drafts && points >= FIRST_POINTS &&
+	                  so_far(watch, points, work) > watch->options->bearable;
+	if (watch->afforded)
+		return 1;
+	if (watch->options->bearable > 0.0 && watch->drafts && !watch->options->partial &&
 	    fmax(watch->before + work, watch->a->foreseen/DOUBT) > watch->options->bearable) {
 		watch->a->costly = 1;
 		return 1;
@@ -234,14 +251,29 @@ static int watch_trace(void *data, const struct hawser_progress_state *state)
 	return hawser__told_to_stop(&watch->options->frf.progress, &shown);
 }
 
+/* Whether the range ends with this draft: at its last point but some, as the response must reach it. */
+static int ends_range(struct hawser_accuracy *a, const struct watch *watch, int functions,
+                      enum hawser_status status, const struct hawser_report *why)
+{
+	int failed = status == HAWSER_ERR_CONVERGENCE && functions >= MIDDLING;
+
+	if (!watch->options->partial || a->frf.points < FIRST_POINTS || !(failed || watch->afforded))
+		return 0;
+	a->until = a->frf.point[a->frf.points - 1 - (failed ? ASIDE : 0)].omega;
+	snprintf(a->beyond, sizeof a->beyond, "%s", failed ? why->message : "");
+	a->frf.end = HAWSER_END_RANGE;
+	return 1;
+}
+
 /* Trace the draft of the model in *draft; a->frf and *traced become its curve. */
 static enum hawser_status draw(struct draft *draft, struct traced *traced, struct hawser_accuracy *a,
                                const struct hawser_accuracy_options *options,
                                const struct hawser_frf_options *settled, double before,
                                int expected, struct hawser_report *report)
 {
-	struct watch watch = {options, a, before, CARRIED, expected, &draft->rom, draft->rom.n, 1};
+	struct watch watch = {options, a, before, CARRIED, expected, &draft->rom, draft->rom.n, 1, 0};
 	struct hawser_frf_options frf = *settled;
+	struct hawser_report why = {.message = ""};
 	struct hawser__trace_watch keep;
 	enum hawser_status status;
 
@@ -253,7 +285,11 @@ static enum hawser_status draw(struct draft *draft, struct traced *traced, struc
 	frf.step_max = LONG;
 	frf.progress = (struct hawser_progress){watch_trace, &watch};
 	hawser_frf_clear(&a->frf);
-	status = hawser__frf_trace(&a->frf, &draft->rom, &frf, &keep, report);
+	status = hawser__frf_trace(&a->frf, &draft->rom, &frf, &keep, &why);
+	if (ends_range(a, &watch, draft->functions, status, &why))
+		status = HAWSER_OK;
+	else if (status && report)
+		*report = why;
 	draft->points = a->frf.points;
 	draft->work = hawser_orbit_work(&a->frf.cost, &draft->rom);
 	a->slack = !status && !a->costly && hawser__mostly_slack(&a->frf);
@@ -356,6 +392,8 @@ static enum hawser_status choose(struct draft *chosen, double *moved, int *check
 			status = draw_again(&next, moved, &traced, chosen, a, options, frf, *work, report);
 			*work += next.work;
 			again = retry(status, &functions, frf, options);
+			if (isfinite(a->until))
+				frf->to = a->until;
 		}
 		if (again) {
 			status = HAWSER_OK;
@@ -381,7 +419,7 @@ static enum hawser_status follow(struct hawser_accuracy *a, struct hawser__marks
                                  const struct hawser_frf_options *settled, int functions,
                                  double work, struct hawser_report *report)
 {
-	struct watch watch = {options, a, work, 0.0, options->expected, &a->rom, a->rom.n, 0};
+	struct watch watch = {options, a, work, 0.0, options->expected, &a->rom, a->rom.n, 0, 0};
 	struct hawser_frf_options frf = *settled;
 	enum hawser_status status;
 
@@ -411,7 +449,7 @@ enum hawser_status hawser__accuracy_full(struct hawser_accuracy *a, struct hawse
 	if (!ended) {
 		a->foreseen = work + follows(options, chosen.rom.n, chosen.points, chosen.work,
 		                             &chosen.rom);
-		a->costly = options->bearable > 0.0 && a->foreseen > options->bearable;
+		a->costly = options->bearable > 0.0 && !options->partial && a->foreseen > options->bearable;
 	}
 	if (ended || a->costly || (options->agreed && !(SAFETY_BASIS*moved <= a->asked))) {
 		clear(&chosen);

@@ -45,6 +45,8 @@ struct hawser_accuracy_options hawser_accuracy_instead(const struct hawser_accur
 
 	if (fixed && isfinite(fixed->estimated) && !hawser_accuracy_truncated(fixed->truncation))
 		choice.bearable = bearable_else;
+	else
+		choice.partial = 1;
 	choice.frf.most_work = 0.0;
 	if (choice.frf.max_points == 0 || choice.frf.max_points > HAWSER_INSTEAD_POINTS)
 		choice.frf.max_points = HAWSER_INSTEAD_POINTS;
