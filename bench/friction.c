@@ -1,5 +1,5 @@
 /* bench/friction - contact with friction in one step: agreement with Siconos on random problems; time
- * over the number of contacts, cold and warm, errors beside it; times of all methods; how many random
+ * over the number of contacts, cold and warm, errors beside it; times of Siconos; how many random
  * problems are not solved.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -13,6 +13,7 @@
 
 #include "bench/clock.h"
 #include "tests/friction-random.h"
+#include "tests/friction-siconos.h"
 
 /* A cable of length 1 and mass 1 on the floor, pulled at its end until about half of it slips; the
  * elements are stiff against the step: h^2 k = stiff*m. */
@@ -80,11 +81,10 @@ static struct hawser_friction_problem problem_of(const struct drag *drag)
 
 /* Seconds of a solution, best of some; NAN if it fails. With `warm` the pull changes a little between
  * solutions, as from step to step. */
-static double timed(struct hawser_friction_counts *counts, struct drag *drag, const char *method,
-                    int warm, int times)
+static double timed(struct hawser_friction_counts *counts, struct drag *drag, int warm, int times)
 {
 	const struct hawser_friction_problem problem = problem_of(drag);
-	struct hawser_friction_options options = {.method = method, .most = 1000};
+	struct hawser_friction_options options = {.most = 1000};
 	struct hawser_friction *solver;
 	struct hawser_report report;
 	double best = HUGE_VAL;
@@ -103,7 +103,7 @@ static double timed(struct hawser_friction_counts *counts, struct drag *drag, co
 			best = fmin(best, cpu_secs() - began);
 	}
 	if (failed)
-		printf("%s: %s\n", method ? method : "newton", report.message);
+		printf("%s\n", report.message);
 	hawser_friction_clear(solver);
 	return failed ? NAN : best;
 }
@@ -122,7 +122,7 @@ static int scaling(double stiff, int warm)
 		double secs = NAN, x = log(size[i]);
 
 		if (drag_open(&drag, size[i], stiff))
-			secs = timed(&counts, &drag, NULL, warm, size[i] < 1000 ? 20 : 5);
+			secs = timed(&counts, &drag, warm, size[i] < 1000 ? 20 : 5);
 		drag_clear(&drag);
 		failed += !(counts.residual < 1e-9 && counts.balance < 1e-9 && secs > 0.0);
 		printf("%6d %9.3f %6.2f %4d %6d %8.1e %8.1e\n", size[i], 1e3*secs, 1e6*secs/size[i],
@@ -137,28 +137,33 @@ static int scaling(double stiff, int warm)
 	return failed;
 }
 
-/* The methods side by side, with friction (of Lemke's: without). */
+/* Siconos beside ours, with friction (of Lemke's: without). */
 static void methods(void)
 {
 	static const int size[] = {50, 100, 200};
 
-	printf("# methods: ms of a solution from a cold start\n");
-	for (int m = 0; hawser_friction_method(m); m++) {
-		const struct hawser_friction_method *method = hawser_friction_method(m);
+	printf("# ms of a solution from a cold start, ours and by Siconos\n");
+	for (int m = 0; siconos_method(m); m++) {
+		const char *method = siconos_method(m);
 
-		for (int i = 0; i < 3 && method->available; i++) {
+		for (int i = 0; i < 3; i++) {
 			struct hawser_friction_counts counts;
 			struct drag drag;
-			double secs = NAN;
+			double ours = NAN, began = 0.0;
+			const char *wrong = "no memory";
 
 			if (drag_open(&drag, size[i], 1e3)) {
-				for (int c = 0; c < size[i] && !method->friction; c++)
+				const struct hawser_friction_problem problem = problem_of(&drag);
+
+				for (int c = 0; c < size[i] && m == 0; c++)
 					drag.contact[c].friction = 0.0;
-				secs = timed(&counts, &drag, method->name, 0, 1);
+				ours = timed(&counts, &drag, 0, 1);
+				began = cpu_secs();
+				wrong = siconos_solve(drag.reply, &problem, drag.nodes,
+				                      (const int (*)[2])drag.link, drag.nodes - 1, method);
 			}
-			if (secs > 0.0)
-				printf("%-7s %4d contacts: %9.2f ms, %d iterations, residual %.1e\n", method->name,
-				       size[i], 1e3*secs, counts.iterations, counts.residual);
+			printf("%4d contacts: %9.2f, %s %9.2f %s\n", size[i], 1e3*ours, method,
+			       1e3*(cpu_secs() - began), wrong ? wrong : "");
 			drag_clear(&drag);
 		}
 	}
@@ -170,20 +175,21 @@ static int agreement(const char *name, int count)
 	static struct friction_case of;
 	static struct hawser_contact_reply a[FRICTION_NODES], b[FRICTION_NODES];
 	static double u[FRICTION_NODES][3];
-	struct hawser_friction_counts ours, theirs;
+	struct hawser_friction_counts ours;
 	struct hawser_report report;
 	int failed = 0, unsolved = 0, states = 0, contacts = 0;
 	double most = 0.0;
 
 	for (int i = 0; i < count; i++) {
+		const struct hawser_friction_problem problem = friction_problem(&of);
 		double size = 1e-3;
 
 		friction_random(&of, i, 0.6, 1e3);
-		if (friction_solve(u, a, &ours, &of, NULL, &report)) {
+		if (friction_solve(u, a, &ours, &of, &report)) {
 			failed++;
 			continue;
 		}
-		if (friction_solve(u, b, &theirs, &of, name, &report)) {
+		if (siconos_solve(b, &problem, of.nodes, (const int (*)[2])of.link, of.nodes - 1, name)) {
 			unsolved++;
 			continue;
 		}
@@ -214,7 +220,7 @@ static void failures(double mu, double stiff, int count)
 
 	for (int i = 0; i < count; i++) {
 		friction_random(&of, i, mu, stiff);
-		failed += friction_solve(u, reply, &counts, &of, NULL, &report) != HAWSER_OK;
+		failed += friction_solve(u, reply, &counts, &of, &report) != HAWSER_OK;
 		sum += counts.iterations;
 		most = counts.iterations > most ? counts.iterations : most;
 	}
@@ -236,7 +242,7 @@ int main(void)
 {
 	int failed = 0;
 
-	if (hawser_friction_method(2)->available)
+	if (siconos_method(0))
 		failed += agreement("nsgs", 1000) + agreement("nsn_ac", 1000);
 	else
 		printf("built without Siconos: nothing to compare with\n");

@@ -124,7 +124,12 @@ BENCHES += %D%/net-modes
 # statics of nets: times and memory over size; and random nets, of which none may fail
 BENCHES += %D%/net-statics
 %C%_net_statics_SOURCES = %D%/net-statics.c
-%C%_net_statics_LDADD = $(UPTO_NET)
+%C%_net_statics_LDADD = tests/libnets.a $(UPTO_NET)
+# all methods on the random cables of B 3.2.3; doc/figures.sh draws their performance profiles
+EXTRA_PROGRAMS += %D%/net-profile
+CLEANFILES += %D%/net-profile
+%C%_net_profile_SOURCES = %D%/net-profile.c
+%C%_net_profile_LDADD = tests/libnets.a $(UPTO_NET)
 EXTRA_PROGRAMS += %D%/net-random
 CLEANFILES += %D%/net-random
 %C%_net_random_SOURCES = %D%/net-random.c
@@ -148,7 +153,7 @@ BENCHES += %D%/ropeway
 # contact with friction in one step: time over contacts, agreement with Siconos
 BENCHES += %D%/friction
 %C%_friction_SOURCES = %D%/friction.c
-%C%_friction_LDADD = $(UPTO_CONTACT)
+%C%_friction_LDADD = tests/libsiconos.a $(UPTO_CONTACT)
 
 # what it costs to hand out tasks to ranks; under mpirun or alone
 EXTRA_PROGRAMS += %D%/ranks

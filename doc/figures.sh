@@ -214,7 +214,37 @@ sh "$SRCDIR/doc/figures-spans.sh" "$target/spans"
 echo "$target/net-bars.svg"
 "$hawser" modes "$scenes/net-table-3-1.yaml" -q --plot "$target/net-modes.svg" >"$target/net-modes.txt"
 echo "$target/net-modes.svg"
-"$hawser" compare statics -q --plot "$target/net-profile.svg"
+profile=${BUILD:-.}/bench/net-profile
+[ -x "$profile" ] || { echo "figures.sh: no $profile: run make bench/net-profile in the build folder" >&2; exit 1; }
+OPENBLAS_NUM_THREADS=1 "$profile" -p >"$table"
+# percents X: the stairs over a column; a start at straight cables is dashed
+percents() {
+	awk -v x="$1" -v table="$table" '/^#/ {
+		printf "%s table index %d using %d:3 with steps lw %s dt %s lc %d title \"%s\"", n ? ", \\\n" : "plot", n, x, \
+			n ? 1.6 : 3, $2 ~ /chord|two-sided$|regularised$|descent/ ? 2 : 1, n + 1, $2
+		n++ }
+		END { print "" }' "$table"
+}
+{
+	cat <<END
+table = '$table'
+set encoding utf8
+set terminal svg size 850,480 enhanced font 'sans-serif,12' background '#ffffff'
+set border 3 lw 0.8 lc rgb '#404040'
+set tics nomirror out scale 0.6
+set grid lw 0.5 lc rgb '#d8d8d8' dt solid
+set logscale x
+set yrange [0:103]
+set multiplot layout 1,2
+set ylabel 'Cables solved (%)'
+set xlabel 'Processor time, over that of the fastest'
+set key below maxrows 4
+END
+	percents 1
+	echo "unset ylabel; set xlabel 'Number of iterations'"
+	percents 2
+	echo "unset multiplot"
+} | gnuplot >"$target/net-profile.svg"
 echo "$target/net-profile.svg"
 
 # Travelling beams: all figures of D chapter 9.

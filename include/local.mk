@@ -33,7 +33,6 @@ pkginclude_HEADERS = \
 	%D%/hawser/map.h \
 	%D%/hawser/modes.h \
 	%D%/hawser/net.h \
-	%D%/hawser/net_comparison.h \
 	%D%/hawser/net_equilibria.h \
 	%D%/hawser/net_modes.h \
 	%D%/hawser/net_motion.h \

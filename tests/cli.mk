@@ -24,7 +24,6 @@ CLI_TESTS = \
 	%D%/cli/motion.sh \
 	%D%/cli/net-contact.sh \
 	%D%/cli/net.sh \
-	%D%/cli/net-profile.sh \
 	%D%/cli/obstacles.sh \
 	%D%/cli/rod.sh %D%/cli/rod-motion.sh %D%/cli/rod-winch.sh \
 	%D%/cli/ropeway.sh \

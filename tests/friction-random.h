@@ -108,20 +108,19 @@ static inline struct hawser_friction_problem friction_problem(const struct frict
 		.contact = of->contact, .contacts = of->contacts};
 }
 
-/* Solve by a method; status as of the library. */
+/* Status as of the library. */
 static inline enum hawser_status friction_solve(double (*u)[3], struct hawser_contact_reply *reply,
                                                 struct hawser_friction_counts *counts,
-                                                const struct friction_case *of, const char *method,
+                                                const struct friction_case *of,
                                                 struct hawser_report *report)
 {
 	const struct hawser_friction_problem problem = friction_problem(of);
-	const struct hawser_friction_options options = {.method = method};
 	struct hawser_friction *solver;
 	enum hawser_status status = hawser_friction_open(&solver, of->nodes, of->link,
 	                                                 of->nodes - 1 + of->rings, of->contacts, report);
 
 	if (!status)
-		status = hawser_friction_solve(solver, u, reply, counts, &problem, &options, report);
+		status = hawser_friction_solve(solver, u, reply, counts, &problem, NULL, report);
 	hawser_friction_clear(solver);
 	return status;
 }

@@ -27,6 +27,19 @@ tests_net_SOURCES = tests/cases.c \
 	tests/reference/test-net.c \
 	tests/unit/test-document.c
 nodist_tests_net_SOURCES = tests/net-cases.c
-tests_net_LDADD = $(UPTO_NET)
-noinst_HEADERS += tests/net-random.h
+tests_net_LDADD = tests/libnets.a $(UPTO_NET)
+noinst_HEADERS += tests/net-random.h tests/nets/comparison.h
+# other methods of the statics of nets, which the library does not have, and all on random cables
+EXTRA_LIBRARIES += tests/libnets.a
+CLEANFILES += tests/libnets.a
+tests_libnets_a_SOURCES = \
+	tests/nets/cables.c \
+	tests/nets/certificate.c \
+	tests/nets/comparison.c \
+	tests/nets/descent.c \
+	tests/nets/mixed.c \
+	tests/nets/older.c \
+	tests/nets/regularised.c \
+	tests/nets/relaxation.c \
+	tests/nets/two_sided.c
 EXTRA_DIST += tests/reference/net-bed-corner.yaml tests/reference/net-bight.yaml tests/reference/net-damped.yaml

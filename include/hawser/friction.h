@@ -70,7 +70,6 @@ struct hawser_friction_problem {
 };
 
 struct hawser_friction_options {
-	const char *method;  /* row of hawser_friction_method; NULL: the first */
 	double tolerance;    /* of the complementarity, relative (see residual); 0: 1e-10 */
 	int most;            /* iterations; 0: 400 */
 	int warm;            /* 1: start from what the replies hold, as of the step before */
@@ -78,7 +77,7 @@ struct hawser_friction_options {
 void hawser_friction_options_settle(struct hawser_friction_options *options);
 
 struct hawser_friction_counts {
-	int iterations;   /* of Newton's method, or of the method */
+	int iterations;   /* of Newton's method */
 	int open, stick, slip;
 	double residual;  /* of the laws: largest |r - P(r - rho w)| of a contact over the largest |r| or
 	                   * rho |w|, rho = 1/(n.M^-1 n). P(z): p = max(z_N, 0), and z_T cut to the
@@ -87,16 +86,7 @@ struct hawser_friction_counts {
 	double power;     /* sum of -r_T.w_T, the work of friction: 0 or more, J */
 };
 
-/* A method: a row. limit: number of contacts up to which it is sensible; 0: any. */
-struct hawser_friction_method {
-	const char *name, *summary, *source;
-	int limit;
-	int friction;   /* 0: only for problems without friction */
-	int available;  /* 0: the library was built without Siconos */
-};
-const struct hawser_friction_method *hawser_friction_method(int index); /* NULL beyond the last */
-
-/* Work space for a mesh; a solution of the first method on chains allocates nothing. */
+/* Work space for a mesh; a solution on chains allocates nothing. */
 struct hawser_friction;
 /* HAWSER_ERR_ARGUMENT: a link outside the nodes, or counts that are
  * negative; HAWSER_ERR_MEMORY. */
@@ -109,7 +99,7 @@ void hawser_friction_clear(struct hawser_friction *solver);
 /* Solve. u [nodes][3] and reply [contacts] are results; with options->warm the replies are read too. An
  * answer is returned only where residual and balance are within the tolerance (or what round-off of M u
  * permits).
- * HAWSER_ERR_ARGUMENT: an impossible contact, option or method; HAWSER_ERR_NAN: not a number, which is
+ * HAWSER_ERR_ARGUMENT: an impossible contact or option; HAWSER_ERR_NAN: not a number, which is
  * named; HAWSER_ERR_NO_SOLUTION: M is not positive definite, or contacts of a node contradict each
  * other; HAWSER_ERR_CONVERGENCE: not solved, with the residual. */
 enum hawser_status hawser_friction_solve(struct hawser_friction *solver, double (*u)[3],

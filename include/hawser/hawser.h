@@ -20,7 +20,6 @@
 #include <hawser/campbell.h>
 #include <hawser/surface.h>
 #include <hawser/net.h>
-#include <hawser/net_comparison.h>
 #include <hawser/net_equilibria.h>
 #include <hawser/net_modes.h>
 #include <hawser/net_motion.h>

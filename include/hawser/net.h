@@ -126,21 +126,10 @@ void hawser_net_clear(struct hawser_net *net);
 
 /* --- statics --- */
 
-/* Where a method begins. */
-enum hawser_net_start {
-	HAWSER_NET_START_OWN = 0, /* where the method begins by itself */
-	HAWSER_NET_START_DENSITY, /* the shape that force densities and loads give */
-	HAWSER_NET_START_CHORD    /* straight cables between the joints of that shape, with noise */
-};
-
 struct hawser_net_options {
 	const char *method; /* a row of hawser_net_method; NULL: the first */
 	double tolerance;   /* of the largest force that is not balanced, over weight and loads; 0: 1e-10 */
 	int iterations;     /* most; 0: the method's own */
-	enum hawser_net_start start;
-	double noise;       /* of a start at the chord: largest displacement of an inner node along each
-	                     * axis, over the chord of its cable; 0: 1e-4; HAWSER_NONE: 0 */
-	unsigned seed;      /* of the noise */
 };
 
 /* What a cable has come to. */
@@ -188,9 +177,6 @@ struct hawser_net_statics {
 	double floor;          /* N: what round-off allows */
 	const char *method;
 	int iterations;
-	int compressed;        /* number of elements under compression: above 0 only of a method whose
-	                        * law has two sides; this is then no equilibrium of cables, and gap is
-	                        * infinite */
 };
 /* The only equilibrium of the net: cables carry tension only. */
 enum hawser_status hawser_net_solve(struct hawser_net_statics *st, const struct hawser_net *net,

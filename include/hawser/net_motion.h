@@ -49,8 +49,6 @@ struct hawser_net_motion_options {
 	double tolerance;    /* of the local error of a position in a step, over the unstretched length of
 	                      * the longest cable; 0: 1e-7 */
 	const char *scheme;  /* row of hawser_net_scheme; NULL: the scene's, or the first */
-	const char *contact; /* row of hawser_friction_method for the steps with obstacles; NULL: the first.
-	                      * Others serve to compare */
 	double rho_inf;      /* of the scheme alpha; 0: the scene's, or 0.9; HAWSER_NONE: 0 */
 	const char *initial; /* file of a state; NULL: the scene's, or the equilibrium */
 	const struct hawser_net_probe *probe; /* [probes] */

@@ -122,9 +122,6 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/statics/statics_marks.c \
 	%D%/compare/compare_mms.c \
 	%D%/compare/compare_motion.c \
-	%D%/compare/compare_statics.c \
-	%D%/compare/compare_statics.h \
-	%D%/compare/compare_statics_fields.c \
 	%D%/statics/statics_fields.c \
 	%D%/statics/statics_mesh.c \
 	%D%/statics/statics_mesh.h \

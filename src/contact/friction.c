@@ -212,23 +212,7 @@ static void reply_all(struct hawser_contact_reply *reply, struct hawser_friction
 	}
 }
 
-static enum hawser_status suits(const struct hawser_friction_problem *problem,
-                                const struct hawser_friction_method *method,
-                                struct hawser_report *report)
-{
-	if (method->limit && problem->contacts > method->limit)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "friction",
-		                    "contact: the method %s takes at most %d contacts, and here are %d; take "
-		                    "the method newton", method->name, method->limit, problem->contacts);
-	for (int c = 0; c < problem->contacts; c++)
-		if (!method->friction && problem->contact[c].friction > 0.0)
-			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "friction",
-			                    "contact: the method %s is one without friction, and contact %d has "
-			                    "the coefficient %g", method->name, c, problem->contact[c].friction);
-	return HAWSER_OK;
-}
-
-/* Check what a method calls solved, and hand it on. */
+/* Check what Newton's method calls solved, and hand it on. */
 static enum hawser_status answer(double (*u)[3], struct hawser_contact_reply *reply,
                                  struct hawser_friction_counts *counts, struct hawser_friction *solver,
                                  const struct hawser_friction_options *options,
@@ -259,18 +243,12 @@ enum hawser_status hawser_friction_solve(struct hawser_friction *solver, double 
                                          struct hawser_report *report)
 {
 	struct hawser_friction_options options = {0};
-	const struct hawser__friction_row *row;
 	enum hawser_status status = hawser__friction_check(solver, problem, report);
 
 	if (given)
 		options = *given;
 	hawser_friction_options_settle(&options);
 	memset(counts, 0, sizeof *counts);
-	row = hawser__friction_row(options.method, report);
-	if (!row)
-		return HAWSER_ERR_ARGUMENT;
-	if (!status)
-		status = suits(problem, &row->shown, report);
 	if (!status && options.warm)
 		status = warm_finite(reply, problem->contacts, report);
 	if (status)
@@ -288,6 +266,6 @@ enum hawser_status hawser_friction_solve(struct hawser_friction *solver, double 
 		                    "or the stiffness of the step is negative; give every node mass, or make "
 		                    "the step shorter");
 	begin(solver, reply, options.warm);
-	status = row->solve(solver, u, counts, &options, report);
+	status = hawser__friction_newton(solver, u, counts, &options, report);
 	return status ? status : answer(u, reply, counts, solver, &options, report);
 }

@@ -135,23 +135,13 @@ struct hawser__friction_where hawser__friction_look(const struct hawser_friction
 /* A part of the step: */
 void hawser__friction_move(struct hawser_friction *of, double (*u)[3] /* [nodes][3] */, double by);
 
-/* A method: from u, w and rho without contact (hawser__friction_free) to u, r and w with it. With the
- * option `warm` the solver's `from` holds r and w of a start. */
-typedef enum hawser_status hawser__friction_method(struct hawser_friction *of, double (*u)[3],
-                                                   struct hawser_friction_counts *counts,
-                                                   const struct hawser_friction_options *options,
-                                                   struct hawser_report *report);
-struct hawser__friction_row {
-	struct hawser_friction_method shown;
-	hawser__friction_method *solve;
-};
-/* NULL, with a report, if there is no row of this name; name NULL: the first. */
-const struct hawser__friction_row *hawser__friction_row(const char *name, struct hawser_report *report);
-
-/* friction-newton.c: from `from` (warm), or from M u = p. */
-hawser__friction_method hawser__friction_newton;
-/* friction-siconos.c: begin at the velocities without contact. */
-hawser__friction_method hawser__friction_lemke, hawser__friction_nsgs, hawser__friction_nsn_ac;
+/* friction-newton.c: from u, w and rho without contact (hawser__friction_free) to u, r and w with it.
+ * It begins at the solver's `from` (with the option `warm`), or at M u = p. */
+enum hawser_status hawser__friction_newton(struct hawser_friction *of,
+                                           double (*u)[3] /* [nodes][3] */,
+                                           struct hawser_friction_counts *counts,
+                                           const struct hawser_friction_options *options,
+                                           struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* friction-start.c: velocities without contact, R, w and rho; 0 if M is not positive definite. */
 int hawser__friction_free(struct hawser_friction *of, double (*u)[3] /* [nodes][3] */);

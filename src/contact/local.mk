@@ -6,14 +6,10 @@ noinst_LTLIBRARIES += %D%/libcontact.la
 	%D%/friction-check.c \
 	%D%/friction-corner.c \
 	%D%/friction-law.c \
-	%D%/friction-methods.c \
 	%D%/friction-net.c \
 	%D%/friction-newton.c \
-	%D%/friction-siconos.c \
 	%D%/friction-start.c \
 	%D%/friction-state.c \
 	%D%/surface.c \
 	%D%/surface_read.c \
 	%D%/surface_read.h
-# Siconos is loaded at run time: its headers are all that is needed here.
-%C%_libcontact_la_CFLAGS = $(AM_CFLAGS) $(SICONOS_CFLAGS)

@@ -2,10 +2,7 @@ noinst_LTLIBRARIES += %D%/libnet.la
 %C%_libnet_la_SOURCES = \
 	%D%/statics/catenary.c \
 	%D%/statics/catenary.h \
-	%D%/statics/certificate.c \
-	%D%/statics/comparison.c \
 	%D%/statics/cone.c \
-	%D%/statics/descent.c \
 	%D%/statics/dual.c \
 	%D%/statics/dual.h \
 	%D%/modes/eigen.c \
@@ -29,7 +26,6 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/motion/integrate.c \
 	%D%/mesh.c \
 	%D%/statics/mesh-error.c \
-	%D%/statics/mixed.c \
 	%D%/modes/modes.c \
 	%D%/modes/modes-label.c \
 	%D%/motion/motion.c \
@@ -62,13 +58,9 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/plan/plan-cost.c \
 	%D%/plan/plan-mesh.c \
 	%D%/plan/plan-words.c \
-	%D%/statics/random.c \
-	%D%/statics/random.h \
 	%D%/read/read.c \
 	%D%/read/read.h \
 	%D%/span/read-span.c \
-	%D%/statics/regularised.c \
-	%D%/statics/relaxation.c \
 	%D%/statics/solution.c \
 	%D%/statics/solution.h \
 	%D%/statics/solve.h \
@@ -93,5 +85,4 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/touch/touch-hold.c \
 	%D%/touch/touch-start.c \
 	%D%/touch/touched.c \
-	%D%/touch/touching.c \
-	%D%/statics/two_sided.c
+	%D%/touch/touching.c

@@ -180,17 +180,13 @@ struct hawser__equilibrium {
 	const char *method;
 	int iterations;
 	double apart;      /* m: largest penetration of an obstacle, or gap of a node that touches */
-	int compressed;    /* number of elements; only of methods with a law of two sides */
 };
 struct hawser__mesh_options {
-	const char *method; /* a row of hawser__mesh_method; NULL: "automatic" */
+	const struct hawser__net_method *method; /* NULL: the first row */
 	double tolerance;   /* of the residual over the weight and load; 0: 1e-10 */
 	int iterations;     /* most; 0: the method's own */
 	int keep_start;     /* begin at mesh->q instead of at the force-density start */
 	const double *N;    /* [elements] tensions of that start; NULL: a part of the loads */
-	enum hawser_net_start start; /* where it begins otherwise */
-	double noise;       /* of that start at the chord, over the chord; 0: 1e-4; HAWSER_NONE: 0 */
-	unsigned seed;      /* of the noise */
 	int rubs;           /* 1: obstacles rub; with keep_start */
 };
 /* Solve for mesh->q, and the tensions T [elements]. Fails with HAWSER_ERR_NO_SOLUTION where parts have

@@ -41,7 +41,6 @@
 #include <hawser/map.h>
 #include <hawser/modes.h>
 #include <hawser/net.h>
-#include <hawser/net_comparison.h>
 #include <hawser/net_equilibria.h>
 #include <hawser/net_modes.h>
 #include <hawser/net_motion.h>
@@ -81,7 +80,6 @@ static const struct row {
 	ROW(hawser_contact),
 	ROW(hawser_contact_reply),
 	ROW(hawser_friction_counts),
-	ROW(hawser_friction_method),
 	ROW(hawser_friction_options),
 	ROW(hawser_friction_problem),
 	ROW(hawser_bending),
@@ -91,7 +89,6 @@ static const struct row {
 	ROW(hawser_backbone_options),
 	ROW(hawser_backbone_point),
 	ROW(hawser_backbone_branch),
-	ROW(hawser_net_way),
 	ROW(hawser_nnm),
 	ROW(hawser_nnm_options),
 	ROW(hawser_nnm_curve),
@@ -256,11 +253,8 @@ static const struct row {
 	ROW(hawser_motions_run),
 	ROW(hawser_net),
 	ROW(hawser_net_cable),
-	ROW(hawser_net_certificate),
 	ROW(hawser_net_contact),
 	ROW(hawser_net_contact_given),
-	ROW(hawser_net_comparison),
-	ROW(hawser_net_comparison_options),
 	ROW(hawser_net_decision),
 	ROW(hawser_net_dynamics),
 	ROW(hawser_net_load),
@@ -278,16 +272,13 @@ static const struct row {
 	ROW(hawser_net_modes),
 	ROW(hawser_net_motion),
 	ROW(hawser_net_motion_options),
-	ROW(hawser_net_outcome),
 	ROW(hawser_net_path),
 	ROW(hawser_net_plan),
 	ROW(hawser_net_plan_cable),
 	ROW(hawser_net_plan_job),
 	ROW(hawser_net_plan_options),
 	ROW(hawser_net_probe),
-	ROW(hawser_net_random),
 	ROW(hawser_net_scheme),
-	ROW(hawser_net_score),
 	ROW(hawser_net_span_error),
 	ROW(hawser_net_span_motion),
 	ROW(hawser_net_span_motion_options),

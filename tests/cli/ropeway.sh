@@ -160,7 +160,7 @@ denies "too little tension" 2 "lane up: " statics "$small" --set 'ropeway.bottom
 denies "a loop that is too long" 2 "the loop is too long" statics "$small" --set 'ropeway.bottom.tension={length0: 900 m}'
 denies "a command of spans" 1 "is a ropeway, which hawser compare modes does not take" compare modes "$small"
 denies "an option of spans" 1 "\-\-model is for spans, and .* is a ropeway" statics "$small" --model parabola
-denies "an option of nets" 1 "\-\-method is for nets, and .* is a ropeway" statics "$small" --method mixed
+denies "an option of nets" 1 "\-\-method is for nets, and .* is a ropeway" statics "$small" --method cone
 denies "an option of ropeways" 1 "\-\-worst is for ropeways, and .* is a span" statics \
 	"$scenes/chairlift.yaml" --worst
 denies "two tables" 1 "choose one" statics "$small" --worst --spans

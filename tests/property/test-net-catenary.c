@@ -158,7 +158,7 @@ static void many(enum random_kind kind, int count)
 /* Too few iterations: refused, with what is left. */
 static void cut(void)
 {
-	static const char *const method[] = {"mixed", "interior-point", "forces", "catenary"};
+	static const char *const method[] = {"cone", "interior-point", "forces", "catenary"};
 	struct hawser_report report = {0};
 	uint64_t state = 20;
 	struct random_net r;

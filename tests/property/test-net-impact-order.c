@@ -1,6 +1,5 @@
 /* Nets that touch obstacles in time: order of convergence, 2 where nothing jumps and 1 through impacts;
- * the period of a bead in a pipe; steps by the methods of Siconos; many steps without drift
- * (HAWSER_LONG).
+ * the period of a bead in a pipe; many steps without drift (HAWSER_LONG).
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -9,7 +8,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include <hawser/friction.h>
 #include <hawser/net_motion.h>
 
 #include "tests/tap.h"
@@ -119,30 +117,6 @@ static void bounces(void)
 	   "16th, order %.2f", most[0], most[1], log2(most[0]/most[1])/4.0);
 }
 
-/* The same steps by other solvers of contact. */
-static void methods(void)
-{
-	static const char *const set[] = {"cables.c.elements=8"};
-	struct hawser_net_motion ours, theirs;
-	struct hawser_net_motion_options options = {.until = 0.47};
-
-	if (!last(&ours, "net-pendulum", set, 1, &options))
-		return;
-	for (int i = 1; hawser_friction_method(i); i++) {
-		const struct hawser_friction_method *method = hawser_friction_method(i);
-
-		if (!method->available || !method->friction)
-			continue;
-		options.contact = method->name;
-		if (last(&theirs, "net-pendulum", set, 1, &options))
-			ok(fabs(theirs.x[1][0] - ours.x[1][0]) < 1e-7 && theirs.touching[1] == ours.touching[1] &&
-			   ours.touching[1] > 0, "%s: %.1e m from ours, %d nodes touch", method->name,
-			   fabs(theirs.x[1][0] - ours.x[1][0]), theirs.touching[1]);
-		hawser_net_motion_clear(&theirs);
-	}
-	hawser_net_motion_clear(&ours);
-}
-
 /* 1e5 steps of a chain on a floor that moves under it. */
 static void steps(void)
 {
@@ -165,7 +139,6 @@ CASE(property_net_impact_order)
 	bead();
 	curve();
 	bounces();
-	methods();
 	steps();
 	return done_testing();
 }

@@ -9,9 +9,9 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
-#include <hawser/net_comparison.h>
-
+#include "tests/nets/comparison.h"
 #include "tests/tap.h"
 
 enum { FEW = 12, ALL = 1600 };
@@ -21,7 +21,7 @@ enum { FEW = 12, ALL = 1600 };
 /* Chain from (0, 0): the force of the first element is n, that of each next one has the weight of an
  * element more. x [elements + 1][2], or NULL; end: its end; K: derivative of the end by n. */
 static long double shoot(long double end[2], long double K[3], double (*x)[2],
-                         const struct hawser_net_random *cable, const long double n[2])
+                         const struct net_cable *cable, const long double n[2])
 {
 	long double L = (long double)cable->length0/cable->elements, w = (long double)cable->rho*cable->g*L;
 	long double energy = 0.0L;
@@ -47,7 +47,7 @@ static long double shoot(long double end[2], long double K[3], double (*x)[2],
 }
 
 /* The chain's force n by Newton's method with halved steps: the energy above is convex in n. */
-static int chain(long double n[2], double (*x)[2], const struct hawser_net_random *cable)
+static int chain(long double n[2], double (*x)[2], const struct net_cable *cable)
 {
 	long double chord = hypotl(cable->d, cable->h), W = (long double)cable->rho*cable->g*cable->length0;
 	long double N = fmaxl(0.3L*W, cable->EA*(chord/cable->length0 - 1.0L)), end[2], K[3], energy;
@@ -82,7 +82,7 @@ static int chain(long double n[2], double (*x)[2], const struct hawser_net_rando
 
 /* --- the certificate --- */
 
-static double energy_of(const struct hawser_net_random *cable, const struct hawser_net_statics *st)
+static double energy_of(const struct net_cable *cable, const struct hawser_net_statics *st)
 {
 	double L = cable->length0/cable->elements, w = cable->rho*cable->g*L, sum = 0.0;
 
@@ -98,19 +98,19 @@ static double energy_of(const struct hawser_net_random *cable, const struct haws
 /* The solution against the chain; then displaced: the gap must bound the energy that is too much. */
 static void certified(unsigned number, double *off, double *force, double *sharp)
 {
-	struct hawser_net_random cable = hawser_net_random(7, number);
+	struct net_cable cable = net_cable(7, number);
 	double size = hypot(cable.d, cable.h), energy, (*x)[2] = calloc(101, sizeof *x);
 	struct hawser_report report = {0};
-	struct hawser_net_certificate before, after;
+	struct net_certificate before, after;
 	struct hawser_net_statics st;
 	struct hawser_net net;
 	double half = cable.rho*cable.g*cable.length0/cable.elements/2.0;
 	long double n[2];
 	int bounded = 1, refused = 1;
 
-	if (!x || hawser_net_random_open(&net, &cable, &report) ||
+	if (!x || net_cable_open(&net, &cable, &report) ||
 	    hawser_net_solve(&st, &net, NULL, &report) ||
-	    hawser_net_certify(&before, &net, &st, &report) || !chain(n, x, &cable)) {
+	    net_certify(&before, &net, &st, &report) || !chain(n, x, &cable)) {
 		ok(0, "cable %u: %s", number, report.message);
 		free(x);
 		return;
@@ -125,7 +125,7 @@ static void certified(unsigned number, double *off, double *force, double *sharp
 		double more;
 
 		st.point[i].x[number % 3] += part*size;
-		if (hawser_net_certify(&after, &net, &st, &report))
+		if (net_certify(&after, &net, &st, &report))
 			ok(0, "cable %u: %s", number, report.message);
 		more = energy_of(&cable, &st) - energy;
 		bounded &= after.gap >= more*(1.0 - 1e-6);
@@ -155,7 +155,7 @@ static void certificates(void)
 
 /* --- the comparison --- */
 
-static const struct hawser_net_score *score_of(const struct hawser_net_comparison *of,
+static const struct net_score *score_of(const struct net_comparison *of,
                                                const char *name)
 {
 	for (int w = 0; w < of->ways; w++)
@@ -164,14 +164,14 @@ static const struct hawser_net_score *score_of(const struct hawser_net_compariso
 	return NULL;
 }
 
-static void counts(const struct hawser_net_comparison *of)
+static void counts(const struct net_comparison *of)
 {
 	static const char *const certain[] = {"automatic", "interior-point", "mixed", "mixed/chord",
 	                                      "forces"};
 	double *value = calloc((size_t)of->nets, sizeof *value);
 
 	for (int w = 0; w < of->ways; w++) {
-		const struct hawser_net_score *score = &of->score[w];
+		const struct net_score *score = &of->score[w];
 		double best = INFINITY;
 
 		ok(score->solved + score->compressed + score->failed == of->nets && score->wrong == 0,
@@ -181,7 +181,7 @@ static void counts(const struct hawser_net_comparison *of)
 		for (int by = 0; value && by < 2; by++) {
 			int finite = 0, rising = 1;
 
-			hawser_net_comparison_profile(value, of, w, by);
+			net_comparison_profile(value, of, w, by);
 			for (int i = 0; i < of->nets; i++) {
 				finite += isfinite(value[i]) != 0;
 				rising &= i == 0 || value[i] >= value[i - 1];
@@ -216,36 +216,36 @@ static void all(void)
 	struct hawser_report report = {0};
 
 	for (size_t k = 0; k < sizeof row/sizeof *row; k++) {
-		struct hawser_net_comparison of;
-		struct hawser_net_comparison_options options = {.nets = ALL, .way = row[k].name, .repeats = 1};
+		struct net_comparison of;
+		struct net_comparison_options options = {.nets = ALL, .way = row[k].name, .repeats = 1};
 
-		if (!ok(!hawser_net_compare(&of, &options, &report), "%s: %s", row[k].name, report.message))
+		if (!ok(!net_compare(&of, &options, &report), "%s: %s", row[k].name, report.message))
 			continue;
 		close_to(of.score->solved/(double)ALL, row[k].part, row[k].within, row[k].name);
 		ok(of.score->wrong == 0, "%s: none wrong", row[k].name);
 		for (int i = 0; i < 3 && row[k].iterations[i] > 0.0; i++)
 			ok(of.score->iterations[i] == row[k].iterations[i], "%s: %g iterations", row[k].name,
 			   of.score->iterations[i]);
-		hawser_net_comparison_clear(&of);
+		net_comparison_clear(&of);
 	}
 }
 
 CASE(property_net_profile)
 {
-	struct hawser_net_comparison of;
-	struct hawser_net_comparison_options options = {.nets = FEW, .seed = 3, .steps = 2000,
+	struct net_comparison of;
+	struct net_comparison_options options = {.nets = FEW, .seed = 3, .steps = 2000,
 	                                                .repeats = 1};
 	struct hawser_report report = {0};
 
 	certificates();
-	if (ok(!hawser_net_compare(&of, &options, &report), "comparison: %s", report.message)) {
+	if (ok(!net_compare(&of, &options, &report), "comparison: %s", report.message)) {
 		counts(&of);
 		ok(score_of(&of, "two-sided")->compressed > 0, "two-sided ends with compressed elements");
 		ok(score_of(&of, "regularised")->failed > 0, "regularised fails for some");
-		hawser_net_comparison_clear(&of);
+		net_comparison_clear(&of);
 	}
 	options.way = "newton";
-	ok(hawser_net_compare(&of, &options, &report) == HAWSER_ERR_ARGUMENT &&
+	ok(net_compare(&of, &options, &report) == HAWSER_ERR_ARGUMENT &&
 	   strstr(report.message, "there is no method newton"), "a wrong name: %s", report.message);
 	if (getenv("HAWSER_LONG"))
 		all();

@@ -69,7 +69,7 @@ struct cli_command {
 	X(frf) X(orbit) X(folds) X(locus) X(nnm) X(mms) X(hill) \
 	GROUP("Maps, variations and comparisons") \
 	X(map) X(merge) X(sweep) \
-	X(compare) X(compare_modes) X(compare_mms) X(compare_motion) X(compare_statics) \
+	X(compare) X(compare_modes) X(compare_mms) X(compare_motion) \
 	GROUP("Measurements") \
 	X(damping) X(identify) \
 	GROUP("Reports and shells") \

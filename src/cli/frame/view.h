@@ -79,7 +79,6 @@ extern const struct cli_listing cli_beam_listing[], cli_campbell_listing[], cli_
                                 cli_folds_listing[], cli_frf_listing[], cli_modes_listing[],
                                 cli_statics_listing[], cli_compare_mms_listing[],
                                 cli_compare_motion_listing[], cli_map_listing[],
-                                cli_compare_statics_listing[],
                                 cli_plan_listing[], cli_irvine_listing[], cli_integrate_listing[],
                                 cli_hill_listing[], cli_mms_listing[], cli_damping_listing[],
                                 cli_compare_modes_listing[], cli_locus_listing[],

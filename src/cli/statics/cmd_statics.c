@@ -18,8 +18,7 @@ struct settings {
 static const struct settings defaults = {.kinds.points = 201};
 
 static const char *const notes[] = {
-	"Methods for nets: automatic, interior-point, mixed, forces, catenary; for comparison two-sided,",
-	"regularised, descent and relaxation, which may end with compressed elements or not at all.",
+	"Methods for nets: automatic, interior-point, cone, forces, catenary.",
 	NULL,
 };
 

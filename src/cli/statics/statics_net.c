@@ -79,22 +79,13 @@ static void warn_of_nothing(struct result *result)
 		         result->st.member[first].T_max, net->cable[first].value);
 }
 
-/* A method with the law of bars has found compressed elements; or cables are much too short. */
 static void warn(struct result *result)
 {
-	int elements = result->st.points - result->st.cables, count = result->st.compressed;
-
-	if (count == 0)
-		warn_of_strain(result);
-	if (count == 0 && !*result->warning)
+	warn_of_strain(result);
+	if (!*result->warning)
 		warn_of_nothing(result);
-	if (count == 0 && !*result->warning)
+	if (!*result->warning)
 		cli_mesh_warning(result->warning, &result->mesh);
-	if (count > 0)
-		snprintf(result->warning, sizeof result->warning,
-		         "%d of %d elements %s compressed: the method %s has found an equilibrium of bars, "
-		         "not of cables, and there is no certificate; --method automatic finds that of the "
-		         "cables", count, elements, count == 1 ? "is" : "are", result->st.method);
 }
 
 static void slack_comment(struct hawser__table *table, const struct result *result)
@@ -118,9 +109,7 @@ static void comments(struct hawser__table *table, const void *of)
 
 	hawser__table_comment(table, "%d nodes, %d cables, %d unknowns; %d iterations", st->nodes,
 	                      st->cables, st->unknowns, st->iterations);
-	if (st->compressed > 0)
-		hawser__table_comment(table, "energy of bars = %.12g J", st->energy);
-	else if (!isfinite(st->gap))
+	if (!isfinite(st->gap))
 		hawser__table_comment(table, "energy = %.12g J; around obstacles that are not planes there "
 		                      "may be other equilibria", st->energy);
 	else
@@ -132,8 +121,7 @@ static void comments(struct hawser__table *table, const void *of)
 	cli_contacts_comments(table, &result->mesh.net, st);
 	if (*result->warning)
 		hawser__table_comment(table, "%s", result->warning);
-	if (st->compressed == 0)
-		slack_comment(table, result);
+	slack_comment(table, result);
 	for (int i = 0; i < st->nodes; i++) {
 		const struct hawser_net_node *node = &result->mesh.net.node[i];
 		const double *x = st->x[i], *f = st->reaction[i];
@@ -232,7 +220,6 @@ static const struct hawser__field net_field[] = {
 	{"energy", NULL, "strain energy minus loads times places", OF(st.energy), .unit = HAWSER__J},
 	{"gap", NULL, "the energy is at most this above the least one; null: not known", OF(st.gap),
 	 .unit = HAWSER__J, .flags = HAWSER__NULL | HAWSER__INFINITE},
-	{"compressed", NULL, "number of elements under compression", OF(st.compressed)},
 	{"residual", NULL, "largest force that is not balanced", OF(st.residual), NEWTON},
 	{"floor", NULL, "what round-off allows", OF(st.floor), NEWTON},
 	{"", NULL, "", HAWSER__PART_OF(struct result, mesh, cli_mesh_field)},

@@ -187,7 +187,7 @@ static enum hawser_status start(struct run *run, struct hawser_report *report)
 		                      "obstacles: take energy, or leave dynamics.scheme and --method out",
 		                      net->name ? net->name : "the net", run->motion.scheme->shown.name);
 	if (!status && run->mesh.touches)
-		status = hawser__contact_open(&run->motion, net->contact.restitution, options->contact, report);
+		status = hawser__contact_open(&run->motion, net->contact.restitution, report);
 	if (!status)
 		status = hawser__ode_massive(&run->mesh, net, report);
 	if (status)

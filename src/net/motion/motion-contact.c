@@ -59,7 +59,7 @@ static int allocate(struct hawser__motion_contact *contact, size_t nodes, size_t
 }
 
 enum hawser_status hawser__contact_open(struct hawser__motion *motion, double restitution,
-                                        const char *method, struct hawser_report *report)
+                                        struct hawser_report *report)
 {
 	const struct hawser__mesh *mesh = motion->mesh;
 	struct hawser__motion_contact *contact = calloc(1, sizeof *contact);
@@ -71,7 +71,6 @@ enum hawser_status hawser__contact_open(struct hawser__motion *motion, double re
 	motion->far = 0.0;
 	contact->touches = mesh->touches;
 	contact->restitution = restitution;
-	contact->method = method;
 	if (!allocate(contact, (size_t)mesh->nodes, (size_t)mesh->elements))
 		return hawser__no_memory(report, "net");
 	status = hawser_friction_open(&contact->solver, mesh->nodes, (const int (*)[2])mesh->end,
@@ -342,8 +341,7 @@ static enum hawser_status solve_laws(struct hawser__motion *motion, int *done,
 		.diagonal = (const double (*)[9])all->diagonal, .off = (const double (*)[9])all->off,
 		.back = (const double (*)[9])all->off, .right = (const double (*)[3])all->right,
 		.held = all->held, .contact = all->contact, .contacts = all->candidates};
-	const struct hawser_friction_options options = {.method = all->method, .tolerance = LAWS,
-	                                                .warm = 1};
+	const struct hawser_friction_options options = {.tolerance = LAWS, .warm = 1};
 	struct hawser_friction_counts counts;
 	struct hawser_report own = {.status = HAWSER_OK};
 	enum hawser_status status = hawser_friction_solve(all->solver, all->dx, all->reply, &counts,

@@ -37,7 +37,6 @@ struct hawser__motion_touch {
 struct hawser__motion_contact {
 	int touches, candidates;
 	double restitution;
-	const char *method;                  /* row of hawser_friction_method; NULL: first */
 	double reach;                        /* m, longest element: scale of round-off beside places */
 	struct hawser__motion_touch *touch;  /* [touches] */
 	struct hawser_contact *contact;      /* [touches] of the list */
@@ -61,7 +60,7 @@ struct hawser__motion_contact {
 
 /* For a motion whose mesh has touches: sets motion->contact, and lumps the masses. */
 enum hawser_status hawser__contact_open(struct hawser__motion *motion, double restitution,
-                                        const char *method, struct hawser_report *report)
+                                        struct hawser_report *report)
 	HAWSER_MUST_CHECK;
 void hawser__contact_clear(struct hawser__motion_contact *contact);
 /* The gap of a place, and its gradient. Of a segment that of its line: in motion a node leaves the

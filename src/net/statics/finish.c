@@ -4,9 +4,12 @@
  * N  force of an element, 0 if it is slack: an unknown of its own, which the law
  *    EA*(l/length0 - 1) gives at the solution only
  *
- * From a start close to the equilibrium: that of net/statics/cone.c, or the catenaries. Each
- * iteration is that of net/statics/mixed.c, except that slack elements have no force, and that an
- * element turns slack where its force becomes negative, and taut where its length exceeds length0.
+ * From a start close to the equilibrium: that of net/statics/cone.c, or the catenaries. Newton's method
+ * for the positions alone takes T(q) in the geometric stiffness, over-stretches far from the solution
+ * and compresses elements. With N as an unknown, eliminated element by element, the matrix
+ * sum of (EA/length0)*e*e' + (N/l)*(I - e*e') is positive definite, and 7 iterations do. Slack elements
+ * have no force: an element turns slack where its force becomes negative, and taut where its length
+ * exceeds length0.
  *
  * Positions in double precision give the tension of a stiff element only to
  * EA*ulp(position)/length0, which may exceed the loads. N does not have this error: what is

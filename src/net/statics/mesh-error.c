@@ -122,10 +122,10 @@ static enum hawser_status measure(struct hawser_net_mesh_error *error, double *e
 
 	*error = (struct hawser_net_mesh_error){.tension = NAN, .cable = -1};
 	memset(each, 0, (size_t)net->cables*sizeof *each);
-	if (!status && st->compressed == 0)
+	if (!status)
 		status = hawser__net_exact(&other, &found, net, st, report);
 	error->exact = found;
-	for (int i = 0; i < tries && !status && st->compressed == 0; i++) {
+	for (int i = 0; i < tries && !status; i++) {
 		if (!error->exact)
 			status = coarse(&other, &found, ratio, i ? 2.0/3.0 : 0.5, net, report);
 		if (!status && found)

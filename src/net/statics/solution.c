@@ -166,13 +166,12 @@ static enum hawser_status fill(struct hawser_net_statics *st, const struct hawse
 }
 
 static enum hawser_status of_mesh(struct hawser_net_statics *st, const struct hawser_net *net,
+                                  const struct hawser__net_method *method,
                                   const struct hawser_net_options *options,
                                   struct hawser_report *report)
 {
-	struct hawser__mesh_options settings = {.method = options->method, .tolerance = options->tolerance,
-	                                        .iterations = options->iterations,
-	                                        .start = options->start, .noise = options->noise,
-	                                        .seed = options->seed};
+	struct hawser__mesh_options settings = {.method = method, .tolerance = options->tolerance,
+	                                        .iterations = options->iterations};
 	struct hawser__mesh mesh = {0};
 	struct hawser__equilibrium found;
 	double *T = NULL;
@@ -183,7 +182,7 @@ static enum hawser_status of_mesh(struct hawser_net_statics *st, const struct ha
 		status = hawser__net_supported(&mesh, net, report);
 	if (!status && !(T = calloc((size_t)mesh.elements, sizeof *T)))
 		status = hawser__no_memory(report, "net");
-	if (!status && !mesh.touches && (!options->method || !strcmp(options->method, "automatic")) &&
+	if (!status && !mesh.touches && method == hawser__net_method(0) &&
 	    hawser__exact_start(&mesh, T, net)) {
 		settings.keep_start = 1;
 		settings.N = T;
@@ -198,11 +197,30 @@ static enum hawser_status of_mesh(struct hawser_net_statics *st, const struct ha
 			.nodes = net->nodes, .cables = net->cables, .unknowns = mesh.unknowns,
 			.energy = found.energy, .gap = found.gap, .residual = found.residual,
 			.floor = found.floor, .method = found.method, .iterations = found.iterations,
-			.compressed = found.compressed, .apart = found.apart};
+			.apart = found.apart};
 		status = fill(st, &mesh, net, T, report);
 	}
 	free(T);
 	hawser__mesh_clear(&mesh);
+	return status;
+}
+
+enum hawser_status hawser__net_solve_by(struct hawser_net_statics *st, const struct hawser_net *net,
+                                        const struct hawser__net_method *method,
+                                        const struct hawser_net_options *options,
+                                        struct hawser_report *report)
+{
+	enum hawser_status status;
+
+	memset(st, 0, sizeof *st);
+	if (net->surfaces && !method->obstacles)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s: the method %s does not know "
+		                    "obstacles: give automatic, or leave it out", net->name,
+		                    method->shown.name);
+	status = method->solve ? of_mesh(st, net, method, options, report)
+	                       : hawser__exact_statics(st, net, options, report);
+	if (status)
+		hawser_net_statics_clear(st);
 	return status;
 }
 
@@ -211,22 +229,15 @@ enum hawser_status hawser_net_solve(struct hawser_net_statics *st, const struct 
                                     struct hawser_report *report)
 {
 	static const struct hawser_net_options defaults = {0};
-	const struct hawser__net_method *row = NULL;
-	enum hawser_status status;
+	const struct hawser__net_method *method = hawser__net_method(0);
 
 	if (!options)
 		options = &defaults;
-	for (int i = 0; options->method && (row = hawser__net_method(i)); i++)
-		if (!strcmp(row->shown.name, options->method))
-			break;
+	for (int i = 0; options->method && method && strcmp(method->shown.name, options->method) != 0; i++)
+		method = hawser__net_method(i + 1);
+	if (method)
+		return hawser__net_solve_by(st, net, method, options, report);
 	memset(st, 0, sizeof *st);
-	if (row && net->surfaces && !row->obstacles)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s: the method %s does not know "
-		                    "obstacles: give automatic, or leave it out", net->name,
-		                    row->shown.name);
-	status = row && !row->solve ? hawser__exact_statics(st, net, options, report)
-	                            : of_mesh(st, net, options, report);
-	if (status)
-		hawser_net_statics_clear(st);
-	return status;
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "there is no method %.40s",
+	                    options->method);
 }

@@ -3,7 +3,7 @@
 #ifndef HAWSER_NET_SOLUTION_H
 #define HAWSER_NET_SOLUTION_H
 
-#include "net/net.h"
+#include "net/statics/solve.h"
 
 /* Fail for a part without support, with the names of its nodes. */
 enum hawser_status hawser__net_supported(const struct hawser__mesh *mesh, const struct hawser_net *net,
@@ -11,6 +11,11 @@ enum hawser_status hawser__net_supported(const struct hawser__mesh *mesh, const 
 /* The arrays of st, whose numbers of nodes and cables are set. */
 enum hawser_status hawser__net_statics_open(struct hawser_net_statics *st, size_t elements,
                                             struct hawser_report *report) HAWSER_MUST_CHECK;
+/* hawser_net_solve by a method, which need not be a row of the table. */
+enum hawser_status hawser__net_solve_by(struct hawser_net_statics *st, const struct hawser_net *net,
+                                        const struct hawser__net_method *method,
+                                        const struct hawser_net_options *options,
+                                        struct hawser_report *report) HAWSER_MUST_CHECK;
 /* The method `catenary`. */
 enum hawser_status hawser__exact_statics(struct hawser_net_statics *st, const struct hawser_net *net,
                                          const struct hawser_net_options *options,

@@ -33,7 +33,6 @@ struct hawser__net_work {
 	double weight;           /* W: sum of the forces on the nodes, N */
 	double reach;            /* m: sum of the unstretched lengths */
 	double damp;             /* N/m, of each node: in the matrix alone (touch-flow.c); usually 0 */
-	double left;             /* N: residual of a law that is not one-sided */
 	double wanted;           /* N, of the residual: the tolerance that is asked for */
 	double tolerance;        /* N, the same, at least what round-off allows for forces of positions */
 	int most;                /* iterations; 0: the method's own */
@@ -50,8 +49,6 @@ struct hawser__net_method {
 	struct hawser_net_method shown;
 	enum hawser_status (*solve)(struct hawser__net_work *work, int *done,
 	                            struct hawser_report *report);
-	int one_sided; /* 1 if what it finds has no compressed element */
-	enum hawser_net_start start; /* where it begins */
 	int obstacles; /* 1 if it knows them */
 };
 const struct hawser__net_method *hawser__net_method(int index); /* NULL beyond the last */
@@ -62,24 +59,13 @@ enum hawser_status hawser__net_touching(struct hawser__net_work *work, int *done
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
 enum hawser_status hawser__net_cone(struct hawser__net_work *work, int *done,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
-enum hawser_status hawser__net_mixed(struct hawser__net_work *work, int *done,
-                                     struct hawser_report *report) HAWSER_MUST_CHECK;
 enum hawser_status hawser__net_dual(struct hawser__net_work *work, int *done,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
-enum hawser_status hawser__net_two_sided(struct hawser__net_work *work, int *done,
-                                         struct hawser_report *report) HAWSER_MUST_CHECK;
-enum hawser_status hawser__net_regularised(struct hawser__net_work *work, int *done,
-                                           struct hawser_report *report) HAWSER_MUST_CHECK;
-enum hawser_status hawser__net_descent(struct hawser__net_work *work, int *done,
-                                       struct hawser_report *report) HAWSER_MUST_CHECK;
-enum hawser_status hawser__net_relaxation(struct hawser__net_work *work, int *done,
-                                          struct hawser_report *report) HAWSER_MUST_CHECK;
 enum hawser_status hawser__net_automatic(struct hawser__net_work *work, int *done,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* start.c: positions and forces N of the start, also kept in work->start. */
 enum hawser_status hawser__net_begin(struct hawser__net_work *work,
-                                     const struct hawser__net_method *method,
                                      const struct hawser__mesh_options *options,
                                      struct hawser_report *report) HAWSER_MUST_CHECK;
 /* Its forces N alone. */

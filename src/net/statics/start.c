@@ -2,10 +2,8 @@
  *
  * N  force of an element
  *
- * The start of this program gives every element a force density N/length0: one linear problem, from
- * which the positions follow without any guess of a shape. The other start is what a user without any
- * idea of the shape would give, and what B begins with: straight cables. Some noise is added, since
- * straight cables have no stiffness across.
+ * Every element is given a force density N/length0: one linear problem, from which the positions follow
+ * without any guess of a shape.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -14,11 +12,7 @@
 #include <string.h>
 
 #include "core/report.h"
-#include "net/statics/random.h"
 #include "net/touch/touch.h"
-
-#define NOISE 1e-4 /* of the chord: what two-sided, regularised and mixed solve of random cables is then
-                    * what an independent program finds (doc/theory-net.md) */
 
 static double chord_of(const struct hawser__mesh *mesh, int from, int to)
 {
@@ -100,34 +94,24 @@ static enum hawser_status densities(struct hawser__net_work *work, struct hawser
 	return status;
 }
 
-/* Cables straight between their ends, with noise of a part of the chord at the inner nodes. */
-static void straighten(struct hawser__mesh *mesh, double noise, unsigned seed)
+/* Cables straight between their ends. */
+static void straighten(struct hawser__mesh *mesh)
 {
-	uint64_t state = seed;
-
 	for (int c = 0; c < mesh->cables; c++) {
 		int first = mesh->first[c], n = mesh->first[c + 1] - first;
-		int from = mesh->end[first][0], to = mesh->end[first + n - 1][1];
-		double size = noise*chord_of(mesh, from, to);
+		const double *from = mesh->q[mesh->end[first][0]], *to = mesh->q[mesh->end[first + n - 1][1]];
 
-		for (int i = 1; i < n; i++) {
-			double *q = mesh->q[mesh->inner[c] + i - 1];
-
+		for (int i = 1; i < n; i++)
 			for (int k = 0; k < 3; k++)
-				q[k] = mesh->q[from][k] + (mesh->q[to][k] - mesh->q[from][k])*i/n +
-				       size*(2.0*hawser__random(&state) - 1.0);
-		}
+				mesh->q[mesh->inner[c] + i - 1][k] = from[k] + (to[k] - from[k])*i/n;
 	}
 }
 
 enum hawser_status hawser__net_begin(struct hawser__net_work *work,
-                                     const struct hawser__net_method *method,
                                      const struct hawser__mesh_options *options,
                                      struct hawser_report *report)
 {
 	struct hawser__mesh *mesh = work->mesh;
-	enum hawser_net_start start = options->start ? options->start : method->start;
-	double noise = options->noise > 0.0 ? options->noise : options->noise < 0.0 ? 0.0 : NOISE;
 	enum hawser_status status = HAWSER_OK;
 
 	work->first = options->keep_start ? options->N : NULL;
@@ -136,12 +120,10 @@ enum hawser_status hawser__net_begin(struct hawser__net_work *work,
 		stretched(work);
 	else if (!options->keep_start)
 		status = densities(work, report);
-	if (!options->keep_start && start == HAWSER_NET_START_CHORD)
-		straighten(mesh, noise, options->seed);
 	if (!status && !options->keep_start && mesh->touches) {
 		/* a cable that hangs low would have circles between its nodes */
 		if (!hawser__touch_convex(mesh))
-			straighten(mesh, 0.0, 0);
+			straighten(mesh);
 		status = hawser__touch_start(mesh, report);
 	}
 	memcpy(work->start, mesh->q, (size_t)mesh->nodes*sizeof *mesh->q);

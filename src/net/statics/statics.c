@@ -24,30 +24,18 @@
 #include "net/statics/solve.h"
 #include "net/touch/touch.h"
 
-#define DENSITY HAWSER_NET_START_DENSITY
-#define CHORD HAWSER_NET_START_CHORD
 static const struct hawser__net_method methods[] = {
 	{{"automatic", "Newton's method for positions and forces with slack members, from exact catenaries "
 	  "or force densities, and where it fails the methods cone and forces", "this program"},
-	 hawser__net_automatic, 1, DENSITY, 1},
+	 hawser__net_automatic, 1},
 	{{"interior-point", "primal-dual interior point of the convex energy", "this program"},
-	 hawser__net_interior, 1, DENSITY, 0},
+	 hawser__net_interior, 0},
 	{{"cone", "interior point of the convex energy as a second-order cone program: converges from any "
-	  "start", "this program"}, hawser__net_cone, 1, DENSITY, 0},
-	{{"mixed", "Newton's method for positions and forces, for nets without slack members",
-	  "this program"}, hawser__net_mixed, 1, DENSITY, 0},
+	  "start", "this program"}, hawser__net_cone, 0},
 	{{"forces", "Newton's method for forces in balance, with steps that lower their energy: slower",
-	  "this program"}, hawser__net_dual, 1, DENSITY, 0},
+	  "this program"}, hawser__net_dual, 0},
 	{{"catenary", "exact catenaries between the joints, whose positions alone are unknown",
-	  "this program"}, NULL, 1, DENSITY, 0},
-	{{"two-sided", "Newton's method with the law of bars: elements may be compressed",
-	  "B (3.17), (3.21)"}, hawser__net_two_sided, 0, CHORD, 0},
-	{{"regularised", "Newton's method, compressed elements without force and with a stiffness",
-	  "B (3.25), (3.26)"}, hawser__net_regularised, 1, CHORD, 0},
-	{{"descent", "Newton's method with the true tangent, made definite, and steps that lower the "
-	  "energy", "B (3.25)"}, hawser__net_descent, 1, CHORD, 0},
-	{{"relaxation", "dynamic relaxation with kinetic damping: explicit steps, no matrix",
-	  "B 3.2.4"}, hawser__net_relaxation, 1, DENSITY, 0},
+	  "this program"}, NULL, 0},
 };
 
 const struct hawser__net_method *hawser__net_method(int index)
@@ -256,28 +244,6 @@ static double gap_of(const struct hawser__mesh *mesh, int i, const double e[3], 
 	return term + c/2.0*N*N + N*(mesh->length0[i] - l);
 }
 
-/* Number of elements under compression, by the law with two sides. */
-static int compressed(const struct hawser__net_work *work)
-{
-	int count = 0;
-
-	for (int i = 0; i < work->mesh->elements; i++)
-		count += work->T[i] < -work->tolerance;
-	return count;
-}
-
-static double two_sided_energy(const struct hawser__mesh *mesh)
-{
-	double sum = hawser__mesh_energy(mesh), e[3];
-
-	for (int i = 0; i < mesh->elements; i++) {
-		double p = fmin(hawser__mesh_direction(e, mesh, i) - mesh->length0[i], 0.0);
-
-		sum += mesh->density[i] > 0.0 ? 0.0 : mesh->EA[i]/mesh->length0[i]*p*p/2.0;
-	}
-	return sum;
-}
-
 /* The energy, that of the strain from the tensions. */
 static double energy(const struct hawser__net_work *work)
 {
@@ -398,22 +364,11 @@ static enum hawser_status open(struct hawser__net_work *work, struct hawser__mes
 	return hawser__sparse_open(&work->sparse, mesh, report);
 }
 
-static enum hawser_status choose(const struct hawser__net_method **method, const char *name,
-                                 struct hawser_report *report)
-{
-	int i = 0;
-
-	while ((*method = hawser__net_method(i)) && name && strcmp((*method)->shown.name, name) != 0)
-		i++;
-	return *method ? HAWSER_OK
-	               : hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "there is no method %.40s", name);
-}
-
 static enum hawser_status solve(struct hawser__net_work *work, struct hawser__equilibrium *found,
-                                const struct hawser__net_method *method,
                                 const struct hawser__mesh_options *options,
                                 struct hawser_report *report)
 {
+	const struct hawser__net_method *method = options->method ? options->method : hawser__net_method(0);
 	const struct hawser__mesh *mesh = work->mesh;
 	double tolerance = options->tolerance > 0.0 ? options->tolerance : 1e-10;
 	int done = 0;
@@ -424,7 +379,7 @@ static enum hawser_status solve(struct hawser__net_work *work, struct hawser__eq
 		work->reach += mesh->length0[i];
 	work->most = options->iterations;
 	work->rubs = options->rubs;
-	status = hawser__net_begin(work, method, options, report);
+	status = hawser__net_begin(work, options, report);
 	if (status)
 		return status;
 	found->floor = hawser__mesh_floor(mesh);
@@ -441,14 +396,8 @@ static enum hawser_status solve(struct hawser__net_work *work, struct hawser__eq
 	found->iterations = work->iterations;
 	if (!status && !done && mesh->touches)
 		return hawser__touch_lost(found, work, report);
-	found->compressed = status || method->one_sided ? 0 : compressed(work);
-	if (found->compressed > 0) {
-		found->residual = work->left;
-		found->gap = INFINITY;
-		found->energy = two_sided_energy(mesh);
-	} else if (!status) {
+	if (!status)
 		status = certify(work, found, report);
-	}
 	if (status || (done && isfinite(found->residual)))
 		return status;
 	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "net", work->iterations, found->residual,
@@ -463,19 +412,15 @@ enum hawser_status hawser__mesh_statics(struct hawser__mesh *mesh, double *T,
                                         struct hawser_report *report)
 {
 	static const struct hawser__mesh_options defaults = {0};
-	const struct hawser__net_method *method;
 	struct hawser__net_work work = {0};
-	enum hawser_status status;
+	enum hawser_status status = supported(mesh, report);
 
 	memset(found, 0, sizeof *found);
 	options = options ? options : &defaults;
-	status = choose(&method, options->method, report);
-	if (!status)
-		status = supported(mesh, report);
 	if (!status)
 		status = open(&work, mesh, report);
 	if (!status)
-		status = solve(&work, found, method, options, report);
+		status = solve(&work, found, options, report);
 	if (!status && T)
 		memcpy(T, work.T, (size_t)mesh->elements*sizeof *T);
 	clear(&work);

@@ -23,7 +23,7 @@
 
 #include "core/grow.h"
 #include "core/report.h"
-#include "net/statics/random.h"
+#include "core/random.h"
 #include "response/time/flow.h"
 #include "response/locus/folds_search.h"
 #include "response/orbit/shooting.h"

@@ -1,12 +1,10 @@
-/* net/statics/mixed.c - equilibrium of a net without slack members: Newton's method for positions
+/* tests/nets/mixed.c - equilibrium of a net without slack members: Newton's method for positions
  * and forces.
  *
  * N  force of an element, an unknown of its own beside the positions q
  *
- * Newton's method for q alone takes T(q) in the geometric stiffness, over-stretches far from the
- * solution and compresses elements. With N as an unknown, eliminated element by element, the matrix
- * sum of (EA/length0)*e*e' + (N/l)*(I - e*e') is positive definite, and 7 iterations do. Where a member
- * is slack it does not converge; net/statics/interior.c does.
+ * That of net/statics/finish.c, but that no element turns slack: where a member is slack it does not
+ * converge.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -14,7 +12,7 @@
 #include <math.h>
 
 #include "core/report.h"
-#include "net/statics/solve.h"
+#include "tests/nets/comparison.h"
 
 enum { MOST = 40, CLIPPED = 4 };
 #define LONGEST 2.0 /* most change of an element's vector, over its length0. It matters far
@@ -79,13 +77,13 @@ static double part(const struct hawser__net_work *work)
 	return part;
 }
 
-enum hawser_status hawser__net_mixed(struct hawser__net_work *work, int *done,
-                                     struct hawser_report *report)
+enum hawser_status net_mixed(struct hawser__net_work *work, int *done, struct hawser_report *report)
 {
 	int most = work->most ? work->most : MOST, clipped = 0;
 	enum hawser_status status = HAWSER_OK;
 
 	*done = 0;
+	net_start(work);
 	work->own = 1;
 	for (int i = 0; i < most && !*done; i++) {
 		double residual, floor;

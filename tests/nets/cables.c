@@ -1,4 +1,4 @@
-/* net/statics/random.c - random cables between two supports, for comparisons of methods of statics.
+/* tests/nets/cables.c - random cables between two supports, for comparisons of methods of statics.
  *
  * B 3.2.3 compares methods on 1600 random cables, and does not print the ranges of their parameters.
  * Those here have stiff and soft cables, taut, shallow and deep ones. Numbers are rounded to six
@@ -12,10 +12,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include <hawser/net_comparison.h>
-
+#include "core/random.h"
 #include "core/report.h"
-#include "net/statics/random.h"
+#include "tests/nets/comparison.h"
 
 /* Uniform between two bounds. */
 static double uniform(uint64_t *state, double low, double high)
@@ -36,10 +35,10 @@ static double power(uint64_t *state, double low, double high)
 	return rounded(pow(10.0, uniform(state, low, high)));
 }
 
-struct hawser_net_random hawser_net_random(unsigned seed, unsigned number)
+struct net_cable net_cable(unsigned seed, unsigned number)
 {
 	uint64_t state = (uint64_t)seed << 32 | number;
-	struct hawser_net_random cable = {.g = 9.81};
+	struct net_cable cable = {.g = 9.81};
 	double excess, chord;
 
 	cable.d = power(&state, 0.0, 3.0);
@@ -53,9 +52,8 @@ struct hawser_net_random hawser_net_random(unsigned seed, unsigned number)
 	return cable;
 }
 
-enum hawser_status hawser_net_random_open(struct hawser_net *net,
-                                          const struct hawser_net_random *cable,
-                                          struct hawser_report *report)
+enum hawser_status net_cable_open(struct hawser_net *net, const struct net_cable *cable,
+                                  struct hawser_report *report)
 {
 	memset(net, 0, sizeof *net);
 	net->name = calloc(HAWSER_NET_NAME, 1);

@@ -1,4 +1,4 @@
-/* net/statics/certificate.c - whether positions are the equilibrium of a net, from the positions
+/* tests/nets/certificate.c - whether positions are the equilibrium of a net, from the positions
  * and the scene.
  *
  * d, l  of an element: vector between its ends, length
@@ -21,11 +21,9 @@
 #include <math.h>
 #include <string.h>
 
-#include <hawser/net_comparison.h>
-
 #include "core/hold.h"
 #include "core/report.h"
-#include "net/net.h"
+#include "tests/nets/comparison.h"
 
 struct part {
 	int end[2];
@@ -236,18 +234,15 @@ static double largest(const struct judged *of)
 	return most;
 }
 
-enum hawser_status hawser_net_certify(struct hawser_net_certificate *certificate,
-                                      const struct hawser_net *net,
-                                      const struct hawser_net_statics *st,
-                                      struct hawser_report *report)
+enum hawser_status net_certify(struct net_certificate *certificate, const struct hawser_net *net,
+                               const struct hawser_net_statics *st,
+                               struct hawser_report *report)
 {
 	struct judged of = {0};
 	long double gap = 0.0L, scale = 0.0L, weight = 0.0L;
-	enum hawser_status status = hawser__touch_none(net, "the certificate", report);
+	enum hawser_status status = open(&of, net, report);
 
 	memset(certificate, 0, sizeof *certificate);
-	if (!status)
-		status = open(&of, net, report);
 	if (!status && st->points != of.parts + net->cables)
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s: the result has %d points, and "
 		                      "the net %d elements of %d cables", net->name, st->points, of.parts,
@@ -266,8 +261,8 @@ enum hawser_status hawser_net_certify(struct hawser_net_certificate *certificate
 		certificate->gap = (double)gap;
 		certificate->scale = (double)scale;
 		certificate->angle = scale > 0.0L ? (double)sqrtl(2.0L*gap/scale) : gap > 0.0L ? INFINITY : 0.0;
-		certificate->right = certificate->angle <= HAWSER_NET_RIGHT &&
-		                     certificate->residual <= HAWSER_NET_RIGHT*certificate->weight;
+		certificate->right = certificate->angle <= NET_RIGHT &&
+		                     certificate->residual <= NET_RIGHT*certificate->weight;
 	}
 	clear(&of);
 	return status;

@@ -1,4 +1,4 @@
-/* net/statics/regularised.c - equilibrium with the one-sided law: Newton's method with B's
+/* tests/nets/regularised.c - equilibrium with the one-sided law: Newton's method with B's
  * regularised tangent.
  *
  * eps  strain of an element, l/length0 - 1
@@ -15,7 +15,7 @@
 #include <math.h>
 
 #include "core/report.h"
-#include "net/statics/solve.h"
+#include "tests/nets/comparison.h"
 
 enum { MOST = 500 };
 
@@ -34,14 +34,16 @@ static void assemble(struct hawser__net_work *work)
 	hawser__net_right(work, work->T);
 }
 
-enum hawser_status hawser__net_regularised(struct hawser__net_work *work, int *done,
-                                           struct hawser_report *report)
+enum hawser_status net_regularised(struct hawser__net_work *work, int *done,
+                                   struct hawser_report *report)
 {
 	int most = work->most ? work->most : MOST, definite = 1;
 	enum hawser_status status = HAWSER_OK;
-	double residual = hawser__net_residual(work);
+	double residual;
 
 	*done = 0;
+	net_start(work);
+	residual = hawser__net_residual(work);
 	while (!status && !*done && work->iterations < most && isfinite(residual)) {
 		assemble(work);
 		status = hawser__net_factor(work, &definite, report);

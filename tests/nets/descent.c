@@ -1,4 +1,4 @@
-/* net/statics/descent.c - equilibrium with the one-sided law: Newton's method with the true
+/* tests/nets/descent.c - equilibrium with the one-sided law: Newton's method with the true
  * tangent, made definite, and steps that lower the energy.
  *
  * Pi      energy, convex in the positions
@@ -18,7 +18,7 @@
 #include <string.h>
 
 #include "core/report.h"
-#include "net/statics/solve.h"
+#include "tests/nets/comparison.h"
 
 enum { MOST = 500, HALVINGS = 40 };
 
@@ -81,14 +81,16 @@ static double line(struct hawser__net_work *work)
 	return 0.0;
 }
 
-enum hawser_status hawser__net_descent(struct hawser__net_work *work, int *done,
-                                       struct hawser_report *report)
+enum hawser_status net_descent(struct hawser__net_work *work, int *done,
+                               struct hawser_report *report)
 {
 	int most = work->most ? work->most : MOST, definite = 1;
 	enum hawser_status status = HAWSER_OK;
-	double residual = hawser__net_residual(work), lambda = work->weight/work->reach;
+	double residual, lambda = work->weight/work->reach;
 
 	*done = 0;
+	net_start(work);
+	residual = hawser__net_residual(work);
 	while (!status && !*done && work->iterations < most && isfinite(residual)) {
 		double step;
 

@@ -1,4 +1,4 @@
-/* net/statics/two_sided.c - equilibrium with the two-sided law: Newton's method with the whole tangent.
+/* tests/nets/two_sided.c - equilibrium with the two-sided law: Newton's method with the whole tangent.
  *
  * T  force of an element, EA*(l/length0 - 1), also below 0
  *
@@ -16,7 +16,7 @@
 
 #include "core/report.h"
 #include "net/motion/motion.h"
-#include "net/statics/solve.h"
+#include "tests/nets/comparison.h"
 
 enum { MOST = 500 };
 
@@ -76,17 +76,19 @@ static double assemble(struct newton *newton, struct hawser__net_work *work)
 	return most;
 }
 
-enum hawser_status hawser__net_two_sided(struct hawser__net_work *work, int *done,
-                                         struct hawser_report *report)
+enum hawser_status net_two_sided(struct hawser__net_work *work, int *done,
+                                 struct hawser_report *report)
 {
 	struct hawser__mesh *mesh = work->mesh;
 	struct newton newton = {0};
 	enum hawser_status status = begin(&newton, mesh, report);
 	int most = work->most ? work->most : MOST, good = 1;
+	double left;
 
 	*done = 0;
-	work->left = status ? INFINITY : assemble(&newton, work);
-	while (!status && good && !*done && work->iterations < most && isfinite(work->left)) {
+	net_start(work);
+	left = status ? INFINITY : assemble(&newton, work);
+	while (!status && good && !*done && work->iterations < most && isfinite(left)) {
 		hawser__klu_forget(newton.klu);
 		status = hawser__klu_solve(newton.r, &good, newton.klu, (const double (*)[9])newton.B,
 		                           (const double (*)[2])newton.mass, newton.point, report);
@@ -97,8 +99,8 @@ enum hawser_status hawser__net_two_sided(struct hawser__net_work *work, int *don
 				if (mesh->unknown[i][k] >= 0)
 					mesh->q[i][k] += newton.r[i][k];
 		work->iterations++;
-		work->left = assemble(&newton, work);
-		*done = work->left <= work->tolerance;
+		left = assemble(&newton, work);
+		*done = left <= work->tolerance;
 	}
 	work->factored = 0;
 	end(&newton);

@@ -1,4 +1,4 @@
-/* net/statics/relaxation.c - equilibrium by dynamic relaxation with kinetic damping.
+/* tests/nets/relaxation.c - equilibrium by dynamic relaxation with kinetic damping.
  *
  * m  mass of a node, chosen so that the time step is 1
  * v  velocity of a node, at half steps
@@ -17,7 +17,7 @@
 #include <stdlib.h>
 
 #include "core/report.h"
-#include "net/statics/solve.h"
+#include "tests/nets/comparison.h"
 
 enum { MOST = 1000000 };
 #define SAFETY 1.05 /* of the masses */
@@ -64,8 +64,8 @@ static void move(struct hawser__net_work *work, double (*v)[3], const double *m,
 				mesh->q[i][k] += factor*v[i][k] - half*work->residual[i][k]/(2.0*m[i]);
 }
 
-enum hawser_status hawser__net_relaxation(struct hawser__net_work *work, int *done,
-                                          struct hawser_report *report)
+enum hawser_status net_relaxation(struct hawser__net_work *work, int *done,
+                                  struct hawser_report *report)
 {
 	struct hawser__mesh *mesh = work->mesh;
 	double *m = malloc((size_t)mesh->nodes*sizeof *m), residual, last = 0.0;
@@ -74,6 +74,7 @@ enum hawser_status hawser__net_relaxation(struct hawser__net_work *work, int *do
 	enum hawser_status status = m && v ? HAWSER_OK : hawser__no_memory(report, "net");
 
 	*done = 0;
+	net_start(work);
 	if (!status) {
 		masses(m, mesh);
 		residual = hawser__net_residual(work);

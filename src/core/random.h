@@ -1,7 +1,7 @@
-/* net/statics/random.h - random numbers that are the same on every machine.
+/* core/random.h - random numbers that are the same on every machine.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_NET_RANDOM_H
-#define HAWSER_NET_RANDOM_H
+#ifndef HAWSER_CORE_RANDOM_H
+#define HAWSER_CORE_RANDOM_H
 
 #include <stdint.h>
 
