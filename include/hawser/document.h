@@ -16,20 +16,23 @@
 extern "C" {
 #endif
 
+/* The kinds of scenes beside spans: names and numbers, HAWSER_KIND_NET and so on. A new kind is a word
+ * here. */
+#define HAWSER_SCENE_KINDS(X) \
+	X(net, NET) X(obstacles, OBSTACLES) X(ropeway, ROPEWAY) X(rod, ROD) X(tow, TOW)
+#define HAWSER_KIND_NUMBER(name, NAME) HAWSER_KIND_##NAME,
+
 /* The key `kind` says it, in block or flow style, as YAML or JSON; else the other keys of the outermost
  * mapping do: tow, ropeway, nodes (a net), obstacles or contact (a span over obstacles; a net where one
  * of them is a plane or a segment), rod. A JSON object with the key hawser_rom, or with n and K and
  * without cable, is a reduced model. What has none of these is a span of cable, or a beam. */
 enum hawser_kind {
 	HAWSER_KIND_SPAN,
-	HAWSER_KIND_NET,
-	HAWSER_KIND_OBSTACLES,
-	HAWSER_KIND_ROPEWAY,
-	HAWSER_KIND_ROD,
-	HAWSER_KIND_TOW,
+	HAWSER_SCENE_KINDS(HAWSER_KIND_NUMBER)
 	HAWSER_KIND_MODEL,
 	HAWSER_KINDS
 };
+#undef HAWSER_KIND_NUMBER
 
 struct hawser_document {
 	char *name;   /* for messages: of the file, or "<stdin>" */

@@ -258,24 +258,6 @@ double hawser__mesh_direction(double e[3], const struct hawser__mesh *mesh, int 
 	return l;
 }
 
-double hawser__mesh_energy(const struct hawser__mesh *mesh)
-{
-	double sum = 0.0, e[3];
-
-	for (int i = 0; i < mesh->elements; i++) {
-		double l = hawser__mesh_direction(e, mesh, i), p = l - mesh->length0[i];
-
-		if (mesh->density[i] > 0.0)
-			sum += mesh->density[i]*l*l/2.0;
-		else if (p > 0.0)
-			sum += mesh->EA[i]/mesh->length0[i]*p*p/2.0;
-	}
-	for (int i = 0; i < mesh->nodes; i++)
-		for (int k = 0; k < 3; k++)
-			sum -= mesh->force[i][k]*mesh->q[i][k];
-	return sum;
-}
-
 void hawser__mesh_gradient(double (*residual)[3], double *T, const struct hawser__mesh *mesh)
 {
 	for (int i = 0; i < mesh->nodes; i++)

@@ -93,4 +93,5 @@ static const struct hawser__tree_key rod_rows[] = {
 };
 
 const struct hawser__tree_table hawser__tree_of_rod = {
-	"rod", "A geometrically exact rod", rod_rows, sizeof rod_rows/sizeof *rod_rows};
+	"rod", "A geometrically exact rod", rod_rows, sizeof rod_rows/sizeof *rod_rows,
+	"rod", {"rod"}};

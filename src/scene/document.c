@@ -15,39 +15,41 @@
 
 #include <hawser/document.h>
 #include "core/report.h"
-#include "scene/tree.h"
+#include "scene/tree_keys.h"
 
 static const size_t largest = (size_t)1 << 30; /* bytes of a text */
 
-/* In this order: a net may have obstacles. */
-static const struct hawser__kind_sign signs[] = {
-	{"kind", "span", HAWSER_KIND_SPAN},
-	{"kind", "net", HAWSER_KIND_NET},
-	{"kind", "ropeway", HAWSER_KIND_ROPEWAY},
-	{"kind", "rod", HAWSER_KIND_ROD},
-	{"kind", "tow", HAWSER_KIND_TOW},
-	{"tow", NULL, HAWSER_KIND_TOW},
-	{"ropeway", NULL, HAWSER_KIND_ROPEWAY},
-	{"nodes", NULL, HAWSER_KIND_NET},
-	{"obstacles", NULL, HAWSER_KIND_OBSTACLES},
-	{"contact", NULL, HAWSER_KIND_OBSTACLES},
-	{"rod", NULL, HAWSER_KIND_ROD},
-	{"kind", NULL, HAWSER_KIND_NET}, /* whose reader refuses what is no kind */
-};
-
-const struct hawser__kind_sign *hawser__kind_sign(int index)
+/* The words of the key kind come first, then the other signs; a net may have obstacles, and is before
+ * them. */
+int hawser__kind_sign(struct hawser__kind_sign *sign, int index)
 {
-	return index >= 0 && index < (int)(sizeof signs/sizeof *signs) ? &signs[index] : NULL;
+	const struct hawser__tree_table *table;
+
+	*sign = (struct hawser__kind_sign){"kind", "span", HAWSER_KIND_SPAN};
+	if (index-- == 0)
+		return 1;
+	for (int i = 1; (table = hawser__tree_kind((enum hawser_kind)i)); i++) {
+		*sign = (struct hawser__kind_sign){"kind", table->word, (enum hawser_kind)i};
+		if (table->word && index-- == 0)
+			return 1;
+	}
+	for (int i = 1; (table = hawser__tree_kind((enum hawser_kind)i)); i++)
+		for (int k = 0; k < HAWSER__TREE_SIGNS && table->sign[k]; k++) {
+			*sign = (struct hawser__kind_sign){table->sign[k], NULL, (enum hawser_kind)i};
+			if (index-- == 0)
+				return 1;
+		}
+	/* whose reader refuses what is no kind */
+	*sign = (struct hawser__kind_sign){"kind", NULL, HAWSER_KIND_NET};
+	return index == 0;
 }
 
 const char *hawser_kind_name(enum hawser_kind kind)
 {
-	static const char *const names[HAWSER_KINDS] = {
-		[HAWSER_KIND_SPAN] = "span", [HAWSER_KIND_NET] = "net",
-		[HAWSER_KIND_OBSTACLES] = "obstacles", [HAWSER_KIND_ROPEWAY] = "ropeway",
-		[HAWSER_KIND_ROD] = "rod", [HAWSER_KIND_TOW] = "tow", [HAWSER_KIND_MODEL] = "model"};
+	const struct hawser__tree_table *table = hawser__tree_kind(kind);
 
-	return (unsigned)kind < HAWSER_KINDS ? names[kind] : NULL;
+	return table ? table->kind : kind == HAWSER_KIND_SPAN ? "span"
+	       : kind == HAWSER_KIND_MODEL ? "model" : NULL;
 }
 
 /* 1 if an obstacle is a plane or a segment: such spans are meshes. */
@@ -62,13 +64,15 @@ static int has_flat(const struct hawser__tree *tree)
 
 static enum hawser_kind kind_of(const struct hawser__tree *tree)
 {
-	for (size_t i = 0; i < sizeof signs/sizeof *signs; i++) {
-		const struct hawser__tree *found = hawser__tree_find(tree, signs[i].key);
+	struct hawser__kind_sign sign;
 
-		if (!found || (signs[i].word && (!found->text || strcmp(found->text, signs[i].word) != 0)))
+	for (int i = 0; hawser__kind_sign(&sign, i); i++) {
+		const struct hawser__tree *found = hawser__tree_find(tree, sign.key);
+
+		if (!found || (sign.word && (!found->text || strcmp(found->text, sign.word) != 0)))
 			continue;
-		return signs[i].kind == HAWSER_KIND_OBSTACLES &&
-		       has_flat(hawser__tree_find(tree, "obstacles")) ? HAWSER_KIND_NET : signs[i].kind;
+		return sign.kind == HAWSER_KIND_OBSTACLES &&
+		       has_flat(hawser__tree_find(tree, "obstacles")) ? HAWSER_KIND_NET : sign.kind;
 	}
 	return HAWSER_KIND_SPAN;
 }

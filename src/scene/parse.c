@@ -87,16 +87,16 @@ static enum hawser_status claim(struct hawser__reader *reader, int index,
 enum hawser_status hawser__parse_unknown(struct hawser__reader *reader,
                                          const struct hawser__mark *place, const char *path)
 {
-	const struct hawser__kind_sign *sign;
+	struct hawser__kind_sign sign;
 	size_t length = strcspn(path, ".");
 	char hint[256], shown[HAWSER__SHOWN];
 
-	for (int i = 0; (sign = hawser__kind_sign(i)); i++)
-		if (!strncmp(path, sign->key, length) && !sign->key[length])
+	for (int i = 0; hawser__kind_sign(&sign, i); i++)
+		if (!strncmp(path, sign.key, length) && !sign.key[length])
 			return hawser__reader_fail(reader, place, "%s is a key of another kind of scenes (%s), and "
-			                           "this one is read as a span: see hawser-scene(5)", sign->key,
-			                           hawser_kind_name(!strcmp(sign->key, "kind") ? reader->kind
-			                                            : sign->kind));
+			                           "this one is read as a span: see hawser-scene(5)", sign.key,
+			                           hawser_kind_name(!strcmp(sign.key, "kind") ? reader->kind
+			                                            : sign.kind));
 	hawser__suggest(hint, sizeof hint, path);
 	return hawser__reader_fail(reader, place, "unknown key %s: %s",
 	                           *path ? hawser__shown(shown, path) : "\"\"", hint);

@@ -57,12 +57,12 @@ enum hawser_status hawser__tree_set(struct hawser__tree *root, struct hawser__re
 /* Entry of a mapping, or NULL. */
 struct hawser__tree *hawser__tree_find(const struct hawser__tree *tree, const char *name);
 /* A name of the outermost mapping, or this value of it, that tells the kind, in the order in which they
- * are looked for; NULL beyond the last. */
+ * are looked for; 0 beyond the last. */
 struct hawser__kind_sign {
 	const char *key, *word; /* word: NULL: any value */
 	enum hawser_kind kind;
 };
-const struct hawser__kind_sign *hawser__kind_sign(int index);
+int hawser__kind_sign(struct hawser__kind_sign *sign, int index);
 
 /* --- tree_value.c: values of a tree. `what` names the value in messages. --- */
 
@@ -77,12 +77,6 @@ enum hawser_status hawser__tree_keys(struct hawser__reader *reader, const struct
 enum hawser_status hawser__tree_number(struct hawser__reader *reader, double *value,
                                        const struct hawser__tree *tree, const char *what,
                                        const char *unit, enum hawser__tree_range range)
-	HAWSER_MUST_CHECK;
-/* The number section.key of a mapping; unchanged if it is not given and not required. */
-enum hawser_status hawser__tree_number_of(struct hawser__reader *reader, double *value,
-                                          const struct hawser__tree *tree, const char *section,
-                                          const char *key, const char *unit,
-                                          enum hawser__tree_range range, int required)
 	HAWSER_MUST_CHECK;
 /* Two or three numbers, along x, y and z. */
 enum hawser_status hawser__tree_vector(struct hawser__reader *reader, double *value, int count,

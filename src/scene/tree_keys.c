@@ -9,9 +9,14 @@
 #include "core/spelling.h"
 #include "scene/tree_keys.h"
 
-#define TABLE(name) &hawser__tree_of_##name,
-static const struct hawser__tree_table *const tables[] = {HAWSER__TREE_KINDS(TABLE) TABLE(mesh)};
+#define TABLE(name, NAME) &hawser__tree_of_##name,
+static const struct hawser__tree_table *const tables[] = {HAWSER_SCENE_KINDS(TABLE) TABLE(mesh, )};
 enum { TABLES = sizeof tables/sizeof *tables };
+
+const struct hawser__tree_table *hawser__tree_kind(enum hawser_kind kind)
+{
+	return kind > HAWSER_KIND_SPAN && kind < HAWSER_KIND_MODEL ? tables[kind - 1] : NULL;
+}
 
 const struct hawser__tree_table *hawser__tree_table(const char *of)
 {

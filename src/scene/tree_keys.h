@@ -44,18 +44,21 @@ struct hawser__tree_key {
 	const char *doc;
 };
 
-/* The rows of a kind, and its tables. */
+/* The rows of a kind, and how its scenes are known. */
+enum { HAWSER__TREE_SIGNS = 2 };
 struct hawser__tree_table {
 	const char *kind, *title; /* "net", "A net of cables" */
 	const struct hawser__tree_key *row; /* [rows] */
 	int rows;
+	const char *word;         /* of the key `kind`; NULL: that of another one */
+	const char *sign[HAWSER__TREE_SIGNS]; /* outermost keys that tell the kind, if `kind` does not */
 };
-/* The kinds of scenes with such a table, in the order of `hawser schema`: a new one is a word here. */
-#define HAWSER__TREE_KINDS(X) X(net) X(ropeway) X(obstacles) X(rod) X(tow)
-#define HAWSER__TREE_DECLARE(name) extern const struct hawser__tree_table hawser__tree_of_##name;
-HAWSER__TREE_KINDS(HAWSER__TREE_DECLARE)
-HAWSER__TREE_DECLARE(mesh)
+#define HAWSER__TREE_DECLARE(name, NAME) extern const struct hawser__tree_table hawser__tree_of_##name;
+HAWSER_SCENE_KINDS(HAWSER__TREE_DECLARE)
+HAWSER__TREE_DECLARE(mesh, )
 #undef HAWSER__TREE_DECLARE
+/* That of a kind; NULL: it has none. */
+const struct hawser__tree_table *hawser__tree_kind(enum hawser_kind kind);
 /* That with the path or mapping `of`; NULL: there is none. */
 const struct hawser__tree_table *hawser__tree_table(const char *of);
 

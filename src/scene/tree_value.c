@@ -61,23 +61,6 @@ enum hawser_status hawser__tree_number(struct hawser__reader *reader, double *va
 	                           strcmp(unit, "1") ? unit : "");
 }
 
-enum hawser_status hawser__tree_number_of(struct hawser__reader *reader, double *value,
-                                          const struct hawser__tree *tree, const char *section,
-                                          const char *key, const char *unit,
-                                          enum hawser__tree_range range, int required)
-{
-	const struct hawser__tree *one = hawser__tree_find(tree, key);
-	int pure = !strcmp(unit, "1");
-	char what[HAWSER__TEXT_ROOM];
-
-	snprintf(what, sizeof what, "%.100s.%.60s", section, key);
-	if (one)
-		return hawser__tree_number(reader, value, one, what, unit, range);
-	return required ? hawser__reader_fail(reader, &tree->at, "%s is missing: give it%s%s", what,
-	                                      pure ? "" : " in ", pure ? "" : unit)
-	                : HAWSER_OK;
-}
-
 enum hawser_status hawser__tree_vector(struct hawser__reader *reader, double *value, int count,
                                        const struct hawser__tree *tree, const char *what,
                                        const char *unit)

@@ -35,16 +35,6 @@ double hawser__load_place(const struct hawser__loaded *cable, int i, double *by_
 	return cable->L;
 }
 
-double hawser__loaded_force(const struct hawser__loaded *cable, double S)
-{
-	double V = cable->V0 + cable->w*S, unused;
-
-	for (int i = 0; i < cable->count; i++)
-		if (hawser__load_place(cable, i, &unused) < S)
-			V += cable->load[i].W;
-	return V;
-}
-
 /* Add the piece of length D from the force V on; D_L and V_L are derivatives by L. */
 static void piece(struct hawser__reach *r, const struct hawser__loaded *cable, double V, double D,
                   double D_L, double V_L)

@@ -94,9 +94,6 @@ double hawser__load_place(const struct hawser__loaded *cable, int i, double *by_
 void hawser__loaded_reach(struct hawser__reach *reach, const struct hawser__loaded *cable, double S,
                           double S_L);
 
-/* Vertical force at S, without the load at S itself. */
-double hawser__loaded_force(const struct hawser__loaded *cable, double S);
-
 /* Largest vertical distance from the chord, and its derivative by H along the equilibria with
  * derivatives V' and L' by H. */
 double hawser__loaded_sag(const struct hawser__loaded *cable, double V_H, double L_H,

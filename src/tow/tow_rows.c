@@ -124,4 +124,4 @@ static const struct hawser__tree_key tow_rows[] = {
 };
 
 const struct hawser__tree_table hawser__tree_of_tow = {
-	"tow", "A towed body", tow_rows, sizeof tow_rows/sizeof *tow_rows};
+	"tow", "A towed body", tow_rows, sizeof tow_rows/sizeof *tow_rows, "tow", {"tow"}};

@@ -225,9 +225,9 @@ assert all(abs(a/b - 1) < 1e-9 for a, b in zip(*ends)), ends
 END
 try "the table" grep -q "^# Omega = 1.3$" plane.tsv
 try "the picture" grep -q "cusp" plane.svg
-refuses 1 "--and KEY=FROM:TO and --Omega FREQUENCY belong together: they replace --from and --to" \
+refuses 1 "--Omega needs --and KEY=FROM:TO: give that" \
 	locus hard.json --Omega 1.3
-refuses 1 "--near 1: with --and, all bifurcations of the range are followed: narrow the range of --and instead" \
+refuses 1 "--and does not go with --near: leave out one of them" \
 	locus hard.json --and factor.damping=1:2 --Omega 1.3 --near 1
 refuses 1 "--over and --and are both over factor.load: name two parameters" \
 	locus hard.json --and factor.load=1:2 --Omega 1.3

@@ -222,7 +222,7 @@ assert abs(r["Omega_to"]/r["Omega"] - 9/8) < 1e-9
 END
 refuses 1 "--continue swept.json: that run is a sweep, and its phase of the forcing is not known; --initial starts from its last state anew" \
 	integrate "$chairlift" --Omega 0.8w1 --until 40T --continue swept.json
-refuses 1 "--Omega-to 0.9w1 ends a sweep: give its beginning with --Omega" integrate "$chairlift" --Omega-to 0.9w1
+refuses 1 "--Omega-to needs --Omega FREQUENCY: give that" integrate "$chairlift" --Omega-to 0.9w1
 refuses 1 "--Omega-to does not go with --spectrum: leave out one of them" \
 	integrate "$chairlift" --Omega 0.8w1 --Omega-to 0.9w1 --spectrum
 refuses 1 "--Omega-to 9 does not go with a travel speed that changes" \

@@ -30,9 +30,9 @@ refuses 1 '--points 20: write two whole numbers such as 200x100' \
 refuses 1 '1 points along x: it must be 2 to 20000' map "$chairlift" --x span.h=0:5 --y g=1:2 --points 1x5
 refuses 1 '2147483647 points along x: it must be 2 to 20000' \
 	map "$chairlift" --x span.h=0:5 --y g=1:2 --points 4294967299x3
-refuses 1 '--points and --depth both give the resolution: write one of them' \
+refuses 1 '--depth does not go with --points: leave out one of them' \
 	map "$chairlift" --x span.h=0:5 --y g=1:2 --points 9x5 --depth 3
-refuses 1 '--depth 15: at most 14, which is 16385 points along an axis' \
+refuses 1 '--depth 15: must be at most 14' \
 	map "$chairlift" --x span.h=0:5 --y g=1:2 --depth 15
 refuses 1 '--quantity speed: must be one of growth, multiplier, unstable, amplitude, basin' \
 	map "$chairlift" --x span.h=0:5 --y g=1:2 --quantity speed

@@ -163,7 +163,7 @@ denies "an option of spans" 1 "\-\-model is for spans, and .* is a ropeway" stat
 denies "an option of nets" 1 "\-\-method is for nets, and .* is a ropeway" statics "$small" --method cone
 denies "an option of ropeways" 1 "\-\-worst is for ropeways, and .* is a span" statics \
 	"$scenes/chairlift.yaml" --worst
-denies "two tables" 1 "choose one" statics "$small" --worst --spans
+denies "two tables" 1 "\-\-spans does not go with \-\-worst" statics "$small" --worst --spans
 denies "an unknown case" 1 "must be one of full, empty, up, down" statics "$small" --case half
 sed 's/battery: support, radius: 12 m}$/battery: support, radius: 12 m, frictoin: 0.1}/' "$small" >wrong.yaml
 denies "an unknown key" 1 "wrong.yaml:7:.*unknown key frictoin: did you mean friction?" statics wrong.yaml

@@ -27,12 +27,12 @@ END
 works "mms --superharmonic" mms "$duffing" --superharmonic 3 --from 0.3 --to 0.36 --tsv super.tsv -q
 refuses_like 2 "has no subharmonic motion" mms "$duffing" --subharmonic 3 --from 2.9 --to 3.1
 refuses 1 "--mode 2: the model has modes 1 to 1" mms "$duffing" --mode 2
-refuses 1 "--superharmonic 4: to second order there are 2 and 3" mms "$duffing" --superharmonic 4
-refuses 1 "--resonant, --superharmonic and --subharmonic are different resonances: choose one" \
+refuses 1 "--superharmonic 4: must be at most 3" mms "$duffing" --superharmonic 4
+refuses 1 "--superharmonic does not go with --subharmonic: leave out one of them" \
 	mms "$duffing" --superharmonic 2 --subharmonic 2
 refuses_like 1 "write mode:order" mms "$pair" --resonant 1:1,3:2
 refuses_like 1 "write mode:order" mms "$pair" --resonant 1:1,2:4294967298
-refuses 1 "--mode and --resonant both name resonant modes: write one of them" \
+refuses 1 "--resonant does not go with --mode: leave out one of them" \
 	mms "$pair" --mode 1 --resonant 1:1
 works "mms picture" mms "$chairlift" -n 2 --max-points 20 --plot mms.svg -q
 

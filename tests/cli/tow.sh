@@ -41,7 +41,7 @@ refuses 1 "half is the state at 0.5 s, and the motion is to end at 0.5 s: --unti
 	tow shed.yaml --until 0.5 --initial half
 refuses 1 "half is no state of this cable with 20 elements: give a file that a run of this scene has written with --state" \
 	tow "$scene" --until 1 --initial half
-refuses 1 "--check has no state for twice as many elements: leave out --check, or --initial" \
+refuses 1 "--check does not go with --initial: leave out one of them" \
 	tow "$scene" --until 1 --initial half --check
 
 works "animation" tow shed.yaml --every 0.25 --until 1 -q --animate turn.gif --frames 3
@@ -72,7 +72,7 @@ bad "--until 1 s is not after the path's beginning at 2 s" 'tow: {waypoints: [[2
 bad '--every 1e-09 s makes more than 1000000 samples: give a longer one' "tow: {speed: 3}
 $cable
 air: {density: 1.2}" --until 1 --every 1e-9
-bad '--rho-inf 2 is more than 1: give a number above 0 and at most 1' "tow: {speed: 3}" --rho-inf 2
+bad '--rho-inf 2: must be at most 1' "tow: {speed: 3}" --rho-inf 2
 bad 'bad.yaml:4:1: the body and the cable below the top of cable.segments[0] weigh 981088 N, which stretches it by 0.981 of its length (EA 1e+06 N): give a larger EA, or a smaller mass' "tow: {speed: 3}
 $cable
 air: {density: 1.2}

@@ -62,7 +62,7 @@ refuses 1 "plan needs a SCENE (hawser plan --help)" plan
 refuses_like 1 "is a reduced model, which hawser statics does not take" statics "$duffing"
 refuses 1 "--from 1w1 and --to w1 are the same frequency" plan "$chairlift" --from 1w1 --to w1
 refuses_like 1 'there is no fidelity "row 5"' plan "$chairlift" --fidelities "row 5"
-refuses 1 "--step 1.5: it is a part of the range, at most 1" compare "$chairlift" --step 1.5
+refuses 1 "--step 1.5: must be at most 1" compare "$chairlift" --step 1.5
 refuses 1 "unknown command compar; did you mean compare? (hawser --help lists the commands)" compar
 works "compare --help" compare --help
 refuses 1 "compare modes needs a SCENE (hawser compare modes --help)" compare modes
@@ -104,7 +104,7 @@ refuses 1 "--points 10000001: at most 10000000 points are possible" \
 	statics "$chairlift" --points 10000001
 refuses 1 "--points 1000001: at most 1000000 points of curves are possible" \
 	statics "$chairlift" --models --points 1000001
-refuses 1 "--step 1.5: it is a part of the range, at most 1" frf "$chairlift" --step 1.5
+refuses 1 "--step 1.5: must be at most 1" frf "$chairlift" --step 1.5
 refuses 1 "--tolerance 0: write a number greater than zero" frf "$chairlift" --tolerance 0
 refuses 1 "--tolerance nan: write a number greater than zero" frf "$chairlift" --tolerance nan
 refuses 1 "--tolerance 1e-9x: write a number greater than zero" frf "$chairlift" --tolerance 1e-9x
@@ -128,7 +128,7 @@ refuses 1 "--until does not go with --to: leave out one of them" beam "$upright"
 refuses 1 "--boundary needs --to VALUE: give that" beam "$upright" --boundary beam.c
 refuses 1 "--bifurcation needs --boundary KEY: give that" beam "$upright" --bifurcation
 refuses 1 "--vary beam.c: write KEY=A,B, such as beam.rho=0,10" beam "$upright" --vary beam.c
-refuses 1 "--modes 101: 1 to 100 modes" beam "$upright" -n 101
+refuses 1 "--modes 101: must be at most 100" beam "$upright" -n 101
 refuses_like 1 "beam.c = -1 is out of range" beam "$upright" --vary beam.c=-1
 refuses_like 1 "beam.rhoA contradicts beam.mu" beam "$upright" --set beam.rhoA=3
 refuses_like 1 "cable contradicts beam" beam "$upright" --set cable.EA=3

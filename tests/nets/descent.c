@@ -22,6 +22,25 @@
 
 enum { MOST = 500, HALVINGS = 40 };
 
+/* Pi at mesh->q. */
+static double energy_of(const struct hawser__mesh *mesh)
+{
+	double sum = 0.0, e[3];
+
+	for (int i = 0; i < mesh->elements; i++) {
+		double l = hawser__mesh_direction(e, mesh, i), p = l - mesh->length0[i];
+
+		if (mesh->density[i] > 0.0)
+			sum += mesh->density[i]*l*l/2.0;
+		else if (p > 0.0)
+			sum += mesh->EA[i]/mesh->length0[i]*p*p/2.0;
+	}
+	for (int i = 0; i < mesh->nodes; i++)
+		for (int k = 0; k < 3; k++)
+			sum -= mesh->force[i][k]*mesh->q[i][k];
+	return sum;
+}
+
 /* Gradient times the step x, at mesh->q; sets work->residual and work->T. */
 static double slope(struct hawser__net_work *work)
 {
@@ -64,7 +83,7 @@ static double line(struct hawser__net_work *work)
 {
 	struct hawser__mesh *mesh = work->mesh;
 	size_t size = (size_t)mesh->nodes*sizeof *mesh->q;
-	double before = hawser__mesh_energy(mesh), first = slope(work), step = 1.0;
+	double before = energy_of(mesh), first = slope(work), step = 1.0;
 	double scale = 1e-13*(fabs(before) + work->weight*work->reach);
 
 	memcpy(work->start, mesh->q, size);
@@ -73,7 +92,7 @@ static double line(struct hawser__net_work *work)
 
 		hawser__net_move(work, step);
 		now = slope(work);
-		change = hawser__mesh_energy(mesh) - before;
+		change = energy_of(mesh) - before;
 		if (change <= 1e-4*step*first || (change <= scale && fabs(now) <= 0.9*fabs(first)))
 			return step;
 		memcpy(mesh->q, work->start, size);

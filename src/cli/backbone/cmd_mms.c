@@ -21,14 +21,15 @@ static const struct settings defaults = {.step = CLI_STEP};
 
 static const struct cli_option options[] = {
 	{"mode", 0, "J", "resonant mode (the one that the load drives the most)", CLI_INTEGER(mode)},
-	CLI_TEXT_OPTION(resonant, "LIST", "several resonant modes, as mode:order: 1:1,4:2"),
+	CLI_TEXT_WITH(resonant, "LIST", "several resonant modes, as mode:order: 1:1,4:2",
+	              .excludes = "mode, superharmonic, subharmonic"),
 	CLI_RANGE_OPTIONS("one end of the range (chosen about the resonance)", "the other end"),
 	CLI_MODES_OPTION,
 	CLI_HEADING("Other resonances"),
 	{"superharmonic", 0, "K", "the mode resonates at K (2 or 3) times the load's frequency",
-	 CLI_COUNT(superharmonic)},
+	 CLI_COUNT(superharmonic), .most = 3, .excludes = "subharmonic"},
 	{"subharmonic", 0, "K", "the mode resonates at 1/K (K: 2 or 3) of the load's frequency",
-	 CLI_COUNT(subharmonic)},
+	 CLI_COUNT(subharmonic), .most = 3},
 	CLI_HEADING("Steps"),
 	CLI_TOLERANCE_OPTION("relative tolerance of equilibria (1e-9)"),
 	CLI_STEP_OPTION,
@@ -52,30 +53,6 @@ static double natural_of(const struct hawser_rom *rom, int j)
 }
 
 /* --- what was asked for --- */
-
-static enum hawser_status check(const struct settings *settings, struct hawser_report *report)
-{
-	int kinds =
-	        (settings->superharmonic > 0) + (settings->subharmonic > 0) + (settings->resonant != NULL);
-
-	if (kinds > 1)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "mms",
-		                    "--resonant, --superharmonic and --subharmonic are different resonances: "
-		                    "choose one");
-	if (settings->superharmonic > 3 || settings->subharmonic > 3)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "mms",
-		                    "--%s %d: to second order there are 2 and 3",
-		                    settings->superharmonic ? "superharmonic" : "subharmonic",
-		                    settings->superharmonic ?
-		                    settings->superharmonic : settings->subharmonic);
-	if (settings->resonant && settings->mode)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "mms",
-		                    "--mode and --resonant both name resonant modes: write one of them");
-	if (settings->step > 1.0)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "mms",
-		                    "--step %g: it is a part of the range, at most 1", settings->step);
-	return cli_outputs_check(&settings->common, report);
-}
 
 static enum hawser_status which_mode(int *mode, const struct settings *settings,
                                      const struct hawser_rom *rom, struct hawser_report *report)
@@ -259,7 +236,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	const struct settings *settings = context;
 	struct cli_model model = {0};
 	struct cli_mms_result result = {.common = &settings->common, .model = &model, .base = 1};
-	enum hawser_status status = check(settings, report);
+	enum hawser_status status = cli_outputs_check(&settings->common, report);
 
 	if (!status)
 		status = load_model(&model, settings, report);

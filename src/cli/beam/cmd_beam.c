@@ -28,7 +28,7 @@ static const struct cli_option options[] = {
 	              .needs = "to"),
 	CLI_TEXT_OPTION(to, "VALUE", "last speed of a sweep, or last value of the boundary's key"),
 	{"points", 0, "N", "samples of a sweep, before refinement (100)", CLI_COUNT(points)},
-	{"modes", 'n', "N", "number of modes, counted from the lowest (6)", CLI_INTEGER(n)},
+	{"modes", 'n', "N", "number of modes, counted from the lowest (6)", CLI_INTEGER(n), .most = 100},
 	CLI_TEXT_WITH(boundary, "KEY", "compute v_crit over this key of the scene",
 	              .needs = "to"),
 	CLI_TEXT_OPTION(vary, "KEY=A,B", "repeat for up to eight values of a key of the scene"),
@@ -143,9 +143,6 @@ static enum hawser_status load(struct cli_beam_result *result, const struct sett
 	const struct cli_common *common = &settings->common;
 	enum hawser_status status = choose_method(&result->method, settings->method, report);
 
-	if (!status && (settings->n < 1 || settings->n > 100))
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "beam", "--modes %d: 1 to 100 modes",
-		                      settings->n);
 	if (!status)
 		status = cli_outputs_check(common, report);
 	if (!status)

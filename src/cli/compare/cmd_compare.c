@@ -334,17 +334,6 @@ static enum hawser_status range(struct cli_compare_result *result, const struct 
 	                 report);
 }
 
-static enum hawser_status check(struct cli_compare_result *result, const struct settings *settings,
-                                struct hawser_report *report)
-{
-	enum hawser_status status = choose(result, settings, report);
-
-	if (!status && settings->step > 1.0)
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "compare",
-		                      "--step %g: it is a part of the range, at most 1", settings->step);
-	return status ? status : cli_outputs_check(&settings->common, report);
-}
-
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
 	const struct settings *settings = context;
@@ -358,7 +347,9 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	result->model = &model;
 	result->landmarks = settings->landmarks;
 	result->limit = settings->limit;
-	status = check(result, settings, report);
+	status = choose(result, settings, report);
+	if (!status)
+		status = cli_outputs_check(&settings->common, report);
 	if (!status)
 		status = cli_model_load(&model, &settings->common, 0, report);
 	if (!status)

@@ -35,7 +35,8 @@ static const struct cli_option options[] = {
 	CLI_TEXT_OPTION(resonant, "LIST", "several resonant modes, as mode:order: 1:1,4:2"),
 	CLI_RANGE_OPTIONS("one end of the range at full load", "the other end"),
 	CLI_MODES_OPTION,
-	{"levels", 0, "N", "number of load levels, full load included (4)", CLI_COUNT(levels)},
+	{"levels", 0, "N", "number of load levels, full load included (4)", CLI_COUNT(levels),
+	 .most = LEVELS},
 	CLI_TOLERANCE_OPTION("tolerance of both curves, relative to the orbit (1e-11)"),
 	{"step", 0, "NUMBER", "longest step, as a part of the range (0.001)", CLI_POSITIVE(step)},
 	CLI_NO_OPTION,
@@ -419,10 +420,6 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	enum hawser_status status = result ? cli_outputs_check(&settings->common, report)
 	                                   : hawser__no_memory(report, "compare mms");
 
-	if (!status && settings->levels > LEVELS)
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "compare mms",
-		                      "--levels %d: at most %d, where round-off hides the distance",
-		                      settings->levels, LEVELS);
 	if (!status)
 		status = cli_model_load(&model, &settings->common, settings->n, report);
 	if (!status && model.automatic)

@@ -107,10 +107,7 @@ static enum hawser_status check(const struct settings *settings, struct hawser_r
 {
 	enum hawser_status status = HAWSER_OK;
 
-	if (settings->step > 1.0)
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
-		                      "--step %g: it is a part of the range, at most 1", settings->step);
-	if (!status && settings->switched)
+	if (settings->switched)
 		status = cli_switch_check(settings->switched, settings->label ? "from-label"
 		                          : settings->start ? "start" : settings->at ? "at"
 		                          : settings->resume ? "continue" : settings->period ? "period" : NULL,

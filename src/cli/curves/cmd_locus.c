@@ -29,8 +29,9 @@ static const struct cli_option options[] = {
 	                  "the other end of the range (3.3w1)"),
 	CLI_MODES_OPTION,
 	CLI_HEADING("Parameters, and where curves begin"),
-	CLI_TEXT_OPTION(and, "KEY=FROM:TO", "a parameter instead of the frequency, and its range"),
-	CLI_TEXT_OPTION(Omega, "FREQUENCY", "of the load, with --and"),
+	CLI_TEXT_WITH(and, "KEY=FROM:TO", "a parameter instead of the frequency, and its range",
+	              .needs = "Omega", .excludes = "from, to, near"),
+	CLI_TEXT_WITH(Omega, "FREQUENCY", "of the load, with --and", .needs = "and"),
 	CLI_TEXT_OPTION(at, "VALUE", "of the parameter where the curves begin (the model's own)"),
 	CLI_TEXT_OPTION(near, "FREQUENCY", "only the bifurcation next to it (all in the range)"),
 	{"harmonic", 0, "K", "of load and motion, of --kind resonance (the load's lowest)",
@@ -105,10 +106,6 @@ static enum hawser_status trace(struct hawser_locus *locus, const struct setting
 
 	if (!status)
 		status = start_of(&choice.at, over, settings->at, model, report);
-	if (!status && settings->near && plane)
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "locus",
-		                      "--near %s: with --and, all bifurcations of the range are followed: "
-		                      "narrow the range of --and instead", settings->near);
 	if (!status && settings->near)
 		status = cli_map_frequency(&near, settings->near, "near", model, report);
 	if (status)
@@ -187,10 +184,6 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		result.parameter_from = over.from;
 		result.parameter_to = over.to;
 	}
-	if (!status && (settings->and != NULL) != (settings->Omega != NULL))
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "locus",
-		                      "--and KEY=FROM:TO and --Omega FREQUENCY belong together: they replace "
-		                      "--from and --to");
 	if (!status && settings->and)
 		status = open_plane(&plane, &other, &over, settings, &model, report);
 	if (!status && settings->and) {

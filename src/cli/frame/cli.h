@@ -106,8 +106,8 @@ enum hawser_status cli_document(const struct hawser_document **document,
 enum hawser_kind cli_kind(const struct cli_common *common);
 /* cli_read_scene, cli_read_net ... a scene of the kind, with the overrides of the command line. After
  * a failure it is all zero. */
-#define CLI_KINDS_OF_SCENES(X) X(scene) HAWSER__TREE_KINDS(X)
-#define CLI_OPEN(name) \
+#define CLI_KINDS_OF_SCENES(X) X(scene, ) HAWSER_SCENE_KINDS(X)
+#define CLI_OPEN(name, NAME) \
 	enum hawser_status cli_read_##name(struct hawser_##name *name, \
 	                                   const struct cli_common *common, \
 	                                   struct hawser_report *report) HAWSER_MUST_CHECK;

@@ -39,7 +39,7 @@ enum hawser_kind cli_kind(const struct cli_common *common)
 	                                                                : HAWSER_KIND_SPAN;
 }
 
-#define OPEN(name) \
+#define OPEN(name, NAME) \
 	enum hawser_status cli_read_##name(struct hawser_##name *name, \
 	                                   const struct cli_common *common, \
 	                                   struct hawser_report *report) \

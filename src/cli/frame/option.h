@@ -24,15 +24,15 @@ struct cli_option {
 	size_t offset;
 	unsigned kinds; /* bits of enum cli_kind: of the inputs that it is for; 0: of all */
 	const char *words; /* "up|down|both": those that a text may be; NULL: any */
+	double most;       /* of a number; 0: any */
 	/* Other options, "over, model=fe": given, or with this value. One of `needs` must be, none of
 	 * `excludes`; NULL: none. */
 	const char *needs, *excludes;
 };
-/* All kinds of inputs, in the order of hawser init and check: X is the row that a new kind adds, with
- * its record cli_kind_NAME (kinds.h). FIRST is X for the first of those that hawser init writes. */
+/* All kinds of inputs, in the order of hawser init and check, each with its record cli_kind_NAME
+ * (kinds.h). FIRST is X for the first of those that hawser init writes. */
 #define CLI_KINDS_WRITTEN(FIRST, X) \
-	FIRST(cable, CABLE) X(travelling, TRAVELLING) X(beam, BEAM) X(net, NET) X(obstacles, OBSTACLES) \
-	X(ropeway, ROPEWAY) X(rod, ROD) X(tow, TOW)
+	FIRST(cable, CABLE) X(travelling, TRAVELLING) X(beam, BEAM) HAWSER_SCENE_KINDS(X)
 #define CLI_KINDS(X) CLI_KINDS_WRITTEN(X, X) X(model, MODEL)
 #define CLI_NUMBER_OF(name, BIT) CLI_NUMBER_##BIT,
 enum { CLI_KINDS(CLI_NUMBER_OF) CLI_KINDS_ALL };
@@ -83,8 +83,6 @@ enum hawser_status cli_store_count(void *field, const struct cli_option *option,
 #define CLI_COUNT_FOR(member, kinds) CLI_STORED_FOR(cli_store_count, member, kinds)
 #define CLI_FLAG(member) CLI_STORED(cli_store_flag, member)
 #define CLI_TEXT(member) CLI_STORED(cli_store_text, member)
-#define CLI_WORD(member, list) CLI_TEXT(member), .words = list
-#define CLI_WORD_FOR(member, list, kinds) CLI_TEXT_FOR(member, kinds), .words = list
 #define CLI_TWO(member) CLI_STORED(cli_store_two, member)
 #define CLI_POSITIVE(member) CLI_STORED(cli_store_positive, member)
 #define CLI_INTEGER(member) CLI_STORED(cli_store_integer, member)
@@ -105,7 +103,8 @@ enum hawser_status cli_store_count(void *field, const struct cli_option *option,
 #define CLI_TOLERANCE_OPTION(doc) \
 	{"tolerance", 0, "NUMBER", doc, CLI_POSITIVE(tolerance)}
 #define CLI_STEP_OPTION \
-	{"step", 0, "NUMBER", "longest step, as a part of the range (0.005)", CLI_POSITIVE(step)}
+	{"step", 0, "NUMBER", "longest step, as a part of the range (0.005)", CLI_POSITIVE(step), \
+	 .most = 1.0}
 #define CLI_POINTS_OPTION(doc) \
 	{"max-points", 0, "N", doc, CLI_COUNT(points)}
 #define CLI_SET_OPTION \

@@ -125,6 +125,14 @@ enum hawser_status cli_store_set(void *field, const struct cli_option *option,
 	return HAWSER_OK;
 }
 
+static enum hawser_status check_most(const struct cli_option *option, const char *text, double value,
+                                     struct hawser_report *report)
+{
+	return !(option->most > 0.0 && value > option->most) ? HAWSER_OK
+		: hawser__fail(report, HAWSER_ERR_ARGUMENT, "options", "--%s %s: must be at most %g",
+		               option->name, text, option->most);
+}
+
 enum hawser_status cli_store_positive(void *field, const struct cli_option *option,
                                       const char *const *values, struct hawser_report *report)
 {
@@ -135,7 +143,7 @@ enum hawser_status cli_store_positive(void *field, const struct cli_option *opti
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "options",
 		                    "--%s %s: write a number greater than zero", option->name, values[0]);
 	*(double *)field = value;
-	return HAWSER_OK;
+	return check_most(option, values[0], value, report);
 }
 
 static enum hawser_status store_integer(int *field, const struct cli_option *option,
@@ -154,26 +162,18 @@ static enum hawser_status store_integer(int *field, const struct cli_option *opt
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "options",
 		                    "--%s %s: must be at least %ld", option->name, text, smallest);
 	*field = (int)value;
-	return HAWSER_OK;
+	return check_most(option, text, (double)value, report);
 }
 
-enum hawser_status cli_store_integer(void *field, const struct cli_option *option,
-                                     const char *const *values, struct hawser_report *report)
-{
-	return store_integer(field, option, values[0], 1, report);
-}
-
-enum hawser_status cli_store_count(void *field, const struct cli_option *option,
-                                   const char *const *values, struct hawser_report *report)
-{
-	return store_integer(field, option, values[0], 2, report);
-}
-
-enum hawser_status cli_store_every(void *field, const struct cli_option *option,
-                                   const char *const *values, struct hawser_report *report)
-{
-	return store_integer(field, option, values[0], 0, report);
-}
+#define INTEGERS(name, smallest) \
+	enum hawser_status cli_store_##name(void *field, const struct cli_option *option, \
+	                                    const char *const *values, struct hawser_report *report) \
+	{ \
+		return store_integer(field, option, values[0], smallest, report); \
+	}
+INTEGERS(integer, 1)
+INTEGERS(count, 2)
+INTEGERS(every, 0)
 
 const struct cli_option *cli_common_of(const struct cli_command *command)
 {

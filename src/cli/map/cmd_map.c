@@ -40,7 +40,7 @@ static const struct cli_option options[] = {
 	{"stable", 0, "", "amplitude: min, max and branches of stable responses only", CLI_FLAG(stable)},
 	CLI_HEADING("Resolution"),
 	{"depth", 0, "N", "resolution of 2^N cells along each axis, instead of --points",
-	 CLI_INTEGER(depth)},
+	 CLI_INTEGER(depth), .most = 14, .excludes = "points"},
 	{"coarse", 0, "N", "size of the first cells, in smallest cells; 1: every point (8)",
 	 CLI_INTEGER(coarse)},
 	{"jump", 0, "NUMBER", "split cells in which the value varies by this part (0.05)",
@@ -79,13 +79,6 @@ static enum hawser_status read_points(int points[2], const struct settings *sett
 	char *end;
 	long along[2];
 
-	if (settings->depth > 0 && settings->points)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
-		                    "--points and --depth both give the resolution: write one of them");
-	if (settings->depth > 14)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
-		                    "--depth %d: at most 14, which is 16385 points along an axis",
-		                    settings->depth);
 	if (settings->depth > 0)
 		points[0] = points[1] = (1 << settings->depth) + 1;
 	if (!settings->points)

@@ -76,9 +76,6 @@ enum hawser_status cli_damped_solve(struct cli_damped_result *result, const char
 	struct hawser_damped_sweep_options options = {.modes = {.n = n}};
 	enum hawser_status status;
 
-	if (!over && result->logarithmic)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
-		                    "--log is for the points of --over: give --over KEY=FROM:TO:POINTS");
 	if (!over)
 		return solve_one(result, n, report);
 	status = read_over(&options, result, over, report);

@@ -42,7 +42,7 @@ static const struct cli_option options[] = {
 	{"method", 0, "NAME", "integrator: gauss, radau, adams, bdf or auto (auto)", CLI_TEXT(method)},
 	CLI_HEADING("Load and ends"),
 	{"Omega-to", 0, "FREQUENCY", "slow sweep: the frequency changes linearly to this one",
-	 CLI_TEXT_FOR(omega_to, CLI_MODELLED),
+	 CLI_TEXT_FOR(omega_to, CLI_MODELLED), .needs = "Omega",
 	 .excludes = "model=fe, continue, spectrum, after, lyapunov"},
 	{"load", 0, "FILE", "table of the load over time, in place of the section load; of ropeways: "
 	 "passing or drive", CLI_TEXT_FOR(load, CLI_MODELLED), .excludes = "model=fe"},
@@ -121,10 +121,6 @@ static enum hawser_status times(struct hawser_integrate_options *choice, double 
 	choice->omega = label->omega;
 	if (settings->omega)
 		status = cli_frequency(&choice->omega, settings->omega, "Omega", model, report);
-	else if (settings->omega_to)
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate",
-		                      "--Omega-to %s ends a sweep: give its beginning with --Omega",
-		                      settings->omega_to);
 	else if (!label->state && (model->rom.harmonics > 0 || model->automatic))
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate",
 		                      "the model is forced: give its frequency with --Omega, such as "

@@ -25,14 +25,15 @@ static const struct settings defaults = {.refine = 1, .rho_inf = 0.8,
 static const struct cli_option options[] = {
 	CLI_TEXT_OPTION(until, "TIME", "end of the motion (that of the path)"),
 	CLI_TEXT_OPTION(every, "TIME", "time between rows (a 500th of the motion)"),
-	{"check", 0, "", "the motion again with twice as many elements: mesh error", CLI_FLAG(check)},
+	{"check", 0, "", "the motion again with twice as many elements: mesh error", CLI_FLAG(check),
+	 .excludes = "initial"},
 	CLI_TEXT_OPTION(initial, "FILE", "go on from a state that --state wrote (the steady state)"),
 	CLI_TEXT_OPTION(state, "FILE", "write the last state, from which --initial goes on"),
 	CLI_HEADING("Steps and mesh"),
 	CLI_TEXT_OPTION(step, "TIME", "steps of this length (as the local error allows)"),
 	CLI_TEXT_OPTION(local, "LENGTH", "local error of a step (1e-6 of the cable's length)"),
 	{"rho-inf", 0, "NUMBER", "of the integration, 0 to 1: what is left of fast oscillations in a step "
-	 "(0.8)", CLI_POSITIVE(rho_inf)},
+	 "(0.8)", CLI_POSITIVE(rho_inf), .most = 1.0},
 	{"refine", 0, "N", "elements of the scene times N (1)", CLI_COUNT(refine)},
 	CLI_HEADING("Pictures and files"),
 	CLI_TEXT_OPTION(vtk, "STEM", "write STEM-00000.vtk and so on, one a row, and STEM.vtk.series"),
@@ -292,12 +293,6 @@ static enum hawser_status quantities(struct hawser_tow_options *set, const struc
 		status = cli_quantity(&set->every, s->every, "s", CLI_ABOVE_ZERO, "tow", "every", report);
 	if (!status)
 		status = cli_quantity(&set->tolerance, s->local, "m", CLI_ABOVE_ZERO, "tow", "local", report);
-	if (!status && s->rho_inf > 1.0)
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "tow", "--rho-inf %g is more than 1: give a "
-		                      "number above 0 and at most 1", s->rho_inf);
-	if (!status && s->check && s->initial)
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "tow", "--check has no state for twice as "
-		                      "many elements: leave out --check, or --initial");
 	return status;
 }
 

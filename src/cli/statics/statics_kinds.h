@@ -25,13 +25,13 @@ struct cli_statics_kinds {
 	{"method", 0, "NAME", "nets: how to find the equilibrium (automatic)", \
 	 CLI_TEXT_FOR(kinds.method, CLI_NET)}, \
 	{"profile", 0, "", "nets and ropeways: table of points along the cables", \
-	 CLI_FLAG_FOR(kinds.profile, CLI_NET | CLI_ROPEWAY)}, \
+	 CLI_FLAG_FOR(kinds.profile, CLI_NET | CLI_ROPEWAY), .excludes = "cases"}, \
 	{"equilibria", 0, "N", "nets: all equilibria of bars instead of cables, from N random starts", \
 	 CLI_COUNT_FOR(kinds.equilibria, CLI_NET)}, \
 	{"spans", 0, "", "ropeways, obstacles: table of the spans", \
-	 CLI_FLAG_FOR(kinds.spans, CLI_ROPEWAY | CLI_OBSTACLES)}, \
+	 CLI_FLAG_FOR(kinds.spans, CLI_ROPEWAY | CLI_OBSTACLES), .excludes = "worst, profile, cases"}, \
 	{"worst", 0, "", "ropeways: table of the worst values over the phases", \
-	 CLI_FLAG_FOR(kinds.worst, CLI_ROPEWAY)}, \
+	 CLI_FLAG_FOR(kinds.worst, CLI_ROPEWAY), .excludes = "profile, cases"}, \
 	{"phases", 0, "N", "ropeways: number of phases of the carriers (200)", \
 	 CLI_COUNT_FOR(kinds.phases, CLI_ROPEWAY)}, \
 	{"case", 0, "NAME", "ropeways: the load case (full)", CLI_TEXT_FOR(kinds.load_case, CLI_ROPEWAY)}, \

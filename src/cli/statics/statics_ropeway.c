@@ -213,10 +213,6 @@ enum hawser_status cli_statics_ropeway(const void *settings, struct hawser_repor
 	struct cli_ropeway result = {.common = &kinds->common, .kinds = kinds};
 	enum hawser_status status = cli_read_ropeway(&result.ropeway, &kinds->common, report);
 
-	if (!status && kinds->spans + kinds->worst + kinds->profile + kinds->cases > 1)
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
-		                      "--spans, --worst, --profile and --cases "
-		                      "are tables of their own: choose one");
 	if (!status)
 		status = solve(&result, report);
 	if (!status) {

@@ -49,8 +49,10 @@ static const struct cli_option options[] = {
 	 CLI_TEXT(rows)},
 	{"keep", 0, "COLUMNS", "only these columns of the result, separated by commas", CLI_TEXT(keep)},
 	CLI_HEADING("Choice of a row"),
-	{"last", 0, "", "of several rows of a variation the last", CLI_FLAG(last)},
-	{"max", 0, "COLUMN", "the row in which this column is largest", CLI_TEXT(max)},
+	{"last", 0, "", "of several rows of a variation the last", CLI_FLAG(last),
+	 .excludes = "max, min"},
+	{"max", 0, "COLUMN", "the row in which this column is largest", CLI_TEXT(max),
+	 .excludes = "min"},
 	{"min", 0, "COLUMN", "the row in which this column is least", CLI_TEXT(min)},
 	CLI_HEADING("Running"),
 	{"threads", 'j', "N", "variations that are computed at the same time (all processors)",
@@ -266,13 +268,9 @@ static enum hawser_status read_choice(struct cli_sweep_choice *choice,
                                       const struct settings *settings,
                                       char *keep, struct hawser_report *report)
 {
-	int picks = settings->last + (settings->max != NULL) + (settings->min != NULL);
+	int picks = settings->last || settings->max || settings->min;
 
-	if (picks > 1)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "sweep",
-		                    "--last, --max and --min choose a row "
-		                    "each: give one of them");
-	if (picks > 0 && settings->rows && strcmp(settings->rows, "values") == 0)
+	if (picks && settings->rows && strcmp(settings->rows, "values") == 0)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "sweep",
 		                    "--rows values has one row for each "
 		                    "variation: --%s has nothing to choose from", settings->last ? "last"

@@ -22,9 +22,9 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	return status ? status : hawser_schema_write(stdout, common->input, report);
 }
 
-#define WORD(name) "|" #name
+#define WORD(name, NAME) "|" #name
 const struct cli_command cli_schema = {
-	"schema", "[cable|beam" HAWSER__TREE_KINDS(WORD) "]", "JSON Schema of scenes, for editors",
+	"schema", "[cable|beam" HAWSER_SCENE_KINDS(WORD) "]", "JSON Schema of scenes, for editors",
 	notes, options, NULL, sizeof(struct cli_common), 0, run, NULL,
 	.takes = 0,
 };

@@ -146,7 +146,7 @@ static const struct hawser__tree_key net_rows[] = {
 };
 
 const struct hawser__tree_table hawser__tree_of_net = {
-	"net", "A net of cables", net_rows, sizeof net_rows/sizeof *net_rows};
+	"net", "A net of cables", net_rows, sizeof net_rows/sizeof *net_rows, "net", {"nodes"}};
 
 /* Spans over planes and segments. */
 static const struct hawser__tree_key mesh_rows[] = {
@@ -170,4 +170,4 @@ static const struct hawser__tree_key mesh_rows[] = {
 };
 
 const struct hawser__tree_table hawser__tree_of_mesh = {
-	"mesh", "A span that is a mesh", mesh_rows, sizeof mesh_rows/sizeof *mesh_rows};
+	"mesh", "A span that is a mesh", mesh_rows, sizeof mesh_rows/sizeof *mesh_rows, NULL, {NULL}};

@@ -51,7 +51,6 @@ struct hawser__fold {
 	double *plus, *minus; /* [R][n][n] tangents */
 	double *force;     /* [R][n] */
 	double *work;      /* of hawser__rom_tangents */
-	size_t work_room;
 	double *step;      /* [size] */
 	long solves;
 };

@@ -10,7 +10,7 @@
 
 #include "modes/grid.h"
 
-enum { HAWSER__IN_PLANE_D = 2, HAWSER__ENDS = 2, HAWSER__ORDER_MOST = 200 };
+enum { HAWSER__ENDS = 2, HAWSER__ORDER_MOST = 200 };
 
 /* The statics of one piece of the rope, scaled. Tensions are those of the apparent rope: T - nu^2 g. */
 struct hawser__lmode_piece {

@@ -77,4 +77,5 @@ static const struct hawser__tree_key obstacles_rows[] = {
 };
 
 const struct hawser__tree_table hawser__tree_of_obstacles = {
-	"obstacles", "A span over obstacles", obstacles_rows, sizeof obstacles_rows/sizeof *obstacles_rows};
+	"obstacles", "A span over obstacles", obstacles_rows, sizeof obstacles_rows/sizeof *obstacles_rows,
+	NULL, {"obstacles", "contact"}};

@@ -124,4 +124,5 @@ static const struct hawser__tree_key ropeway_rows[] = {
 };
 
 const struct hawser__tree_table hawser__tree_of_ropeway = {
-	"ropeway", "A ropeway", ropeway_rows, sizeof ropeway_rows/sizeof *ropeway_rows};
+	"ropeway", "A ropeway", ropeway_rows, sizeof ropeway_rows/sizeof *ropeway_rows,
+	"ropeway", {"ropeway"}};

@@ -222,14 +222,14 @@ static int twin(const struct hawser__tree_table *table, const char *path)
 	return 0;
 }
 
-#define KIND(name) {&hawser__tree_of_##name, name},
+#define KIND(name, NAME) {&hawser__tree_of_##name, name},
 
 void manpage_kinds(void)
 {
 	static const struct {
 		const struct hawser__tree_table *table;
 		const char *text;
-	} kind[] = {HAWSER__TREE_KINDS(KIND)};
+	} kind[] = {HAWSER_SCENE_KINDS(KIND)};
 
 	for (size_t k = 0; k < sizeof kind/sizeof *kind; k++) {
 		const char *before = "";

@@ -119,8 +119,8 @@ static json_t *mapping_of(struct hawser__schema *schema, const char *path)
 	return mapping;
 }
 
-#define NAME(name) #name,
-static const char *const kinds[] = {"cable", "beam", HAWSER__TREE_KINDS(NAME)};
+#define WORD(name, NAME) #name,
+static const char *const kinds[] = {"cable", "beam", HAWSER_SCENE_KINDS(WORD)};
 enum { KINDS = sizeof kinds/sizeof *kinds };
 
 const char *hawser_schema_kind(int index)
@@ -194,16 +194,17 @@ static json_t *reference(struct hawser__schema *schema, const char *kind)
 /* {if sign, then kind, else ...}, from sign `index` on; beams and cables have no sign of their own. */
 static json_t *choice(struct hawser__schema *schema, int index)
 {
-	const struct hawser__kind_sign *sign = hawser__kind_sign(index);
+	struct hawser__kind_sign sign;
+	int any = hawser__kind_sign(&sign, index);
 	json_t *value = json_object();
 
-	hawser__schema_put(schema, value, "if", sign ? condition(schema, sign->key, sign->word)
-	                                             : condition(schema, "beam", NULL));
+	hawser__schema_put(schema, value, "if", any ? condition(schema, sign.key, sign.word)
+	                                            : condition(schema, "beam", NULL));
 	hawser__schema_put(schema, value, "then",
-	                   reference(schema, !sign ? "beam" : sign->kind == HAWSER_KIND_SPAN ? "cable"
-	                                     : hawser_kind_name(sign->kind)));
-	hawser__schema_put(schema, value, "else", sign ? choice(schema, index + 1)
-	                                               : reference(schema, "cable"));
+	                   reference(schema, !any ? "beam" : sign.kind == HAWSER_KIND_SPAN ? "cable"
+	                                     : hawser_kind_name(sign.kind)));
+	hawser__schema_put(schema, value, "else", any ? choice(schema, index + 1)
+	                                              : reference(schema, "cable"));
 	return value;
 }
 

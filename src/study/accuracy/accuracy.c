@@ -49,7 +49,6 @@
 #define LEAST 0.1     /* smallest error that is claimed, for which the tolerances are chosen */
 #define SAFETY HAWSER__SAFETY /* factor on the measures, calibrated by bench/accuracy.c */
 #define SAFETY_ORDER 1.5 /* the same on the truncation error, which is known to a tenth there */
-#define MOVES 2.0     /* factor on `rest`: largest expected change by the next model */
 #define CONDENSED_TRIES 7 /* most condensed models; full-order ones have the remaining tries */
 
 /* --- candidates --- */
