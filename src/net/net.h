@@ -100,7 +100,7 @@ void hawser__mesh_axis(double axis[3], const struct hawser__mesh *mesh, int node
 void hawser__mesh_flatten(struct hawser__mesh *mesh, int k, double place);
 void hawser__mesh_clear(struct hawser__mesh *mesh);
 
-/* residual [nodes][3] = gradient of the energy Pi at mesh->q: also in held directions, where it is minus
+/* residual [nodes][3] = gradient of Pi at mesh->q: also in held directions, where it is minus
  * the force of the support on the net. T [elements] gets the tensions, if not NULL. */
 void hawser__mesh_gradient(double (*residual)[3], double *T, const struct hawser__mesh *mesh);
 /* Bound of the round-off of this gradient: EA*ulp(position)/length0, largest over the nodes, N. */
