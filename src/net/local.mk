@@ -86,3 +86,5 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/touch/touch-start.c \
 	%D%/touch/touched.c \
 	%D%/touch/touching.c
+# the table of keys, data alone, which the library of the scene has
+src_scene_libscene_la_SOURCES += %D%/read/net_rows.c

@@ -32,3 +32,5 @@ noinst_LTLIBRARIES += %D%/librod.la
 	%D%/statics.c \
 	%D%/winch.c \
 	%D%/winch.h
+# the table of keys, data alone, which the library of the scene has
+src_scene_libscene_la_SOURCES += %D%/rod_rows.c

@@ -72,3 +72,5 @@ noinst_LTLIBRARIES += %D%/libropeway.la
 	%D%/statics/history.h \
 	%D%/statics/obstacles.c \
 	%D%/read/obstacles_read.c
+# the tables of keys, data alone, which the library of the scene has
+src_scene_libscene_la_SOURCES += %D%/read/obstacles_rows.c %D%/read/ropeway_rows.c

@@ -19,8 +19,23 @@
 
 static const size_t largest = (size_t)1 << 30; /* bytes of a text */
 
-/* The words of the key kind come first, then the other signs; a net may have obstacles, and is before
- * them. */
+/* The sign `index` of the kinds that have a word of their own, or of those that have none; 0: there are
+ * fewer, and *index is the number that is left. */
+static int sign_of(struct hawser__kind_sign *sign, int *index, int named)
+{
+	const struct hawser__tree_table *table;
+
+	for (int i = 1; (table = hawser__tree_kind((enum hawser_kind)i)); i++)
+		for (int k = 0; k < HAWSER__TREE_SIGNS && table->sign[k]; k++) {
+			*sign = (struct hawser__kind_sign){table->sign[k], NULL, (enum hawser_kind)i};
+			if ((table->word != NULL) == named && (*index)-- == 0)
+				return 1;
+		}
+	return 0;
+}
+
+/* The words of the key `kind` come first, and spans over obstacles last: nets and ropeways may have the
+ * same keys. */
 int hawser__kind_sign(struct hawser__kind_sign *sign, int index)
 {
 	const struct hawser__tree_table *table;
@@ -33,12 +48,8 @@ int hawser__kind_sign(struct hawser__kind_sign *sign, int index)
 		if (table->word && index-- == 0)
 			return 1;
 	}
-	for (int i = 1; (table = hawser__tree_kind((enum hawser_kind)i)); i++)
-		for (int k = 0; k < HAWSER__TREE_SIGNS && table->sign[k]; k++) {
-			*sign = (struct hawser__kind_sign){table->sign[k], NULL, (enum hawser_kind)i};
-			if (index-- == 0)
-				return 1;
-		}
+	if (sign_of(sign, &index, 1) || sign_of(sign, &index, 0))
+		return 1;
 	/* whose reader refuses what is no kind */
 	*sign = (struct hawser__kind_sign){"kind", NULL, HAWSER_KIND_NET};
 	return index == 0;

@@ -35,12 +35,7 @@ noinst_LTLIBRARIES += %D%/libscene.la
 	%D%/units_common.c \
 	%D%/units.h \
 	%D%/value.c \
-	%D%/write.c \
-	src/net/read/net_rows.c \
-	src/rod/rod_rows.c \
-	src/ropeway/read/obstacles_rows.c \
-	src/ropeway/read/ropeway_rows.c \
-	src/tow/tow_rows.c
+	%D%/write.c
 
 # Writes hawser-scene(5) from the table of keys; man/local.mk runs it.
 EXTRA_PROGRAMS += %D%/manpage

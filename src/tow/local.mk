@@ -27,3 +27,5 @@ noinst_LTLIBRARIES += %D%/libtow.la
 	%D%/trajectory_largest.c \
 	%D%/trajectory_pieces.c \
 	%D%/trajectory_solve.c
+# the table of keys, data alone, which the library of the scene has
+src_scene_libscene_la_SOURCES += %D%/tow_rows.c

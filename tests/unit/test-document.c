@@ -26,6 +26,7 @@ static const struct {
 	{"names in quotation marks", "'ropeway': {}\n", HAWSER_KIND_ROPEWAY},
 	{"circles", "obstacles: [{circle: {radius: 1}}]\n", HAWSER_KIND_OBSTACLES},
 	{"contact alone", "contact: {sliding: none}\n", HAWSER_KIND_OBSTACLES},
+	{"contact of a ropeway", "contact: {}\nropeway: {}\n", HAWSER_KIND_ROPEWAY},
 	{"a plane makes a mesh", "obstacles: [{circle: {}}, {plane: {y: 0}}]\n", HAWSER_KIND_NET},
 	{"a plane that is a name", "obstacles: [{name: plane, circle: {}}]\n", HAWSER_KIND_OBSTACLES},
 	{"a comment is no sign", "# nodes:\ncable: {EA: 1e7}\n", HAWSER_KIND_SPAN},

@@ -27,6 +27,7 @@
 #include <cblas.h>
 #include <lapacke.h>
 
+#include "core/hold.h"
 #include "core/report.h"
 #include "modes/complex/quadratic.h"
 
@@ -47,6 +48,7 @@ struct work {
 	double complex *Q;     /* [n][n] column-major: Q(l), then its factors */
 	double complex *q, *y, *r; /* [n] right and left vectors, scratch */
 	int *pivot;            /* [2n] */
+	struct hawser__hold hold;
 };
 
 /* --- the inverted linearisation --- */
@@ -329,14 +331,14 @@ static enum hawser_status room(struct work *work, struct hawser_report *report)
 {
 	size_t n = (size_t)work->n, m = 2*n;
 
-	work->T = malloc(m*m*sizeof *work->T);
-	work->vectors = malloc(m*m*sizeof *work->vectors);
-	work->re = malloc(m*sizeof *work->re);
-	work->im = malloc(m*sizeof *work->im);
-	work->Q = malloc(n*n*sizeof *work->Q);
-	work->q = malloc(3*n*sizeof *work->q);
-	work->pivot = malloc(m*sizeof *work->pivot);
-	if (!work->T || !work->vectors || !work->re || !work->im || !work->Q || !work->q || !work->pivot)
+	work->T = hawser__hold(&work->hold, m*m, sizeof *work->T);
+	work->vectors = hawser__hold(&work->hold, m*m, sizeof *work->vectors);
+	work->re = hawser__hold(&work->hold, m, sizeof *work->re);
+	work->im = hawser__hold(&work->hold, m, sizeof *work->im);
+	work->Q = hawser__hold(&work->hold, n*n, sizeof *work->Q);
+	work->q = hawser__hold(&work->hold, 3*n, sizeof *work->q);
+	work->pivot = hawser__hold(&work->hold, m, sizeof *work->pivot);
+	if (work->hold.short_of_memory)
 		return hawser__no_memory(report, where);
 	work->y = work->q + n;
 	work->r = work->y + n;
@@ -365,14 +367,14 @@ enum hawser_status hawser__quadratic_eigen(struct hawser__eigenvalue *value, dou
 	struct work work = {.system = system, .n = system->n,
 		.size = {frobenius(system->M, system->n), frobenius(system->C, system->n),
 		         frobenius(system->K, system->n)}};
-	struct candidate *list = NULL;
+	struct candidate *list;
 	enum hawser_status status = check(&work, shift, count, report);
 	int many, info;
 
 	*found = 0;
 	if (status || (status = room(&work, report)))
 		goto done;
-	list = malloc(2*(size_t)work.n*sizeof *list);
+	list = hawser__hold(&work.hold, 2*(size_t)work.n, sizeof *list);
 	if (!list) {
 		status = hawser__no_memory(report, where);
 		goto done;
@@ -400,13 +402,6 @@ enum hawser_status hawser__quadratic_eigen(struct hawser__eigenvalue *value, dou
 			store(left + (size_t)*found*2*(size_t)work.n, work.y, work.n, mirrored);
 	}
 done:
-	free(list);
-	free(work.T);
-	free(work.vectors);
-	free(work.re);
-	free(work.im);
-	free(work.Q);
-	free(work.q);
-	free(work.pivot);
+	hawser__hold_clear(&work.hold);
 	return status;
 }

@@ -13,6 +13,7 @@
 
 #include <suitesparse/klu.h>
 
+#include "core/hold.h"
 #include "core/report.h"
 #include "net/motion/motion.h"
 
@@ -29,6 +30,7 @@ struct hawser__klu {
 	int (*diagonal)[3];    /* [nodes] -1: held */
 	const int (*unknown)[3]; /* [nodes] of the mesh */
 	double *right;         /* [unknowns] */
+	struct hawser__hold hold;
 };
 
 void hawser__klu_clear(struct hawser__klu *klu)
@@ -37,12 +39,7 @@ void hawser__klu_clear(struct hawser__klu *klu)
 		return;
 	klu_free_numeric(&klu->numeric, &klu->common);
 	klu_free_symbolic(&klu->symbolic, &klu->common);
-	free(klu->p);
-	free(klu->i);
-	free(klu->x);
-	free(klu->at);
-	free(klu->diagonal);
-	free(klu->right);
+	hawser__hold_clear(&klu->hold);
 	free(klu);
 }
 
@@ -153,13 +150,13 @@ static enum hawser_status pattern(struct hawser__klu *klu, const struct hawser__
 	int (*list)[2] = malloc(most*sizeof *list);
 	size_t count;
 
-	klu->p = calloc((size_t)mesh->unknowns + 1, sizeof *klu->p);
-	klu->i = malloc(most*sizeof *klu->i);
-	klu->x = malloc(most*sizeof *klu->x);
-	klu->at = malloc(((size_t)mesh->elements + 1)*sizeof *klu->at);
-	klu->diagonal = malloc(((size_t)mesh->nodes + 1)*sizeof *klu->diagonal);
-	klu->right = malloc(((size_t)mesh->unknowns + 1)*sizeof *klu->right);
-	if (!list || !klu->p || !klu->i || !klu->x || !klu->at || !klu->diagonal || !klu->right) {
+	klu->p = hawser__hold(&klu->hold, (size_t)mesh->unknowns + 1, sizeof *klu->p);
+	klu->i = hawser__hold(&klu->hold, most, sizeof *klu->i);
+	klu->x = hawser__hold(&klu->hold, most, sizeof *klu->x);
+	klu->at = hawser__hold(&klu->hold, (size_t)mesh->elements + 1, sizeof *klu->at);
+	klu->diagonal = hawser__hold(&klu->hold, (size_t)mesh->nodes + 1, sizeof *klu->diagonal);
+	klu->right = hawser__hold(&klu->hold, (size_t)mesh->unknowns + 1, sizeof *klu->right);
+	if (!list || klu->hold.short_of_memory) {
 		free(list);
 		return hawser__no_memory(report, "net");
 	}

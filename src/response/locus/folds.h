@@ -19,6 +19,7 @@
 
 #include <hawser/folds.h>
 
+#include "core/hold.h"
 #include "response/orbit/balance.h"
 #include "response/orbit/load.h"
 
@@ -53,6 +54,7 @@ struct hawser__fold {
 	double *work;      /* of hawser__rom_tangents */
 	double *step;      /* [size] */
 	long solves;
+	struct hawser__hold unknowns, times; /* what has `room` and `samples` */
 };
 
 enum hawser_status hawser__fold_open(struct hawser__fold *fold, const struct hawser_rom *rom,

@@ -42,38 +42,10 @@ enum hawser_status hawser__fold_open(struct hawser__fold *fold, const struct haw
 	return HAWSER_OK;
 }
 
-static void drop_unknowns(struct hawser__fold *fold)
-{
-	free(fold->A);
-	free(fold->pivot);
-	free(fold->x);
-	free(fold->w);
-	free(fold->F);
-	free(fold->g_y);
-	fold->A = fold->x = fold->w = fold->F = fold->g_y = NULL;
-	fold->pivot = NULL;
-	fold->room = 0;
-}
-
-static void drop_samples(struct hawser__fold *fold)
-{
-	free(fold->time_u);
-	free(fold->time_v);
-	free(fold->time_w);
-	free(fold->time_q);
-	free(fold->plus);
-	free(fold->minus);
-	free(fold->force);
-	free(fold->work);
-	fold->time_u = fold->time_v = fold->time_w = fold->time_q = NULL;
-	fold->plus = fold->minus = fold->force = fold->work = NULL;
-	fold->samples = 0;
-}
-
 void hawser__fold_close(struct hawser__fold *fold)
 {
-	drop_unknowns(fold);
-	drop_samples(fold);
+	hawser__hold_clear(&fold->unknowns);
+	hawser__hold_clear(&fold->times);
 	free(fold->b);
 	hawser__balance_release(&fold->balance);
 	hawser__load_clear(&fold->load);
@@ -81,16 +53,18 @@ void hawser__fold_close(struct hawser__fold *fold)
 
 static int make_unknowns(struct hawser__fold *fold, int P)
 {
+	struct hawser__hold *hold = &fold->unknowns;
 	size_t row = (size_t)P + 1;
 
-	drop_unknowns(fold);
-	fold->A = malloc(row*row*sizeof(double));
-	fold->pivot = malloc(row*sizeof(int));
-	fold->x = malloc(SIDES*row*sizeof(double));
-	fold->w = malloc(row*sizeof(double));
-	fold->F = malloc(row*sizeof(double));
-	fold->g_y = malloc(row*sizeof(double));
-	if (!fold->A || !fold->pivot || !fold->x || !fold->w || !fold->F || !fold->g_y)
+	hawser__hold_clear(hold);
+	fold->room = 0;
+	fold->A = hawser__hold(hold, row*row, sizeof(double));
+	fold->pivot = hawser__hold(hold, row, sizeof(int));
+	fold->x = hawser__hold(hold, SIDES*row, sizeof(double));
+	fold->w = hawser__hold(hold, row, sizeof(double));
+	fold->F = hawser__hold(hold, row, sizeof(double));
+	fold->g_y = hawser__hold(hold, row, sizeof(double));
+	if (hold->short_of_memory)
 		return 1;
 	fold->room = P;
 	return 0;
@@ -99,19 +73,20 @@ static int make_unknowns(struct hawser__fold *fold, int P)
 static int make_samples(struct hawser__fold *fold, int rows)
 {
 	const struct hawser_rom *rom = &fold->load.rom;
+	struct hawser__hold *hold = &fold->times;
 	size_t n = (size_t)rom->n, R = (size_t)rows;
 
-	drop_samples(fold);
-	fold->time_u = malloc(R*n*sizeof(double));
-	fold->time_v = malloc(R*n*sizeof(double));
-	fold->time_w = malloc(R*n*sizeof(double));
-	fold->time_q = malloc(R*n*sizeof(double));
-	fold->force = malloc(R*n*sizeof(double));
-	fold->plus = malloc(R*n*n*sizeof(double));
-	fold->minus = malloc(R*n*n*sizeof(double));
-	fold->work = malloc((hawser__rom_tangents_work(rom, rows) + 1)*sizeof(double));
-	if (!fold->time_u || !fold->time_v || !fold->time_w || !fold->time_q || !fold->force ||
-	    !fold->plus || !fold->minus || !fold->work)
+	hawser__hold_clear(hold);
+	fold->samples = 0;
+	fold->time_u = hawser__hold(hold, R*n, sizeof(double));
+	fold->time_v = hawser__hold(hold, R*n, sizeof(double));
+	fold->time_w = hawser__hold(hold, R*n, sizeof(double));
+	fold->time_q = hawser__hold(hold, R*n, sizeof(double));
+	fold->force = hawser__hold(hold, R*n, sizeof(double));
+	fold->plus = hawser__hold(hold, R*n*n, sizeof(double));
+	fold->minus = hawser__hold(hold, R*n*n, sizeof(double));
+	fold->work = hawser__hold(hold, hawser__rom_tangents_work(rom, rows) + 1, sizeof(double));
+	if (hold->short_of_memory)
 		return 1;
 	fold->samples = rows;
 	return 0;

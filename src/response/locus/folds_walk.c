@@ -25,16 +25,15 @@
 #define SURE_STEP 1e-6 /* a shorter step is accepted in any case; chosen */
 #define SORTING_STEP 1e-6 /* in a shorter step, events are not separated further; chosen */
 
-static int init_station(struct hawser__fold_station *station, int size)
+static void init_station(struct hawser__fold_station *station, struct hawser__hold *hold, int size)
 {
-	station->memory = calloc(4*(size_t)size, sizeof(double));
+	station->memory = hawser__hold(hold, 4*(size_t)size, sizeof(double));
 	if (!station->memory)
-		return 1;
+		return;
 	station->z = station->memory;
 	station->t = station->z + size;
 	station->b = station->t + size;
 	station->c = station->b + size;
-	return 0;
 }
 
 enum hawser_status hawser__walk_open(struct hawser__fold_walk *walk, struct hawser__fold *fold,
@@ -43,7 +42,6 @@ enum hawser_status hawser__walk_open(struct hawser__fold_walk *walk, struct haws
 {
 	struct hawser__fold_station *all[] = {&walk->start, &walk->prev, &walk->here, &walk->next,
 	                                      &walk->scratch, &walk->lo, &walk->hi};
-	int failed = 0;
 
 	*walk = (struct hawser__fold_walk){.began = hawser__wall_seconds(), .fold = fold,
 		.options = options, .report = report,
@@ -52,28 +50,19 @@ enum hawser_status hawser__walk_open(struct hawser__fold_walk *walk, struct haws
 	walk->window_lo = walk->omega_lo;
 	walk->window_hi = walk->omega_hi;
 	for (size_t i = 0; i < sizeof all/sizeof *all; i++)
-		failed |= init_station(all[i], fold->size);
-	walk->direction = calloc((size_t)fold->size, sizeof(double));
-	walk->plane = calloc((size_t)fold->size, sizeof(double));
-	walk->state = calloc(2*(size_t)fold->load.rom.n, sizeof(double));
+		init_station(all[i], &walk->hold, fold->size);
+	walk->direction = hawser__hold(&walk->hold, (size_t)fold->size, sizeof(double));
+	walk->plane = hawser__hold(&walk->hold, (size_t)fold->size, sizeof(double));
+	walk->state = hawser__hold(&walk->hold, 2*(size_t)fold->load.rom.n, sizeof(double));
 	walk->amplitude = hawser__amplitude_new(&fold->load.rom);
-	if (failed || !walk->direction || !walk->plane || !walk->state || !walk->amplitude)
+	if (walk->hold.short_of_memory || !walk->amplitude)
 		return hawser__no_memory(report, "folds");
 	return HAWSER_OK;
 }
 
 void hawser__walk_clear(struct hawser__fold_walk *walk)
 {
-	free(walk->start.memory);
-	free(walk->prev.memory);
-	free(walk->here.memory);
-	free(walk->next.memory);
-	free(walk->scratch.memory);
-	free(walk->lo.memory);
-	free(walk->hi.memory);
-	free(walk->direction);
-	free(walk->plane);
-	free(walk->state);
+	hawser__hold_clear(&walk->hold);
 	hawser__amplitude_free(walk->amplitude);
 }
 

@@ -54,6 +54,7 @@ struct hawser__fold_walk {
 	const char *stage;
 	double began;              /* s, hawser__wall_seconds */
 	struct hawser_report *report;
+	struct hawser__hold hold;
 };
 
 static inline struct hawser__node hawser__fold_node(const struct hawser__fold_station *station)

@@ -26,6 +26,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/hold.h"
 #include "core/report.h"
 #include "modes/grid.h"
 #include "modes/label.h"
@@ -123,32 +124,27 @@ struct work {
 	double *stroke;         /* [count][HAWSER_ATTACH_MAX] of absorbers */
 	double *along;          /* [2][3][points] */
 	double *bent;           /* [count] rows of bend.h */
+	struct hawser__hold hold;
 };
 
 static int work_make(struct work *work)
 {
 	size_t count = (size_t)work->count, points = (size_t)work->points;
 
-	work->shape = malloc(3*count*points*sizeof *work->shape);
-	work->slope = malloc(3*count*points*sizeof *work->slope);
-	work->kink = malloc(3*count*MARKS*sizeof *work->kink);
-	work->start = calloc(count, 3*sizeof *work->start);
-	work->stroke = calloc(count, HAWSER_ATTACH_MAX*sizeof *work->stroke);
-	work->along = malloc(6*points*sizeof *work->along);
-	return work->shape && work->slope && work->kink && work->start && work->stroke && work->along;
+	work->shape = hawser__hold(&work->hold, 3*count*points, sizeof *work->shape);
+	work->slope = hawser__hold(&work->hold, 3*count*points, sizeof *work->slope);
+	work->kink = hawser__hold(&work->hold, 3*count*MARKS, sizeof *work->kink);
+	work->start = hawser__hold(&work->hold, count, 3*sizeof *work->start);
+	work->stroke = hawser__hold(&work->hold, count, HAWSER_ATTACH_MAX*sizeof *work->stroke);
+	work->along = hawser__hold(&work->hold, 6*points, sizeof *work->along);
+	return !work->hold.short_of_memory;
 }
 
 static void work_clear(struct work *work)
 {
 	hawser__stations_clear(&work->stations);
 	hawser__reference_clear(&work->reference);
-	free(work->shape);
-	free(work->slope);
-	free(work->kink);
-	free(work->start);
-	free(work->stroke);
-	free(work->along);
-	free(work->bent);
+	hawser__hold_clear(&work->hold);
 }
 
 /* Strains and displacement of end A of the response to a unit force along axis at attachment i, or,
@@ -343,8 +339,8 @@ enum hawser_status hawser__dampers_extend(struct hawser_modes *with,
 		status = hawser__reference_init(&work.reference, &modes->grid, modes->grid.order - 1,
 		                                report);
 	if (!status && work.stations.bend) {
-		work.bent = malloc((size_t)work.count*(size_t)hawser__bend_width(work.stations.bend)*
-		                   sizeof *work.bent);
+		work.bent = hawser__hold(&work.hold, (size_t)work.count*
+		                         (size_t)hawser__bend_width(work.stations.bend), sizeof *work.bent);
 		status = work.bent ? HAWSER_OK : hawser__no_memory(report, "rom");
 	}
 	for (int a = 0; !status && a < work.count; a++) {

@@ -18,6 +18,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/hold.h"
 #include "core/report.h"
 #include "ropeway/modes/plan.h"
 
@@ -358,30 +359,25 @@ static enum hawser_status draft_plane(struct hawser__lmode *rope, enum hawser_pl
 	size_t pieces = (size_t)rope->pieces + 1;
 	struct hawser__lmode_draft t = {.rope = rope, .plane = plane,
 	                                .borders_most = rope->options.freedoms + 1};
+	struct hawser__hold hold = {.last = NULL};
 	enum hawser_status status = HAWSER_OK;
 
 	for (int i = 0; i < rope->lanes; i++)
 		t.borders_most += rope->lane[i]->line->sheaves;
-	t.segment = calloc(pieces, sizeof *t.segment);
-	t.border_map = calloc(4*pieces*(size_t)t.borders_most, sizeof *t.border_map);
-	t.node = calloc(pieces, sizeof *t.node);
-	t.node_chain = calloc(pieces, sizeof *t.node_chain);
-	t.root = calloc(2*pieces + 2, sizeof *t.root);
-	t.pendulum = calloc(pieces, sizeof *t.pendulum);
-	t.border = calloc((size_t)t.borders_most, sizeof *t.border);
-	if (!t.segment || !t.border_map || !t.node || !t.node_chain || !t.root || !t.pendulum || !t.border)
+	t.segment = hawser__hold(&hold, pieces, sizeof *t.segment);
+	t.border_map = hawser__hold(&hold, 4*pieces*(size_t)t.borders_most, sizeof *t.border_map);
+	t.node = hawser__hold(&hold, pieces, sizeof *t.node);
+	t.node_chain = hawser__hold(&hold, pieces, sizeof *t.node_chain);
+	t.root = hawser__hold(&hold, 2*pieces + 2, sizeof *t.root);
+	t.pendulum = hawser__hold(&hold, pieces, sizeof *t.pendulum);
+	t.border = hawser__hold(&hold, (size_t)t.borders_most, sizeof *t.border);
+	if (hold.short_of_memory)
 		status = hawser__no_memory(report, "line modes");
 	for (int lane = 0, at = 0; lane < rope->lanes && !status; at += rope->lane[lane++]->pieces)
 		status = walk(&t, lane, rope->piece + at, report);
 	if (!status)
 		status = hawser__lmode_divide(&t, report);
-	free(t.segment);
-	free(t.border_map);
-	free(t.node);
-	free(t.node_chain);
-	free(t.root);
-	free(t.pendulum);
-	free(t.border);
+	hawser__hold_clear(&hold);
 	return status;
 }
 

@@ -138,18 +138,17 @@ enum hawser_status hawser__march_open(struct hawser__march *march, struct hawser
 	march->rope.w = line->rho*line->g*(1.0 - share);
 	march->rope.masses = line->masses;
 	march->trace.room = 3*(int)(n + m) + 8;
-	march->target = calloc(n, sizeof *march->target);
-	march->start = calloc(n, sizeof *march->start);
-	march->index = calloc(3*n, sizeof *march->index);
-	march->off = calloc(2*n, 1);
-	march->rope.S = calloc(3*m, sizeof *march->rope.S);
-	march->trace.arrive = calloc(2*n, sizeof *march->trace.arrive);
+	march->target = hawser__hold(&march->hold, n, sizeof *march->target);
+	march->start = hawser__hold(&march->hold, n, sizeof *march->start);
+	march->index = hawser__hold(&march->hold, 3*n, sizeof *march->index);
+	march->off = hawser__hold(&march->hold, 2*n, 1);
+	march->rope.S = hawser__hold(&march->hold, 3*m, sizeof *march->rope.S);
+	march->trace.arrive = hawser__hold(&march->hold, 2*n, sizeof *march->trace.arrive);
 	march->trace.st = st;
 	st->piece = calloc((size_t)march->trace.room, sizeof *st->piece);
 	st->contact = calloc(n, sizeof *st->contact);
 	st->carrier = calloc(m, sizeof *st->carrier);
-	if (!march->target || !march->start || !march->index || !march->off || !march->rope.S ||
-	    !march->trace.arrive || !st->piece || !st->contact || !st->carrier)
+	if (march->hold.short_of_memory || !st->piece || !st->contact || !st->carrier)
 		return hawser__no_memory(report, "line");
 	march->kept = march->off + n;
 	march->pieces = march->index + n;
@@ -175,10 +174,5 @@ enum hawser_status hawser__march_open(struct hawser__march *march, struct hawser
 
 void hawser__march_clear(struct hawser__march *march)
 {
-	free(march->target);
-	free(march->start);
-	free(march->index);
-	free(march->off);
-	free(march->rope.S);
-	free(march->trace.arrive);
+	hawser__hold_clear(&march->hold);
 }

@@ -3,6 +3,7 @@
 #ifndef HAWSER_ROPEWAY_MARCH_H
 #define HAWSER_ROPEWAY_MARCH_H
 
+#include "core/hold.h"
 #include "ropeway/statics/rope.h"
 
 /* Why there is no rope. */
@@ -31,6 +32,7 @@ struct hawser__march {
 	int iterations;              /* ropes laid */
 	struct hawser__rope_point begin, end; /* ends A and B */
 	double miss;                 /* m, how far from B the rope ends */
+	struct hawser__hold hold;
 };
 
 enum hawser_status hawser__march_open(struct hawser__march *march, struct hawser_line_statics *st,
