@@ -19,6 +19,8 @@
 
 #include "tests/nets/comparison.h"
 
+enum { CORNERS = 150 }; /* of a profile at most, so that pictures stay small */
+
 static void table(const struct net_comparison *of)
 {
 	printf("%-20s %8s %10s %6s %5s %17s %8s %6s %7s\n", "method", "solved_%", "compressed", "failed",
@@ -42,8 +44,9 @@ static int profiles(const struct net_comparison *of)
 		net_comparison_profile(time, of, w, 0);
 		net_comparison_profile(iterations, of, w, 1);
 		printf("# %s\n1 1 0\n", of->score[w].way->name);
-		for (int i = 0; i < of->score[w].solved; i++)
-			printf("%.4g %g %.4g\n", time[i], iterations[i], 100.0*(i + 1)/of->nets);
+		for (int i = 0, solved = of->score[w].solved; i < solved; i++)
+			if (i == solved - 1 || i%(1 + solved/CORNERS) == 0)
+				printf("%.4g %g %.4g\n", time[i], iterations[i], 100.0*(i + 1)/of->nets);
 		printf("\n\n");
 	}
 	free(time);

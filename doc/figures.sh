@@ -217,11 +217,14 @@ echo "$target/net-modes.svg"
 profile=${BUILD:-.}/bench/net-profile
 [ -x "$profile" ] || { echo "figures.sh: no $profile: run make bench/net-profile in the build folder" >&2; exit 1; }
 OPENBLAS_NUM_THREADS=1 "$profile" -p >"$table"
-# percents X: the stairs over a column; a start at straight cables is dashed
+# percents X: the stairs over a column; a method has one colour, and starts at straight cables are dashed
 percents() {
 	awk -v x="$1" -v table="$table" '/^#/ {
-		printf "%s table index %d using %d:3 with steps lw %s dt %s lc %d title \"%s\"", n ? ", \\\n" : "plot", n, x, \
-			n ? 1.6 : 3, $2 ~ /chord|two-sided$|regularised$|descent/ ? 2 : 1, n + 1, $2
+		method = $2; sub(/\/.*/, "", method)
+		if (!(method in colour))
+			colour[method] = ++colours
+		printf "%s table index %d using %d:3 with steps lw %s dt %s lt %d title \"%s\"", n ? ", \\\n" : "plot", n, x, \
+			n ? 1.6 : 3, $2 ~ /chord|two-sided$|regularised$|descent/ ? "(6,4)" : 1, colour[method], $2
 		n++ }
 		END { print "" }' "$table"
 }
@@ -229,19 +232,32 @@ percents() {
 	cat <<END
 table = '$table'
 set encoding utf8
-set terminal svg size 850,480 enhanced font 'sans-serif,12' background '#ffffff'
+set terminal svg size 850,360 enhanced font 'sans-serif,12' background '#ffffff'
+set linetype 1 lc rgb 'black'
+set linetype 9 lc rgb '#8C564B'
 set border 3 lw 0.8 lc rgb '#404040'
 set tics nomirror out scale 0.6
 set grid lw 0.5 lc rgb '#d8d8d8' dt solid
 set logscale x
+set format x '10^{%L}'
 set yrange [0:103]
-set multiplot layout 1,2
+set multiplot
+set tmargin at screen 0.96
+set bmargin at screen 0.20
+set lmargin at screen 0.11
+set rmargin at screen 0.42
 set ylabel 'Cables solved (%)'
 set xlabel 'Processor time, over that of the fastest'
-set key below maxrows 4
+set key off
 END
 	percents 1
-	echo "unset ylabel; set xlabel 'Number of iterations'"
+	cat <<END
+set lmargin at screen 0.46
+set rmargin at screen 0.77
+unset ylabel
+set xlabel 'Number of iterations'
+set key at screen 0.99,0.95 right top Left reverse samplen 2
+END
 	percents 2
 	echo "unset multiplot"
 } | gnuplot >"$target/net-profile.svg"
