@@ -70,17 +70,17 @@ static void measure(struct frame *frame)
 	frame->T = hawser__axis_of("Tension {/:Italic T}", "N", most);
 }
 
-/* Heights (0) or tensions (1) of a rope. */
-static void put_rope(struct hawser__figure *figure, const struct hawser_line_statics *st, int tension)
+void hawser__plot_rope(struct hawser__figure *figure, const struct hawser_line_statics *st, int tension,
+                       int points)
 {
 	for (int i = 0; i < st->pieces; i++) {
 		const struct hawser_line_piece *piece = &st->piece[i];
 
-		for (int k = 0; k < PER_PIECE; k++) {
+		for (int k = 0; k < points; k++) {
 			double x[2], T;
 
 			hawser_line_at(st, x, NULL, &T, NULL, NULL,
-			               piece->S0 + (piece->S1 - piece->S0)*k/PER_PIECE);
+			               piece->S0 + (piece->S1 - piece->S0)*k/points);
 			hawser__figure_put(figure, x[0], tension ? T : x[1]);
 		}
 		hawser__figure_put(figure, piece->x1[0], tension ? piece->T1 : piece->x1[1]);
@@ -114,14 +114,14 @@ static void draw_ropes(struct hawser__figure *figure, const struct frame *frame,
 	static const char *const title[] = {"about to slide toward A", "about to slide toward B"};
 
 	if (frame->clear)
-		put_rope(figure, &frame->st->clear.st, tension);
+		hawser__plot_rope(figure, &frame->st->clear.st, tension, PER_PIECE);
 	hawser__figure_draw(figure, "without obstacles", "with lines lt 7 lw 1 dt (8,6)");
 	for (int k = 0; k < 2; k++) {
 		if (frame->slide[k] && tension)
-			put_rope(figure, &frame->st->slide[k].st, 1);
+			hawser__plot_rope(figure, &frame->st->slide[k].st, 1, PER_PIECE);
 		hawser__figure_draw(figure, title[k], "with lines lc rgb '%s' lw 1", limit_colour[k]);
 	}
-	put_rope(figure, &frame->st->st, tension);
+	hawser__plot_rope(figure, &frame->st->st, tension, PER_PIECE);
 	hawser__figure_draw(figure, "rope", "with lines lt 1");
 }
 

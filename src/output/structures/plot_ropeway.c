@@ -5,6 +5,7 @@
 
 #include <math.h>
 
+#include "output/structures/plot_obstacles.h"
 #include "output/structures/plot_ropeway.h"
 #include "output/drawing/figure.h"
 
@@ -90,30 +91,11 @@ static void measure(struct frame *frame)
 	frame->R = hawser__axis_of("Force on battery", "N", frame->largest);
 }
 
-/* Heights (0) or tensions (1) of a rope. */
-static void put_rope(struct hawser__figure *figure, const struct frame *frame, int lane, int tension)
-{
-	const struct hawser_line_statics *line = &frame->st->lane[lane].st;
-
-	for (int i = 0; i < line->pieces; i++) {
-		const struct hawser_line_piece *piece = &line->piece[i];
-
-		for (int k = 0; k < PER_PIECE; k++) {
-			double x[2], T;
-
-			hawser_line_at(line, x, NULL, &T, NULL, NULL,
-			               piece->S0 + (piece->S1 - piece->S0)*k/PER_PIECE);
-			hawser__figure_put(figure, x[0], tension ? T : x[1]);
-		}
-		hawser__figure_put(figure, piece->x1[0], tension ? piece->T1 : piece->x1[1]);
-	}
-}
-
 static void draw_lane(struct hawser__figure *figure, const struct frame *frame, int lane)
 {
 	const struct hawser_ropeway_lane *of = &frame->st->lane[lane];
 
-	put_rope(figure, frame, lane, 0);
+	hawser__plot_rope(figure, &frame->st->lane[lane].st, 0, PER_PIECE);
 	hawser__figure_draw(figure, NULL, "with lines lc rgb '%s' lw 1.4", colour[lane]);
 	for (int i = 0; i < of->carriers; i++)
 		hawser__figure_row(figure, "xyXY", (double[]){of->st.carrier[i].x[0],
@@ -215,7 +197,7 @@ static void draw_tension(struct hawser__figure *figure, const struct frame *fram
 	for (int i = 0; i < frame->st->lanes && frame->worst; i++)
 		draw_envelope(figure, frame, i);
 	for (int i = 0; i < frame->st->lanes; i++) {
-		put_rope(figure, frame, i, 1);
+		hawser__plot_rope(figure, &frame->st->lane[i].st, 1, PER_PIECE);
 		hawser__figure_draw(figure, NULL, "with lines lc rgb '%s' lw %g", colour[i],
 		                    frame->worst ? 0.6 : 1.4);
 	}
