@@ -84,7 +84,7 @@ static void take(const struct hawser_rom *rom, int by_function)
 		rom->kernel->by_function[task] = by_function;
 }
 
-static void perform(const struct bench *b, enum hawser__task task)
+static void perform(const struct bench *b, enum hawser__effort_task task)
 {
 	size_t n = (size_t)b->rom->n;
 
@@ -102,7 +102,7 @@ static void perform(const struct bench *b, enum hawser__task task)
 }
 
 /* Nanoseconds of processor time a state. */
-static double timing(const struct bench *b, enum hawser__task task)
+static double timing(const struct bench *b, enum hawser__effort_task task)
 {
 	double best = INFINITY;
 

@@ -221,13 +221,13 @@ static int is_special(const struct settings *settings)
 
 /* Further branches; unasked, no motions that nobody observes, no search with a model that is far
  * off, and none without end. */
-static enum hawser_status cover_rest(struct cli_cover *cover, const struct hawser_frf_options *options,
+static enum hawser_status cover_rest(struct cli_cover *cover, const struct hawser_frf_options *as,
                                      const struct settings *settings, struct cli_frf_result *result,
                                      struct cli_progress *progress, struct hawser_report *report)
 {
-	struct hawser_frf_options choice = *options;
+	struct hawser_frf_options choice = *as;
 
-	if (!hawser_cover_needed(result->frf, options))
+	if (!hawser_cover_needed(result->frf, as))
 		return HAWSER_OK;
 	result->unsearched = cli_exact_failed(result->model, &result->error);
 	if (result->unsearched)

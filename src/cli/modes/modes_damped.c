@@ -226,11 +226,11 @@ static double ratio_of(const struct hawser_damped *state, int plane, int number)
 /* Modes of the plane: solid; those out of it: dashed, in the same colours. */
 static void draw_ratios(struct hawser__figure *figure, const struct hawser_damped_sweep *sweep)
 {
-	enum { MOST = 8 };
+	enum { CURVES = 8 };
 	char title[40];
 
 	for (int number = 1, curves = 0; number <= sweep->state->n; number++)
-		for (int plane = 0; plane < 2 && curves < MOST; plane++) {
+		for (int plane = 0; plane < 2 && curves < CURVES; plane++) {
 			double most = 0.0;
 
 			for (int i = 0; i < sweep->points; i++)
