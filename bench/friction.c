@@ -181,10 +181,11 @@ static int agreement(const char *name, int count)
 	double most = 0.0;
 
 	for (int i = 0; i < count; i++) {
-		const struct hawser_friction_problem problem = friction_problem(&of);
+		struct hawser_friction_problem problem;
 		double size = 1e-3;
 
 		friction_random(&of, i, 0.6, 1e3);
+		problem = friction_problem(&of);
 		if (friction_solve(u, a, &ours, &of, &report)) {
 			failed++;
 			continue;
