@@ -213,6 +213,9 @@ int cli_frf_caution(char *text, size_t size, const struct cli_frf_result *result
 	case 3:
 		snprintf(text, size, "stability undecided in parts");
 		return undecided(unused, sizeof unused, result);
+	case 4:
+		snprintf(text, size, "a part of the range");
+		return result->model->exact.until > 0.0;
 	default:
 		return -1;
 	}

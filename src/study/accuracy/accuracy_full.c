@@ -62,6 +62,7 @@
                           * are of another curve; chosen */
 #define ROUGH 1e-5      /* least tolerance of orbits at marks; chosen, far below the distances */
 #define DOUBT 2.0       /* factor of what is foreseen of a draft that has not ended; chosen */
+#define A_PART 0.5      /* of what can be borne, for a part of the range; chosen */
 #define ASIDE 2         /* points before the one from which the curve cannot be followed; chosen */
 #define SLACK_POINTS 50 /* fewest points of which slackness is judged; chosen */
 #define FIRST_POINTS 24 /* of a trace, before anything is foreseen; chosen */
@@ -238,7 +239,8 @@ static int watch_trace(void *data, const struct hawser_progress_state *state)
 		shown.left = state->seconds*fmax((double)most/points - 1.0, 0.0);
 	}
 	watch->afforded = watch->options->partial && watch->drafts && points >= FIRST_POINTS &&
-	                  so_far(watch, points, work) > watch->options->bearable;
+	                  so_far(watch, points, work) > watch->options->bearable*
+	                  (watch->a->foreseen > watch->options->bearable ? A_PART : 1.0);
 	if (watch->afforded)
 		return 1;
 	if (watch->options->bearable > 0.0 && watch->drafts && !watch->options->partial &&
@@ -326,13 +328,40 @@ static enum hawser_status carry(struct draft *draft, double *away, const struct 
 		                       traced->marks, map, &frf, report);
 	free(map);
 	draft->work = hawser_orbit_work(&found.cost, &draft->rom);
-	if (!status && !lost)
+	if (!status && found.points > 0)
 		status = hawser__curve_copy(&draft->curve, &found, report);
 	if (!status && !lost)
 		status = hawser__curve_points_distance(away, &traced->curve, traced->mark, NULL,
 		                                       &draft->curve, report);
 	hawser_frf_clear(&found);
 	return status;
+}
+
+/* Ends the range where the first two bases stop to agree: at the last mark up to which they do, if there
+ * are enough before it. The curve of *next then ends there, and is near. */
+static enum hawser_status agree(struct draft *next, double *away, const struct traced *traced,
+                                struct hawser_accuracy *a, struct hawser_frf_options *settled,
+                                struct hawser_report *report)
+{
+	int found = next->curve.points;
+	double off = INFINITY;
+	enum hawser_status status = HAWSER_OK;
+
+	while (!status && next->curve.points > 0 && SAFETY_BASIS*off > a->asked) {
+		next->curve.points--;
+		status = hawser__curve_points_distance(&off, &traced->curve, traced->mark, NULL,
+		                                       &next->curve, report);
+	}
+	if (status || next->curve.points == 0 ||
+	    traced->mark[next->curve.points - 1] < FIRST_POINTS) {
+		next->curve.points = found;
+		return status;
+	}
+	a->until = settled->to = a->frf.point[traced->mark[next->curve.points - 1]].omega;
+	snprintf(a->beyond, sizeof a->beyond, "bases of %d and %d functions differ beyond: the motion has "
+	         "short waves", traced->functions, next->functions);
+	*away = off;
+	return HAWSER_OK;
 }
 
 /* The same basis with a draft of its own, in place of the last one, with which it is compared. */
@@ -382,6 +411,9 @@ static enum hawser_status choose(struct draft *chosen, double *moved, int *check
 		if (traced.functions)
 			status = carry(&next, &away, &traced, &a->modes.statics, frf, report);
 		*work += next.work;
+		if (!status && isfinite(a->until) && next.curve.points > 0 && chosen->functions ==
+		    traced.functions && !(SAFETY_BASIS*away <= a->asked))
+			status = agree(&next, &away, &traced, a, frf, report);
 		if (!status && away <= NEAR) {
 			next.points = chosen->points;
 			next.work = chosen->work*pow((double)next.rom.n/chosen->rom.n, 2.0);
