@@ -126,6 +126,12 @@ enum hawser_status hawser_accuracy_basis(struct hawser_rom *rom, int *functions,
 
 /* The estimated error of a response, to first order, that is due to the modes that its model does
  * not keep: relative error of folds and peaks. */
+struct hawser_accuracy_omission {
+	int mode;          /* counted from 1 by frequency */
+	int harmonic;      /* of the forcing frequency, to which it responds most */
+	double omega, measure; /* scaled natural frequency; of choose.h */
+};
+enum { HAWSER_ACCURACY_NAMED = 4 };
 struct hawser_accuracy_fixed {
 	double estimated;  /* total of the following parts, at most 1 */
 	double rest;       /* sum of the measures of the omitted candidates (choose.h) */
@@ -139,6 +145,9 @@ struct hawser_accuracy_fixed {
 	                    * that a branch is missing; 0: none. Its measure in `rest` is the strength
 	                    * of the excitation relative to that at which instability begins */
 	double seconds;    /* wall time of this estimate */
+	int omissions;     /* omitted modes of the largest measures, the largest first, where the error
+	                    * is more than a hundredth by them */
+	struct hawser_accuracy_omission omission[HAWSER_ACCURACY_NAMED];
 };
 
 /* Estimate this error for the response `frf` of a condensed model `rom` that keeps the lowest
@@ -150,6 +159,13 @@ enum hawser_status hawser_accuracy_fixed(struct hawser_accuracy_fixed *fixed,
                                          const struct hawser_rom *rom, const struct hawser_frf *frf,
                                          int kept, const struct hawser_statics *statics,
                                          const struct hawser_scene *scene, double from, double to,
+                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* The same of a model that keeps the kept modes of a choice, ascending, whose measures become those of
+ * the motions of its response. */
+enum hawser_status hawser_accuracy_among(struct hawser_accuracy_fixed *fixed,
+                                         struct hawser_choice *choice, const struct hawser_rom *rom,
+                                         const struct hawser_frf *frf,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* The same for one forced motion of such a model, of which the period from `state` on is examined:

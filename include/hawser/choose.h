@@ -49,6 +49,8 @@ struct hawser_choice {
 	int *order;                      /* [n] indices of modes, most important first */
 	double *load;                    /* [n] scaled force on each mode at its own frequency, by the
 	                                  * load, the fluctuation of the speed and gyroscopic terms */
+	int answered;                    /* 1: displacements contain all of the linear response to the
+	                                  * load of modes that are not kept */
 	int planar;                      /* 1: nothing drives a mode out of plane */
 	double largest;                  /* mean square, scaled, of the largest motion in a plane so far */
 	struct hawser_rom all;           /* condensed model with all the modes */
@@ -74,6 +76,14 @@ enum hawser_status hawser_choose(struct hawser_choice *choice, const struct haws
                                  const struct hawser_scene *scene, double from, double to,
                                  double accuracy, struct hawser_report *report)
 	HAWSER_MUST_CHECK;
+
+/* A choice among the coordinates of a model that exists, which are the lowest modes of something else
+ * than a span, with all others condensed and their response to the load known; of `modes` n, mode and time_unit are used. No mode is kept
+ * yet but those that the load drives. *all is taken over. HAWSER_ERR_ARGUMENT: the load drives nothing;
+ * HAWSER_ERR_MEMORY. */
+enum hawser_status hawser_choice_of(struct hawser_choice *choice, struct hawser_rom *all,
+                                    const struct hawser_modes *modes, double from, double to,
+                                    struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* Raise the measures by a motion that was computed with the modes now kept: coordinate[rows][kept]
  * over one period of the scaled forcing frequency `omega`, equidistant. Begin with the largest motion.

@@ -72,6 +72,7 @@ static const struct row {
 	ROW(hawser_accuracy),
 	ROW(hawser_accuracy_bases),
 	ROW(hawser_accuracy_fixed),
+	ROW(hawser_accuracy_omission),
 	ROW(hawser_accuracy_motion),
 	ROW(hawser_accuracy_options),
 	ROW(hawser_accuracy_try),

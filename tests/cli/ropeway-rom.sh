@@ -13,12 +13,12 @@ works "smeared carriers" rom "$small" -n 1 --carriers smeared --json smeared.jso
 works "a response" frf passing.json --from 0.95w1 --to 1.02w1 --step 0.04 --json frf.json -q
 rough "the same of the scene, with more modes" frf "$small" -n 6 --damping 0.02 --from 0.95w1 --to 1.02w1 --step 0.04 \
 	--json scene.json --tsv scene.tsv --plot frf.svg -q
-works "a motion of the scene, by the name of the load" integrate "$small" -n 6 --damping 0.02 --load drive --ripple 0.01 \
+rough "a motion of the scene, by the name of the load" integrate "$small" -n 6 --damping 0.02 --load drive --ripple 0.01 \
 	--Omega 2.5 --until 20 --every 1 --json named.json -q
 most=12 # 40 take 10 s
 [ -z "${HAWSER_LONG:-}" ] || most=40
 for n in 6 $most; do
-	works "the steady motion with $n modes" frf "$small" -n $n --damping 0.02 --load drive --ripple 0.01 --from 2.5 \
+	rough "the steady motion with $n modes" frf "$small" -n $n --damping 0.02 --load drive --ripple 0.01 --from 2.5 \
 		--to 2.5001 --json $n.json -q
 done
 mv 6.json few.json && mv $most.json most.json
@@ -56,8 +56,8 @@ few = json.load(open("few.json"))["points"][0]["amplitude"]
 off = max(abs(few[k] - most[k]) for k in most)/max(most.values())
 assert 1e-4 < off <= named["model_error"]["estimated"] <= 1.0, (off, named["model_error"])
 assert scene["sheaves"] == ["p0", "p1"] and scene["model_error"]["looked_at"] == 24
-# with 40 modes the peaks of the last span are 13 % lower
-assert 0.13 < scene["model_error"]["estimated"] <= 1.0
+# with 40 modes the peaks of the last span are 13 % lower, most by modes at twice the frequency of the load
+assert 0.13 < scene["model_error"]["estimated"] <= 1.0 and scene["model_error"]["largest"] == 11, scene["model_error"]
 c = [p["contact"]["least"] for p in scene["points"]]
 assert max(c) < 1.0 and (min(c) < 0.0) == ("lift" in scene)
 END2

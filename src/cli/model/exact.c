@@ -244,7 +244,8 @@ enum hawser_status cli_exact_range(struct cli_model *model, double from, double 
 	if (!cli_exact_calls(model, NULL) || model->rom.harmonics == 0 || from == to)
 		return HAWSER_OK;
 	model->error = (struct cli_model_error){.stated = 1, .timed = !common->reproducible,
-	                                        .about = "folds and peaks", .fixed.estimated = NAN};
+	                                        .about = "folds and peaks", .advice = cli_fixed_advice,
+	                                        .per_omega = cli_per_omega(model), .fixed.estimated = NAN};
 	status = judge(model, &points, &options, report);
 	if (!status && isfinite(model->error.fixed.estimated) && cli_exact_calls(model, &model->error)) {
 		options.step_max = 0.0;

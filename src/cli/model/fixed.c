@@ -8,9 +8,20 @@
 #include <string.h>
 
 #include "cli/curves/frf_over.h"
-#include "cli/frame/progress.h"
 #include "cli/model/rom_ropeway.h"
 #include "cli/frame/view.h"
+#include "core/append.h"
+
+const char cli_fixed_advice[] = "hawser plan compares models; more modes (-n), model.modes: auto or "
+                                "model.energy: exact may be closer";
+
+/* Of folds and peaks, or of another thing. */
+static struct cli_model_error unknown_of(const struct cli_model *model, const char *about, int timed)
+{
+	return (struct cli_model_error){.stated = 1, .per_omega = cli_per_omega(model), .timed = timed,
+		.about = about, .advice = model->ropeway ? "more modes (-n) may be closer" : cli_fixed_advice,
+		.fixed = {.estimated = NAN}};
+}
 
 static enum hawser_status not_known(struct cli_model_error *error, const char *why)
 {
@@ -21,14 +32,11 @@ static enum hawser_status not_known(struct cli_model_error *error, const char *w
 /* An error of the model above this is said on standard error. */
 static const double much = 0.1;
 
-/* Of a ropeway: SURE times the sum of the distance from the response with MANY modes, or half as
- * many more than the model has, and that of a response with three fifths of them from it, which
- * stands for its own error. A few modes more than the kept ones are no measure: most have no part in
- * the response, and the inertia of those that have it, which are far above, comes late. */
-#define SURE 3.0 /* chosen: enough for 41 of 42 random ropeways against 40 modes */
+/* Modes of a ropeway that are looked at: half as many more than the model has, or MANY, within which
+ * those lie that the second and third harmonics drive. */
 enum { MANY = 24 };
 #define AROUND 1.002 /* end of a response of which the first point is wanted, over it; chosen */
-static const double near = 1e-6; /* tolerance of these responses; chosen, far below the errors */
+static const double near = 1e-6; /* tolerance of this response; chosen, far below the errors */
 
 static int many(int n)
 {
@@ -37,99 +45,45 @@ static int many(int n)
 	return more < HAWSER_LINE_ROM_MODES ? more : HAWSER_LINE_ROM_MODES;
 }
 
-/* once: 1 for the first point alone. */
-static enum hawser_status trace(struct hawser_frf *frf, const struct hawser_rom *rom, double from,
-                                double to, int once, struct hawser_progress progress,
-                                struct hawser_report *report)
+/* By the motions of `own`, from..to, of a ropeway. */
+static enum hawser_status of_lane(struct cli_model_error *error, const struct cli_model *model,
+                                  const struct hawser_frf *own, double from, double to,
+                                  struct hawser_report *report)
 {
-	struct hawser_frf_options choice = {.method = "balance", .from = from, .to = to,
-		.tolerance = near, .step_max = CLI_STEP, .skip_events = 1, .unjudged = 1,
-		.end_at_slack = 1, .max_points = once ? 2 : 0, .samples = HAWSER_NONE,
-		.progress = progress};
-
-	return hawser_frf_trace(frf, rom, &choice, report);
-}
-
-/* The largest difference of the amplitudes of probes of the first points of both, relative to the
- * largest amplitude. */
-static double beside(const struct hawser_frf *a, const struct hawser_frf *b)
-{
-	double most = 0.0, off = 0.0;
-
-	if (a->points < 1 || b->points < 1)
-		return NAN;
-	for (int k = 0; k < 3*a->probes; k++) {
-		double one = a->probe[k]*a->length, other = b->probe[k]*b->length;
-
-		most = fmax(most, fmax(one, other));
-		off = fmax(off, fabs(one - other));
-	}
-	return off > 0.0 ? off/most : 0.0;
-}
-
-/* own: the response of the model itself, from..to; once: 1 for its first point alone. */
-static enum hawser_status against_more(struct cli_model_error *error, const struct cli_model *model,
-                                       const struct hawser_frf *own, double from, double to, int once,
-                                       struct hawser_progress progress,
-                                       struct hawser_report *report)
-{
-	struct hawser_accuracy_fixed *fixed = &error->fixed;
-	const int modes = many(model->rom.n), with[2] = {modes, 3*modes/5};
-	struct hawser_frf other[2] = {{.n = 0}, {.n = 0}};
-	double start = cli_seconds(), off[2] = {NAN, NAN};
-	enum hawser_status status = HAWSER_OK;
-
-	for (int k = 0; !status && k < 2; k++) {
-		struct hawser_rom rom = {.n = 0};
-
-		status = cli_rom_ropeway_again(&rom, model->ropeway, with[k], report);
-		if (!status)
-			status = trace(&other[k], &rom, from, to, once, progress, report);
-		hawser_rom_clear(&rom);
-	}
-	for (int k = 0; !status && k < 2; k++) {
-		const struct hawser_frf *from_it = k ? &other[1] : own;
-
-		if (once)
-			off[k] = beside(from_it, &other[0]);
-		else
-			status = hawser_accuracy_distance(&off[k], from_it, NULL, &other[0], NULL, 0.0, report);
-	}
-	error->second = with[1];
-	fixed->estimated = fmin(SURE*(off[0] + off[1]), 1.0);
-	fixed->looked_at = modes;
-	fixed->seconds = cli_seconds() - start;
-	hawser_frf_clear(&other[0]);
-	hawser_frf_clear(&other[1]);
-	return status;
-}
-
-static enum hawser_status of_response(struct cli_model_error *error,
-                                      const struct cli_frf_result *result,
-                                      struct hawser_report *report)
-{
-	struct cli_watch watch = {{.quiet = result->common->quiet}, "frf: with more modes"};
-	const struct hawser_progress progress = {cli_watch, &watch};
-	enum hawser_status status = against_more(error, result->model, result->frf, result->from,
-	                                         result->to, 0, progress, report);
-
-	cli_progress_end(&watch.progress);
-	return status;
-}
-
-/* Of the steady motion at the frequency omega: the first points of responses that begin there. */
-static enum hawser_status of_steady(struct cli_model_error *error, const struct cli_model *model,
-                                    double omega, int quiet, struct hawser_report *report)
-{
-	struct cli_watch watch = {{.quiet = quiet}, "the motion with more modes"};
-	const struct hawser_progress progress = {cli_watch, &watch};
-	struct hawser_frf own = {.n = 0};
-	enum hawser_status status = trace(&own, &model->rom, omega, omega*AROUND, 1, progress,
-	                                  report);
+	double start = cli_seconds();
+	struct hawser_rom rom = {.n = 0};
+	struct hawser_line_modes lines = {.n = 0};
+	struct hawser_choice choice = {.n = 0};
+	enum hawser_status status = cli_rom_ropeway_again(&rom, &lines, model->ropeway,
+	                                                  many(model->rom.n), report);
+	const struct hawser_modes modes = {.n = lines.n, .mode = lines.mode,
+	                                   .time_unit = lines.time_unit};
 
 	if (!status)
-		status = against_more(error, model, &own, omega, omega*AROUND, 1, progress, report);
-	cli_progress_end(&watch.progress);
+		status = hawser_choice_of(&choice, &rom, &modes, from, to, report);
+	for (int j = 0; j < choice.n; j++)
+		choice.mode[j].kept = j < model->rom.n;
+	if (!status)
+		status = hawser_accuracy_among(&error->fixed, &choice, &model->rom, own, report);
+	error->fixed.seconds = cli_seconds() - start;
+	hawser_choice_clear(&choice);
+	hawser_rom_clear(&rom);
+	hawser_line_modes_clear(&lines);
+	return status;
+}
+
+/* Of the steady motion at the frequency omega: the first points of a response that begins there. */
+static enum hawser_status of_steady(struct cli_model_error *error, const struct cli_model *model,
+                                    double omega, struct hawser_report *report)
+{
+	const struct hawser_frf_options choice = {.method = "balance", .from = omega, .to = omega*AROUND,
+		.tolerance = near, .step_max = CLI_STEP, .skip_events = 1, .unjudged = 1,
+		.end_at_slack = 1, .max_points = 2, .samples = HAWSER_NONE};
+	struct hawser_frf own = {.n = 0};
+	enum hawser_status status = hawser_frf_trace(&own, &model->rom, &choice, report);
+
+	if (!status)
+		status = of_lane(error, model, &own, choice.from, choice.to, report);
 	hawser_frf_clear(&own);
 	return status;
 }
@@ -148,7 +102,7 @@ static enum hawser_status conclude(struct cli_model_error *error, enum hawser_st
 	return status;
 }
 
-static const char none_larger[] = "no model of a ropeway has more modes to compare with";
+static const char none_larger[] = "no model of a ropeway has more modes to look at";
 
 static int has_most(const struct cli_model *model)
 {
@@ -164,9 +118,7 @@ enum hawser_status cli_fixed_estimate(struct cli_frf_result *result, struct haws
 
 	if (result->frf->branch > 1 ? !model->has_scene : model->automatic || error->stated)
 		return HAWSER_OK; /* of ropeways: the first */
-	*error = (struct cli_model_error){.stated = 1, .compared = model->ropeway != NULL,
-	                                  .timed = !result->common->reproducible,
-	                                  .about = "folds and peaks", .fixed = {.estimated = NAN}};
+	*error = unknown_of(model, "folds and peaks", !result->common->reproducible);
 	if (model->automatic || model->exact.functions)
 		return not_known(error, "the accuracy that is stated is that of the first branch");
 	if (!model->has_scene && !model->ropeway)
@@ -182,7 +134,7 @@ enum hawser_status cli_fixed_estimate(struct cli_frf_result *result, struct haws
 	                    fmax(result->from, result->to)))
 		return HAWSER_OK;
 	status = model->ropeway
-	         ? of_response(error, result, &why)
+	         ? of_lane(error, model, result->frf, result->from, result->to, &why)
 	         : hawser_accuracy_fixed(&error->fixed, &model->rom, result->frf, model->modes.n,
 	                                 &model->statics, &model->scene, result->from, result->to, &why);
 	return conclude(error, status, &why, report);
@@ -196,28 +148,41 @@ enum hawser_status cli_fixed_once(struct cli_model_error *error, const struct cl
 	struct hawser_report why = {.message = ""};
 	enum hawser_status status;
 
-	*error = (struct cli_model_error){.stated = 1, .compared = model->ropeway != NULL,
-	                                  .timed = !common->reproducible,
-	                                  .about = model->ropeway
-	                                           ? "the steady motion's largest amplitude"
-	                                           : "amplitudes and the frequency",
-	                                  .fixed = {.estimated = NAN}};
+	*error = unknown_of(model, model->ropeway ? "the steady motion's amplitudes"
+	                                          : "amplitudes and the frequency", !common->reproducible);
 	if (has_most(model))
 		return not_known(error, none_larger);
 	if (cli_known_lacks(error->unknown, sizeof error->unknown, model, motion->omega))
 		return HAWSER_OK;
 	status = model->ropeway
-	         ? of_steady(error, model, motion->omega, common->quiet, &why)
+	         ? of_steady(error, model, motion->omega, &why)
 	         : hawser_accuracy_once(&error->fixed, &model->rom, motion, model->modes.n,
 	                                &model->statics, &model->scene, &why);
 	return conclude(error, status, &why, report);
+}
+
+/* "w16 = 5.6056 rad/s at 2 Omega (0.18), w9 ..." */
+static const char *named(char *text, size_t size, const struct cli_model_error *error)
+{
+	*text = '\0';
+	for (int i = 0; i < error->fixed.omissions; i++) {
+		const struct hawser_accuracy_omission *one = &error->fixed.omission[i];
+		char at[24] = "";
+
+		if (one->harmonic > 0)
+			snprintf(at, sizeof at, " at %.0d%sOmega", one->harmonic == 1 ? 0 : one->harmonic,
+			         one->harmonic == 1 ? "" : " ");
+		hawser__append(text, size, ", ", "w%d = %.5g rad/s%s (%.1e)", one->mode,
+		               one->omega*error->per_omega, at, one->measure);
+	}
+	return text;
 }
 
 void cli_fixed_comments(struct hawser__table *table, const struct cli_model_error *error,
                         int number)
 {
 	const struct hawser_accuracy_fixed *fixed = &error->fixed;
-	char branch[24] = "";
+	char branch[24] = "", text[240];
 
 	if (!error->stated)
 		return;
@@ -229,13 +194,9 @@ void cli_fixed_comments(struct hawser__table *table, const struct cli_model_erro
 		return;
 	}
 	if (error->compared) {
-		char second[32] = "";
-
-		if (error->second > 0)
-			snprintf(second, sizeof second, " and %d", error->second);
-		hawser__table_comment(table, "error of the model: %s%.2g of %s, by comparison with models "
-		                      "of %d%s coordinates", fixed->estimated < 1.0 ? "about " : "more than ",
-		                      fixed->estimated, error->about, fixed->looked_at, second);
+		hawser__table_comment(table, "error of the model: %s%.2g of %s, by comparison with a model "
+		                      "of %d coordinates", fixed->estimated < 1.0 ? "about " : "more than ",
+		                      fixed->estimated, error->about, fixed->looked_at);
 		return;
 	}
 	hawser__table_comment(table, "%serror of the model: %s%.2g of %s, to first order "
@@ -244,6 +205,9 @@ void cli_fixed_comments(struct hawser__table *table, const struct cli_model_erro
 	                      branch, fixed->estimated < 1.0 ? "" : "more than ", fixed->estimated,
 	                      error->about, fixed->rest, fixed->looked_at, fixed->followed, fixed->beyond,
 	                      fixed->truncation);
+	if (fixed->omissions > 0)
+		hawser__table_comment(table, "%sleft out, with the largest parts in it: %s", branch,
+		                      named(text, sizeof text, error));
 	if (fixed->at_risk > 0)
 		hawser__table_comment(table, "%sthe motion can make mode w%d unstable, which the model "
 		                      "leaves out", branch, fixed->at_risk);
@@ -254,11 +218,22 @@ static int is_much(const struct cli_model_error *error)
 	return error->stated && error->fixed.estimated > much;
 }
 
+/* ", most by w16, which -n 16 keeps" */
+static const char *mostly(char *text, size_t size, const struct hawser_accuracy_fixed *fixed)
+{
+	*text = '\0';
+	if (fixed->omissions > 0)
+		snprintf(text, size, ", most by mode w%d, which -n %d keeps", fixed->omission[0].mode,
+		         fixed->omission[0].mode);
+	return text;
+}
+
 /* number: of the branch, as in cli_fixed_comments. */
 static void warn(const struct cli_model_error *error, int number)
 {
 	char text[CLI_WARNING_SIZE], branch[24] = "";
 	const char *more = error->fixed.estimated < 1.0 ? "" : "more than ";
+	char most[64];
 
 	if (!is_much(error))
 		return;
@@ -266,13 +241,12 @@ static void warn(const struct cli_model_error *error, int number)
 		snprintf(branch, sizeof branch, "branch %d: ", number);
 	if (error->compared)
 		snprintf(text, sizeof text, "%s%s may be off by %s%.0f %%: so far is the model of another "
-		         "size: a larger one (model.basis, or -n of a ropeway) may be closer", branch,
-		         error->about, more, 100.0*error->fixed.estimated);
+		         "size: a larger one (model.basis) may be closer", branch, error->about, more,
+		         100.0*error->fixed.estimated);
 	else
 		snprintf(text, sizeof text, "%s%s may be off by %s%.0f %% because of what the model leaves "
-		         "out, by an estimate to first order: hawser plan compares models; more modes (-n), "
-		         "model.modes: auto or model.energy: exact may be closer", branch, error->about, more,
-		         100.0*error->fixed.estimated);
+		         "out, by an estimate to first order%s: %s", branch, error->about, more,
+		         100.0*error->fixed.estimated, mostly(most, sizeof most, &error->fixed), error->advice);
 	cli_warn(text);
 }
 
@@ -390,6 +364,11 @@ static int is_at_risk(const void *row, const void *parent)
 	return is_known(row, parent) && ((const struct cli_model_error *)row)->fixed.at_risk > 0;
 }
 
+static int has_omissions(const void *row, const void *parent)
+{
+	return is_weighed(row, parent) && ((const struct cli_model_error *)row)->fixed.omissions > 0;
+}
+
 static double left_out(const void *row)
 {
 	return fmin(((const struct cli_model_error *)row)->fixed.rest, 1e300);
@@ -416,8 +395,9 @@ const struct hawser__field cli_fixed_field[] = {
 	 OF(fixed.truncation), .given = is_weighed},
 	{"model_error.located", NULL, "how well the peaks are located", OF(fixed.located),
 	 .given = is_weighed},
-	{"model_error.looked_at", NULL, "modes; of ropeways those of the other response",
-	 OF(fixed.looked_at), .given = is_known},
+	{"model_error.looked_at", NULL, "modes", OF(fixed.looked_at), .given = is_known},
+	{"model_error.largest", NULL, "index of the mode left out with the largest part in it",
+	 OF(fixed.omission[0].mode), .given = has_omissions},
 	{"model_error.at_risk", NULL, "a mode left out that the motion can make unstable",
 	 OF(fixed.at_risk), .given = is_at_risk},
 	{"model_error.seconds", NULL, "wall time of the estimate (s)", OF(fixed.seconds),

@@ -15,12 +15,14 @@ struct hawser__table;
 struct cli_model_error {
 	int stated;        /* 1: it, or why it is not known, belongs to the result */
 	int compared;      /* 1: by the motion of a model of another size, else mode by mode */
-	int second;        /* coordinates of a second such model, beside fixed.looked_at; 0: none */
+	double per_omega;  /* rad/s per scaled frequency */
 	int timed;         /* 1: with the time that the estimate took */
-	const char *about; /* "folds and peaks" */
+	const char *about, *advice; /* "folds and peaks"; what may be closer */
 	struct hawser_accuracy_fixed fixed; /* estimated: NAN if it is not known */
 	char unknown[640]; /* why: a report's message */
 };
+
+extern const char cli_fixed_advice[]; /* of spans */
 
 /* The exact energy in place of modes that are not good enough (exact.h). */
 struct cli_exact {

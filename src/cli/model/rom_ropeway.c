@@ -148,18 +148,15 @@ enum hawser_status cli_rom_ropeway_load(struct cli_model *model, const struct cl
 	                      : hawser__no_memory(report, "rom");
 }
 
-enum hawser_status cli_rom_ropeway_again(struct hawser_rom *rom, const struct cli_rom_ropeway *of,
-                                         int modes, struct hawser_report *report)
+enum hawser_status cli_rom_ropeway_again(struct hawser_rom *rom, struct hawser_line_modes *modes,
+                                         const struct cli_rom_ropeway *of, int n,
+                                         struct hawser_report *report)
 {
 	const struct hawser_line_statics *lane[1] = {&of->line_st};
 	struct hawser_line_rom_options options = of->options;
-	struct hawser_line_modes all;
-	enum hawser_status status;
 
-	options.modes.n = modes;
-	status = hawser_line_rom_build(rom, &all, lane, 1, &options, report);
-	hawser_line_modes_clear(&all);
-	return status;
+	options.modes.n = n;
+	return hawser_line_rom_build(rom, modes, lane, 1, &options, report);
 }
 
 /* Whether a harmonic acts on coordinate j by more than round-off. */

@@ -23,9 +23,10 @@ struct cli_rom_ropeway {
 /* model->ropeway and model->rom by common->lane; n: number of modes, 0 for the default. */
 enum hawser_status cli_rom_ropeway_load(struct cli_model *model, const struct cli_common *common, int n,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
-/* The same with another number of modes. Release it with hawser_rom_clear. */
-enum hawser_status cli_rom_ropeway_again(struct hawser_rom *rom, const struct cli_rom_ropeway *of,
-                                         int modes, struct hawser_report *report) HAWSER_MUST_CHECK;
+/* The same with n modes. Release them with hawser_rom_clear and hawser_line_modes_clear. */
+enum hawser_status cli_rom_ropeway_again(struct hawser_rom *rom, struct hawser_line_modes *modes,
+                                         const struct cli_rom_ropeway *of, int n,
+                                         struct hawser_report *report) HAWSER_MUST_CHECK;
 /* What the model is, as comments; nothing of models of other scenes. */
 void cli_rom_ropeway_comments(struct hawser__table *table, const struct cli_model *model);
 void cli_rom_ropeway_free(struct cli_rom_ropeway *of);

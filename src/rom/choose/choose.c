@@ -424,6 +424,43 @@ enum hawser_status hawser__choice_weigh(struct hawser_choice *choice, const doub
 	return status;
 }
 
+static enum hawser_status allocate(struct hawser_choice *choice, struct hawser_report *report)
+{
+	size_t n = (size_t)choice->n;
+
+	choice->mode = calloc(n, sizeof *choice->mode);
+	choice->order = calloc(n, sizeof *choice->order);
+	choice->load = calloc(n, sizeof *choice->load);
+	choice->twin = calloc(n, sizeof *choice->twin);
+	return choice->mode && choice->order && choice->load && choice->twin
+	       ? HAWSER_OK : hawser__no_memory(report, "choose");
+}
+
+/* What drives the modes of choice->all. */
+static enum hawser_status excite(struct hawser_choice *choice, struct hawser_report *report)
+{
+	enum hawser_status status = hawser__drives(&choice->all, choice->load, report);
+
+	return status ? status : driven(choice, report);
+}
+
+enum hawser_status hawser_choice_of(struct hawser_choice *choice, struct hawser_rom *all,
+                                    const struct hawser_modes *modes, double from, double to,
+                                    struct hawser_report *report)
+{
+	enum hawser_status status;
+
+	*choice = (struct hawser_choice){.n = all->n, .modes = modes, .from = fmin(from, to),
+		.to = fmax(from, to), .all = *all, .answered = 1};
+	*all = (struct hawser_rom){.n = 0};
+	status = allocate(choice, report);
+	if (!status)
+		status = excite(choice, report);
+	if (status)
+		hawser_choice_clear(choice);
+	return status;
+}
+
 enum hawser_status hawser__choice_begin(struct hawser_choice *choice,
                                         const struct hawser_modes *modes,
                                         const struct hawser_scene *scene, double from, double to,
@@ -438,17 +475,11 @@ enum hawser_status hawser__choice_begin(struct hawser_choice *choice,
 		return status;
 	condensing.model.condense = HAWSER_CONDENSE_STATIC;
 	condensing.model.inertia = HAWSER_INERTIA_NONE; /* the coordinates of this model are modes only */
-	choice->mode = calloc((size_t)modes->n, sizeof *choice->mode);
-	choice->order = calloc((size_t)modes->n, sizeof *choice->order);
-	choice->load = calloc((size_t)modes->n, sizeof *choice->load);
-	choice->twin = calloc((size_t)modes->n, sizeof *choice->twin);
-	status = choice->mode && choice->order && choice->load && choice->twin
-	         ? hawser_rom_build(&choice->all, modes, &condensing, report)
-	         : hawser__no_memory(report, "choose");
+	status = allocate(choice, report);
 	if (!status)
-		status = hawser__drives(&choice->all, choice->load, report);
+		status = hawser_rom_build(&choice->all, modes, &condensing, report);
 	if (!status)
-		status = driven(choice, report);
+		status = excite(choice, report);
 	if (!status && guesses)
 		status = guess_all(choice, report);
 	/* not before: in estimated motions, which are not orbits, the truncation error has no meaning */

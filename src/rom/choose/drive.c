@@ -1,7 +1,7 @@
 /* rom/choose/drive.c - excitation of the modes of a model, for their selection: loads, the varying
  * speed of a travelling cable, and the coupling of modes by its gyroscopic terms.
  *
- *   F_j   sum of f_j Omega^power over the harmonics with k = 1; a sine contributes -i f_j
+ *   F_j   sum of f_j Omega^power over the harmonics k; a sine contributes -i f_j
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -13,14 +13,14 @@
 #include "core/report.h"
 #include "rom/choose/drive.h"
 
-double complex hawser__drive(const struct hawser_rom *rom, int j, double omega)
+double complex hawser__drive(const struct hawser_rom *rom, int j, int k, double omega)
 {
 	double complex sum = 0.0;
 
 	for (int p = 0; p < rom->harmonics; p++) {
 		const struct hawser_harmonic *h = &rom->harmonic[p];
 
-		if (h->k == 1 && h->f)
+		if (h->k == k && h->f)
 			sum += h->f[j]*pow(omega, h->omega_power)*(h->phase == HAWSER_SIN ? -I : 1.0);
 	}
 	return sum;
@@ -67,7 +67,7 @@ enum hawser_status hawser__respond(const struct hawser_rom *rom, double complex 
 	for (int j = 0; j < n; j++) {
 		double K = rom->K[j*(n + 1)], D = rom->D[j*(n + 1)];
 
-		a[j] = hawser__drive(rom, j, omega);
+		a[j] = hawser__drive(rom, j, 1, omega);
 		if (!together)
 			a[j] /= K - omega*omega + I*omega*D;
 	}
@@ -84,7 +84,7 @@ enum hawser_status hawser__drives(const struct hawser_rom *rom, double *load,
 	for (int j = 0; !status && j < n; j++) {
 		double w = sqrt(rom->K[j*(n + 1)]);
 
-		load[j] = cabs(hawser__drive(rom, j, w));
+		load[j] = cabs(hawser__drive(rom, j, 1, w));
 		if (!couples(rom))
 			continue;
 		status = hawser__respond(rom, a, w, report);
@@ -112,14 +112,19 @@ void hawser__vary(const struct hawser_rom *rom, double *R, double *J, const doub
 		double wave = pow(omega, h->omega_power)
 		              *(h->phase == HAWSER_SIN ? sin(h->k*tau) : cos(h->k*tau));
 
-		for (int j = 0; h->k > 1 && h->f && j < n; j++)
-			R[j] -= wave*h->f[j];
 		for (int i = 0; h->D && i < n*n; i++)
 			R[i/n] += wave*h->D[i]*omega*rate[i%n];
 		for (int i = 0; h->K && i < n*n; i++) {
 			R[i/n] += wave*h->K[i]*u[i%n];
 			if (h->omega_power == 0)
 				J[i] += wave*h->K[i];
+		}
+		for (int i = 0; i < h->quads; i++) {
+			const struct hawser_quad *q = &h->Q[i];
+
+			R[q->j] += wave*q->value*u[q->k]*u[q->l];
+			J[q->j*n + q->k] += wave*q->value*u[q->l];
+			J[q->j*n + q->l] += wave*q->value*u[q->k];
 		}
 	}
 }

@@ -7,8 +7,8 @@
 
 #include <hawser/rom.h>
 
-/* F_j of the forcing Re F_j exp(i Omega t) on mode j. */
-double complex hawser__drive(const struct hawser_rom *rom, int j, double omega);
+/* F_j of the forcing Re F_j exp(i k Omega t) on mode j. */
+double complex hawser__drive(const struct hawser_rom *rom, int j, int k, double omega);
 
 /* a [n]: the linear response Re a exp(i Omega t) to this forcing; K must be diagonal. */
 enum hawser_status hawser__respond(const struct hawser_rom *rom, double complex *a, double omega,
@@ -20,8 +20,8 @@ enum hawser_status hawser__drives(const struct hawser_rom *rom, double *load,
                                   struct hawser_report *report);
 
 /* At phase tau of a motion u with rate = du/dtau: add to the restoring force R [n] all terms except f
- * of the harmonics with k = 1 and the diagonal of D; add to its tangent J [n][n] the symmetric terms
- * that vary with the phase. */
+ * of the harmonics and the diagonal of D; add to its tangent J [n][n] the symmetric terms that vary
+ * with the phase. */
 void hawser__vary(const struct hawser_rom *rom, double *R, double *J, const double *u,
                   const double *rate, double tau, double omega);
 

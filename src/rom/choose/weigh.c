@@ -1,7 +1,7 @@
 /* rom/choose/weigh.c - measure of how much a mode matters in a given motion.
  *
  *   u        coordinates of all modes over a period; a mode that is not kept has its static value,
- *            v_s = (f_s cos(tau) - sum over kept j <= k of Q_sjk u_j u_k)/omega_s^2
+ *            v_s = (f_s(tau) - sum over kept j <= k of Q_sjk u_j u_k)/omega_s^2
  *   R        restoring force at u of the model with all modes, with the stiffness that the load varies
  *   J        its tangent
  *   c_h      harmonics, u = Re sum c_h exp(i h tau)
@@ -11,13 +11,14 @@
  *
  * Three effects of Delta_s are compared; the largest is the measure of the mode.
  *
- *   1. It moves the displacement in its plane by |Delta_s + f_s cos(tau)/omega_s^2|/|u|, with u the
+ *   1. It moves the displacement in its plane by |Delta_s + f_s(tau)/omega_s^2|/|u|, with u the
  *      kept modes in that plane. If |u| is below FAINT times the largest motion weighed so far, that
  *      bound replaces it, and if both together are below the bound, effect 1 is ignored, unless the
  *      load drives the mode near its resonance: the displacements of a model contain the linear
  *      response of condensed modes (known.c), but a resonance depends on the motion. The static
  *      answer to the load is included although the displacements of a model contain it to the order
- *      (Omega/omega_s)^4: without it bench/accuracy finds errors beyond the estimate. Instead of
+ *      (Omega/omega_s)^4: without it bench/accuracy finds errors beyond the estimate. Where they contain
+ *      all of it (choice->answered), it is left out. Instead of
  *      planes, displacement components x at the shape points can be weighed: then effect 1 is the
  *      largest of max |dx/du_s (Delta_s + the answer to the load)|/max |x| over the period
  *      (displaced.c).
@@ -62,6 +63,7 @@ struct work {
 	double *rate;       /* [rows][n] du/dtau of the kept */
 	double *delta;      /* [rows] of one mode */
 	double complex *c, *Delta; /* [HARMONICS + 1] of one mode */
+	double complex *load;      /* [n][HARMONICS + 1] of every mode */
 	double complex *turn; /* [rows] exp(i tau) */
 	double size[2], inertia, damping; /* means over the period of the kept modes; size for each
 	                                   * plane */
@@ -87,7 +89,11 @@ static int work_make(struct work *work)
 	work->delta = hawser__hold(&work->hold, rows, sizeof *work->delta);
 	work->c = hawser__hold(&work->hold, HARMONICS + 1, sizeof *work->c);
 	work->Delta = hawser__hold(&work->hold, HARMONICS + 1, sizeof *work->Delta);
+	work->load = hawser__hold(&work->hold, n*(HARMONICS + 1), sizeof *work->load);
 	work->turn = hawser__hold(&work->hold, rows, sizeof *work->turn);
+	for (size_t i = 0; work->load && i < n*(HARMONICS + 1); i++)
+		work->load[i] = hawser__drive(&work->choice->all, (int)(i/(HARMONICS + 1)),
+		                              (int)(i%(HARMONICS + 1)), work->omega);
 	for (size_t t = 0; work->turn && t < rows; t++)
 		work->turn[t] = cexp(I*2.0*M_PI*(double)t/(double)rows);
 	return !work->hold.short_of_memory;
@@ -138,9 +144,7 @@ static double at_row(const double complex *c, const struct work *work, int t)
 /* Static displacement of mode s by the load. */
 static double held(const struct work *work, int s, int t)
 {
-	double complex static_answer = hawser__drive(&work->choice->all, s, work->omega)/omega2(work, s);
-
-	return creal(static_answer*work->turn[t]);
+	return at_row(work->load + (size_t)s*(HARMONICS + 1), work, t)/omega2(work, s);
 }
 
 /* Static value of every mode, under the load and all kept modes except itself. */
@@ -210,7 +214,7 @@ static void forces(struct work *work)
 static void own_answer(struct work *work, int s)
 {
 	double complex R[HARMONICS + 1], *Delta = work->Delta;
-	double complex load = hawser__drive(&work->choice->all, s, work->omega);
+	const double complex *load = work->load + (size_t)s*(HARMONICS + 1);
 
 	analyse(work->c, work, work->u + s, work->n);
 	if (work->choice->mode[s].kept) {
@@ -224,7 +228,7 @@ static void own_answer(struct work *work, int s)
 		double W = h*work->omega;
 		double complex own = -W*W + I*W*damping(work, s);
 
-		Delta[h] = -(own*work->c[h] + R[h] - (h == 1 ? load : 0.0))/
+		Delta[h] = -(own*work->c[h] + R[h] - load[h])/
 		           (omega2(work, s) + own);
 	}
 }
@@ -235,7 +239,7 @@ static int at_resonance(const struct work *work, int s)
 	double w = sqrt(omega2(work, s));
 
 	return fabs(w - work->omega) < NEAR*w &&
-	       cabs(hawser__drive(&work->choice->all, s, work->omega)) > 0.0;
+	       cabs(work->load[(size_t)s*(HARMONICS + 1) + 1]) > 0.0;
 }
 
 /* The largest of the three effects of Delta_s. */
@@ -253,7 +257,7 @@ static double effect(struct work *work, int s)
 		size_t row = (size_t)t*n;
 		double delta = at_row(work->Delta, work, t), speed = at_row(velocity, work, t);
 
-		work->delta[t] = delta + held(work, s, t);
+		work->delta[t] = delta + (work->choice->answered ? 0.0 : held(work, s, t));
 		moved += work->delta[t]*work->delta[t]/rows;
 		for (int j = 0; j < n; j++) {
 			double force = (work->J[(row + j)*n + s]*delta + D[j*n + s]*speed)/rows;
@@ -321,7 +325,7 @@ static void weigh_mode(struct work *work, int s)
 {
 	struct hawser_choice_mode *mode = &work->choice->mode[s];
 	double w = sqrt(omega2(work, s)), measure;
-	double complex direct, f = hawser__drive(&work->choice->all, s, work->omega);
+	double complex direct, f = work->load[(size_t)s*(HARMONICS + 1) + 1];
 	enum hawser_reason reason = HAWSER_DYNAMIC;
 	int h, partner = -1;
 

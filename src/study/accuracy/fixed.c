@@ -83,6 +83,34 @@ static enum hawser_status begin(struct hawser_choice *choice, struct hawser_mode
 	return status;
 }
 
+/* What is named: more than these parts of the largest measure, and of the response; chosen. */
+static const double named_part = 0.1, named_least = 0.01;
+
+/* The omitted mode with the largest measure below `most`, or -1. */
+static int next_omission(const struct hawser_choice *choice, double most)
+{
+	int best = -1;
+
+	for (int j = 0; j < choice->n; j++)
+		if (!choice->mode[j].kept && choice->mode[j].measure < most &&
+		    (best < 0 || choice->mode[j].measure > choice->mode[best].measure))
+			best = j;
+	return best;
+}
+
+static void name_omissions(struct hawser_accuracy_fixed *fixed, const struct hawser_choice *choice)
+{
+	int j = next_omission(choice, INFINITY);
+	double least = j < 0 ? 0.0 : fmax(named_part*choice->mode[j].measure,
+	                                  named_least/HAWSER__SAFETY);
+
+	for (; j >= 0 && choice->mode[j].measure > least && fixed->omissions < HAWSER_ACCURACY_NAMED;
+	     j = next_omission(choice, choice->mode[j].measure))
+		fixed->omission[fixed->omissions++] = (struct hawser_accuracy_omission){
+			j + 1, choice->mode[j].harmonic, choice->modes->mode[j].omega,
+			choice->mode[j].measure};
+}
+
 void hawser__accuracy_add_up(struct hawser_accuracy_fixed *fixed, const struct hawser_choice *choice,
                              double located)
 {
@@ -92,6 +120,7 @@ void hawser__accuracy_add_up(struct hawser_accuracy_fixed *fixed, const struct h
 	fixed->followed = choice->followed;
 	fixed->located = located;
 	fixed->looked_at = choice->n;
+	name_omissions(fixed, choice);
 	for (int j = choice->n - 1; j >= 0; j--)
 		if (!choice->mode[j].kept && choice->mode[j].reason == HAWSER_PARAMETRIC &&
 		    choice->mode[j].measure >= 1.0)
@@ -99,6 +128,29 @@ void hawser__accuracy_add_up(struct hawser_accuracy_fixed *fixed, const struct h
 	/* followed includes the truncation error, except in motions in which the two cancel */
 	fixed->estimated = fmin(HAWSER__SAFETY*(fixed->rest + fmax(fixed->followed, fixed->truncation)) +
 	                        fixed->beyond + fixed->located, 1.0);
+}
+
+enum hawser_status hawser_accuracy_among(struct hawser_accuracy_fixed *fixed,
+                                         struct hawser_choice *choice, const struct hawser_rom *rom,
+                                         const struct hawser_frf *frf, struct hawser_report *report)
+{
+	double start = now();
+	struct hawser__marks marks = {.count = 0};
+	enum hawser_status status = HAWSER_OK;
+
+	*fixed = (struct hawser_accuracy_fixed){.estimated = NAN};
+	if (frf->points < 2)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "accuracy",
+		                      "a response of %d points has no motions to examine", frf->points);
+	if (!status)
+		status = hawser__marks_find(&marks, frf, NULL, NULL, 0.0, report);
+	if (!status)
+		status = hawser__weigh_response(choice, rom, frf, &marks, BETWEEN, report);
+	if (!status)
+		hawser__accuracy_add_up(fixed, choice, hawser__marks_located(&marks));
+	fixed->seconds = now() - start;
+	hawser__marks_clear(&marks);
+	return status;
 }
 
 enum hawser_status hawser_accuracy_fixed(struct hawser_accuracy_fixed *fixed,
@@ -110,23 +162,14 @@ enum hawser_status hawser_accuracy_fixed(struct hawser_accuracy_fixed *fixed,
 	double start = now();
 	struct hawser_choice choice = {.n = 0};
 	struct hawser_modes modes = {.n = 0};
-	struct hawser__marks marks = {.count = 0};
 	enum hawser_status status = check(rom, scene, report);
 
 	*fixed = (struct hawser_accuracy_fixed){.estimated = NAN};
-	if (!status && frf->points < 2)
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "accuracy",
-		                      "a response of %d points has no motions to examine", frf->points);
 	if (!status)
 		status = begin(&choice, &modes, kept, statics, scene, from, to, report);
 	if (!status)
-		status = hawser__marks_find(&marks, frf, NULL, NULL, 0.0, report);
-	if (!status)
-		status = hawser__weigh_response(&choice, rom, frf, &marks, BETWEEN, report);
-	if (!status)
-		hawser__accuracy_add_up(fixed, &choice, hawser__marks_located(&marks));
+		status = hawser_accuracy_among(fixed, &choice, rom, frf, report);
 	fixed->seconds = now() - start;
-	hawser__marks_clear(&marks);
 	hawser_choice_clear(&choice);
 	hawser_modes_clear(&modes);
 	return status;
