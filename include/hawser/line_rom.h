@@ -30,6 +30,9 @@ enum { HAWSER_LINE_ROM_MODES = 40 }; /* most coordinates of a model */
 struct hawser_line_rom_options {
 	struct hawser_line_modes_options modes; /* which modes are coordinates, and the contact: slip or
 	                                         * stick. With n of at most HAWSER_LINE_ROM_MODES */
+	const int *kept;       /* [count] indices of the modes that are coordinates, ascending; NULL: all.
+	                        * The others follow */
+	int count;
 	int held;              /* 1: the rope leaves each sheave at a material point, as in linear
 	                        * theory: for comparison */
 	double ratio;          /* damping ratio of each mode; 0: none */

@@ -232,6 +232,7 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/frame/ranks.c \
 	%D%/frame/ranks.h \
 	%D%/model/rom_ropeway.c \
+	%D%/model/ropeway_choice.c \
 	%D%/model/rom_ropeway.h \
 	%D%/frame/progress.c \
 	%D%/frame/progress.h \

@@ -15,6 +15,9 @@ rough "the same of the scene, with more modes" frf "$small" -n 6 --damping 0.02 
 	--json scene.json --tsv scene.tsv --plot frf.svg -q
 rough "a motion of the scene, by the name of the load" integrate "$small" -n 6 --damping 0.02 --load drive --ripple 0.01 \
 	--Omega 2.5 --until 20 --every 1 --json named.json -q
+works "the modes that matter, chosen" frf "$small" --damping 0.02 --from 2.12 --to 2.14 --step 0.2 --json chosen.json --tsv chosen.tsv -q
+keep=$(sed -n 's/^# .* of 32 modes chosen: --keep //p' chosen.tsv)
+works "  and kept" frf "$small" --keep "$keep" --damping 0.02 --from 2.12 --to 2.14 --step 0.2 --json kept.json -q
 most=12 # 40 take 10 s
 [ -z "${HAWSER_LONG:-}" ] || most=40
 for n in 6 $most; do
@@ -44,7 +47,8 @@ assert passing["shapes"]["names"] == ["span_1", "span_2", "span_3"]
 assert stick["n"] == 4
 points = json.load(open("frf.json"))["points"]
 assert len(points) > 5 and all(p["amplitude"]["y_span_1"] > 0 for p in points)
-scene = json.load(open("scene.json"))
+scene, chosen, kept = (json.load(open(n + ".json")) for n in ("scene", "chosen", "kept"))
+assert chosen["points"] == kept["points"] and chosen["model_error"]["estimated"] < 0.1, chosen["model_error"]
 named, run = json.load(open("named.json")), json.load(open("run.json"))
 assert len(run["states"]) == 21 and named["states"] == run["states"] and named["probes"] == run["probes"]
 for a, b in zip(points, scene["points"], strict=True): # the file has the tensions of its shape points only
@@ -129,6 +133,8 @@ denies "too many modes" 1 "41 modes asked" rom "$small" -n 41
 denies "an option of ropeways" 1 "\-\-ripple is for ropeways" rom "$chairlift" --ripple 1
 denies "a picture" 1 "rom has no picture" rom "$small" --plot a.svg
 denies "carriers neither here nor there" 1 "must be one of fixed, smeared" frf "$small" --carriers moving
+denies "a list of modes that does not ascend" 1 "\-\-keep 4,1: give numbers of modes" rom "$small" --keep 4,1
+denies "  or with their number" 1 "\-\-keep 1,4 says which modes are kept" rom "$small" --keep 1,4 -n 4
 denies "an option of ropeways, with a model file" 1 "\-\-carriers is for ropeways" frf passing.json --carriers fixed
 denies "a map of a mesh" 1 "\-\-vtk is for nets and rods, and .* is a ropeway" integrate "$small" --ripple 0.01 --vtk x
 done_testing

@@ -15,8 +15,7 @@
 const char cli_fixed_advice[] = "hawser plan compares models; more modes (-n), model.modes: auto or "
                                 "model.energy: exact may be closer";
 
-/* Of folds and peaks, or of another thing. */
-static struct cli_model_error unknown_of(const struct cli_model *model, const char *about, int timed)
+struct cli_model_error cli_fixed_unknown(const struct cli_model *model, const char *about, int timed)
 {
 	return (struct cli_model_error){.stated = 1, .per_omega = cli_per_omega(model), .timed = timed,
 		.about = about, .advice = model->ropeway ? "more modes (-n) may be closer" : cli_fixed_advice,
@@ -32,45 +31,8 @@ static enum hawser_status not_known(struct cli_model_error *error, const char *w
 /* An error of the model above this is said on standard error. */
 static const double much = 0.1;
 
-/* Modes of a ropeway that are looked at: half as many more than the model has, or MANY, within which
- * those lie that the second and third harmonics drive. */
-enum { MANY = 24 };
 #define AROUND 1.002 /* end of a response of which the first point is wanted, over it; chosen */
 static const double near = 1e-6; /* tolerance of this response; chosen, far below the errors */
-
-static int many(int n)
-{
-	int more = n + n/2 > MANY ? n + n/2 : MANY;
-
-	return more < HAWSER_LINE_ROM_MODES ? more : HAWSER_LINE_ROM_MODES;
-}
-
-/* By the motions of `own`, from..to, of a ropeway. */
-static enum hawser_status of_lane(struct cli_model_error *error, const struct cli_model *model,
-                                  const struct hawser_frf *own, double from, double to,
-                                  struct hawser_report *report)
-{
-	double start = cli_seconds();
-	struct hawser_rom rom = {.n = 0};
-	struct hawser_line_modes lines = {.n = 0};
-	struct hawser_choice choice = {.n = 0};
-	enum hawser_status status = cli_rom_ropeway_again(&rom, &lines, model->ropeway,
-	                                                  many(model->rom.n), report);
-	const struct hawser_modes modes = {.n = lines.n, .mode = lines.mode,
-	                                   .time_unit = lines.time_unit};
-
-	if (!status)
-		status = hawser_choice_of(&choice, &rom, &modes, from, to, report);
-	for (int j = 0; j < choice.n; j++)
-		choice.mode[j].kept = j < model->rom.n;
-	if (!status)
-		status = hawser_accuracy_among(&error->fixed, &choice, &model->rom, own, report);
-	error->fixed.seconds = cli_seconds() - start;
-	hawser_choice_clear(&choice);
-	hawser_rom_clear(&rom);
-	hawser_line_modes_clear(&lines);
-	return status;
-}
 
 /* Of the steady motion at the frequency omega: the first points of a response that begins there. */
 static enum hawser_status of_steady(struct cli_model_error *error, const struct cli_model *model,
@@ -83,7 +45,7 @@ static enum hawser_status of_steady(struct cli_model_error *error, const struct 
 	enum hawser_status status = hawser_frf_trace(&own, &model->rom, &choice, report);
 
 	if (!status)
-		status = of_lane(error, model, &own, choice.from, choice.to, report);
+		status = cli_ropeway_error(&error->fixed, model, &own, choice.from, choice.to, report);
 	hawser_frf_clear(&own);
 	return status;
 }
@@ -106,7 +68,7 @@ static const char none_larger[] = "no model of a ropeway has more modes to look 
 
 static int has_most(const struct cli_model *model)
 {
-	return model->ropeway && model->rom.n == HAWSER_LINE_ROM_MODES;
+	return model->ropeway && model->ropeway->modes.mode[model->rom.n - 1].place >= HAWSER_LINE_ROM_MODES;
 }
 
 enum hawser_status cli_fixed_estimate(struct cli_frf_result *result, struct hawser_report *report)
@@ -118,7 +80,7 @@ enum hawser_status cli_fixed_estimate(struct cli_frf_result *result, struct haws
 
 	if (result->frf->branch > 1 ? !model->has_scene : model->automatic || error->stated)
 		return HAWSER_OK; /* of ropeways: the first */
-	*error = unknown_of(model, "folds and peaks", !result->common->reproducible);
+	*error = cli_fixed_unknown(model, "folds and peaks", !result->common->reproducible);
 	if (model->automatic || model->exact.functions)
 		return not_known(error, "the accuracy that is stated is that of the first branch");
 	if (!model->has_scene && !model->ropeway)
@@ -134,7 +96,7 @@ enum hawser_status cli_fixed_estimate(struct cli_frf_result *result, struct haws
 	                    fmax(result->from, result->to)))
 		return HAWSER_OK;
 	status = model->ropeway
-	         ? of_lane(error, model, result->frf, result->from, result->to, &why)
+	         ? cli_ropeway_error(&error->fixed, model, result->frf, result->from, result->to, &why)
 	         : hawser_accuracy_fixed(&error->fixed, &model->rom, result->frf, model->modes.n,
 	                                 &model->statics, &model->scene, result->from, result->to, &why);
 	return conclude(error, status, &why, report);
@@ -148,7 +110,7 @@ enum hawser_status cli_fixed_once(struct cli_model_error *error, const struct cl
 	struct hawser_report why = {.message = ""};
 	enum hawser_status status;
 
-	*error = unknown_of(model, model->ropeway ? "the steady motion's amplitudes"
+	*error = cli_fixed_unknown(model, model->ropeway ? "the steady motion's amplitudes"
 	                                          : "amplitudes and the frequency", !common->reproducible);
 	if (has_most(model))
 		return not_known(error, none_larger);

@@ -16,6 +16,7 @@
 #include <string.h>
 
 #include "cli/model/rom_ropeway.h"
+#include "core/append.h"
 #include "core/report.h"
 
 static const char *const lane_name[] = {"up", "down"};
@@ -108,6 +109,32 @@ static enum hawser_status choose(struct cli_rom_ropeway *of, int *load, int *loa
 	return status;
 }
 
+/* "1,4,6" */
+static enum hawser_status take_kept(struct cli_rom_ropeway *of, const char *list, int n,
+                                    struct hawser_report *report)
+{
+	const char *from = list;
+	char *end;
+	int last = 0;
+
+	if (n > 0)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom", "--keep %s says which modes are kept: "
+		                    "leave out --modes %d", list, n);
+	do {
+		long index = strtol(from, &end, 10);
+
+		if (end == from || index <= last || index > HAWSER_LINE_ROM_MODES || (*end && *end != ','))
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom", "--keep %s: give numbers of modes "
+			                    "from 1 to %d, ascending, such as 1,4,6", list,
+			                    HAWSER_LINE_ROM_MODES);
+		of->kept[of->options.count++] = (last = (int)index) - 1;
+		from = end + 1;
+	} while (*end);
+	of->options.kept = of->kept;
+	of->options.modes.n = last;
+	return HAWSER_OK;
+}
+
 static enum hawser_status make(struct cli_rom_ropeway *of, struct hawser_rom *rom,
                                const struct cli_common *common, int n, struct hawser_report *report)
 {
@@ -121,6 +148,11 @@ static enum hawser_status make(struct cli_rom_ropeway *of, struct hawser_rom *ro
 	of->ropeway.sliding = HAWSER_ROPEWAY_REST;
 	status = hawser_ropeway_solve(&of->st, &of->ropeway, &state, of->ropeway.phase, report);
 	of->options.modes.n = n;
+	if (common->lane.keep) {
+		status = take_kept(of, common->lane.keep, n, report);
+		if (status)
+			return status;
+	}
 	of->options.modes.contact = of->ropeway.hold == HAWSER_ROPEWAY_HOLD_AUTO
 		? HAWSER_LINE_SLIP : (enum hawser_line_contact_kind)(of->ropeway.hold - 1);
 	of->options.ratio = common->lane.damping;
@@ -149,13 +181,15 @@ enum hawser_status cli_rom_ropeway_load(struct cli_model *model, const struct cl
 }
 
 enum hawser_status cli_rom_ropeway_again(struct hawser_rom *rom, struct hawser_line_modes *modes,
-                                         const struct cli_rom_ropeway *of, int n,
-                                         struct hawser_report *report)
+                                         const struct cli_rom_ropeway *of, int n, const int *kept,
+                                         int count, struct hawser_report *report)
 {
 	const struct hawser_line_statics *lane[1] = {&of->line_st};
 	struct hawser_line_rom_options options = of->options;
 
 	options.modes.n = n;
+	options.kept = kept;
+	options.count = count;
 	return hawser_line_rom_build(rom, modes, lane, 1, &options, report);
 }
 
@@ -174,11 +208,21 @@ static int is_loaded(const struct hawser_rom *rom, int j)
 	return own > 1e-12*all; /* chosen: loads of modes out of the plane are 0 up to some 1e-16 */
 }
 
+/* "1,4,6" */
+static const char *list_of(char *list, size_t size, const struct hawser_line_modes *modes)
+{
+	*list = '\0';
+	for (int k = 0; k < modes->n; k++)
+		hawser__append(list, size, ",", "%d", modes->mode[k].place);
+	return list;
+}
+
 void cli_rom_ropeway_comments(struct hawser__table *table, const struct cli_model *model)
 {
 	const struct cli_rom_ropeway *of = model->ropeway;
 	const struct hawser_ropeway *rw = of ? &of->ropeway : NULL;
 	const struct hawser_line_rom_options *o = of ? &of->options : NULL;
+	char list[4*HAWSER_LINE_ROM_MODES];
 
 	if (!of)
 		return;
@@ -214,18 +258,22 @@ void cli_rom_ropeway_comments(struct hawser__table *table, const struct cli_mode
 	hawser__table_comment(table, "carriers do not swing; the carriage %s; the bullwheels do not turn",
 	                      o->modes.freedoms ? "moves, with half its mass" : "does not move");
 	hawser__table_comment(table, "damping ratio %.9g of each mode", o->ratio);
+	if (of->chosen > 0)
+		hawser__table_comment(table, "%d of %d modes chosen: --keep %s", of->modes.n, of->chosen,
+		                      list_of(list, sizeof list, &of->modes));
 	for (int k = 0; k < of->modes.n; k++) {
 		const char *load = is_loaded(&model->rom, k) ? "" : "; no load acts on it";
+		int place = of->modes.mode[k].place;
 		struct hawser_line_lift lift;
 
 		hawser_line_rom_lift(&lift, &of->modes, k);
 		if (lift.sheave < 0)
-			hawser__table_comment(table, "mode %d: %.9g rad/s, %s%s", k + 1,
+			hawser__table_comment(table, "mode %d: %.9g rad/s, %s%s", place,
 			                      of->modes.mode[k].omega/of->modes.time_unit,
 			                      hawser_plane_name(of->modes.mode[k].plane), load);
 		else
 			hawser__table_comment(table, "mode %d: %.9g rad/s, %s%s; the rope leaves %s at u = %.4g, "
-			                      "a motion of %.4g m", k + 1,
+			                      "a motion of %.4g m", place,
 			                      of->modes.mode[k].omega/of->modes.time_unit,
 			                      hawser_plane_name(of->modes.mode[k].plane), load,
 			                      of->line.sheave[lift.sheave].name, lift.amplitude, lift.motion);

@@ -34,6 +34,12 @@ static enum hawser_status check(const struct hawser_line_rom_options *o, int lan
 	if (o->modes.n > HAWSER_LINE_ROM_MODES)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "line rom", "%d modes asked: a model of a "
 		                    "rope over sheaves has 1 to %d", o->modes.n, HAWSER_LINE_ROM_MODES);
+	for (int i = 0; o->kept && i < o->count; i++)
+		if (o->kept[i] < (i ? o->kept[i - 1] + 1 : 0) || o->kept[i] >= o->modes.n)
+			return refuse(report, "the index of a mode that is kept", o->kept[i],
+			              "one below the number of modes, and them in ascending order");
+	if (o->kept && o->count < 1)
+		return refuse(report, "the number of modes that are kept", o->count, "1 at least");
 	if (!(o->ratio >= 0.0 && o->ratio < 1.0))
 		return refuse(report, "the damping ratio", o->ratio, "0 to 1");
 	if ((unsigned)o->load > HAWSER_LINE_LOAD_DRIVE || (unsigned)o->end > 1)
@@ -292,6 +298,8 @@ enum hawser_status hawser_line_rom_build(struct hawser_rom *rom, struct hawser_l
 		return status;
 	wave = o.load == HAWSER_LINE_LOAD_PASSING ? 2.0*M_PI*o.harmonics/o.spacing : 0.0;
 	status = hawser__lexpand_modes_open(&own, modes, lane, lanes, &o.modes, wave, report);
+	if (!status && o.kept)
+		hawser__lexpand_modes_keep(&own, modes, o.kept, o.count);
 	if (!status && drive)
 		status = hawser__lexpand_drive(&own, pull, o.lane, o.end, report);
 	if (!status)

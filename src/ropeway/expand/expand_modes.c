@@ -5,6 +5,7 @@
 #include <cblas.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "core/report.h"
 #include "ropeway/expand/expand_modes.h"
@@ -104,6 +105,31 @@ enum hawser_status hawser__lexpand_modes_open(struct hawser__lexpand_modes *t,
 			.strain = strain, .omega = pairs->omega[choice->pair]};
 	}
 	return status;
+}
+
+/* Rows kept[count] of an array of rows of `row` bytes. */
+static void keep_rows(void *array, size_t row, const int *kept, int count)
+{
+	char *to = array;
+
+	for (int i = 0; i < count && row > 0; i++)
+		memmove(to + (size_t)i*row, to + (size_t)kept[i]*row, row);
+}
+
+void hawser__lexpand_modes_keep(struct hawser__lexpand_modes *t, struct hawser_line_modes *modes,
+                                const int *kept, int count)
+{
+	const size_t field = 3*sizeof(double);
+
+	keep_rows(t->shape, sizeof *t->shape, kept, count);
+	keep_rows(t->search.choice, sizeof *t->search.choice, kept, count);
+	keep_rows(modes->mode, sizeof *modes->mode, kept, count);
+	keep_rows(modes->shape, (size_t)modes->points*field, kept, count);
+	keep_rows(modes->slope, (size_t)modes->points*field, kept, count);
+	keep_rows(modes->share, (size_t)modes->spans*sizeof(double), kept, count);
+	keep_rows(modes->mass_at, (size_t)modes->masses*field, kept, count);
+	keep_rows(modes->freedom_at, (size_t)modes->freedoms*sizeof(double), kept, count);
+	modes->n = t->search.n = count;
 }
 
 void hawser__lexpand_modes_clear(struct hawser__lexpand_modes *t)

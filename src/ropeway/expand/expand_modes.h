@@ -23,6 +23,9 @@ enum hawser_status hawser__lexpand_modes_open(struct hawser__lexpand_modes *t,
                                               const struct hawser_line_modes_options *options,
                                               double wave,
                                               struct hawser_report *report);
+/* Drop all but the modes kept[count], ascending indices, of both. */
+void hawser__lexpand_modes_keep(struct hawser__lexpand_modes *t, struct hawser_line_modes *modes,
+                                const int *kept, int count);
 void hawser__lexpand_modes_clear(struct hawser__lexpand_modes *t);
 
 /* expand_drive.c: add, as the last shape, the static response of the modes that are not kept to a
