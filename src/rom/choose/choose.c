@@ -363,8 +363,21 @@ static double beyond(const struct hawser_choice *choice, enum hawser_plane plane
 	return 0.5*last*count/(p - 1.0);
 }
 
+/* Frequencies of a line with several spans are in groups, and their measures don't fall evenly: the modes
+ * above count as much as the highest quarter. Chosen. */
+static double as_highest(const struct hawser_choice *choice)
+{
+	double sum = 0.0;
+
+	for (int j = choice->n - choice->n/4; j < choice->n; j++)
+		sum += choice->mode[j].reason == HAWSER_PARAMETRIC ? 0.0 : choice->mode[j].measure;
+	return sum;
+}
+
 double hawser_choice_beyond(const struct hawser_choice *choice)
 {
+	if (choice->answered)
+		return as_highest(choice);
 	return beyond(choice, HAWSER_IN_PLANE) + beyond(choice, HAWSER_OUT_OF_PLANE);
 }
 
