@@ -78,9 +78,9 @@ enum hawser_status hawser_choose(struct hawser_choice *choice, const struct haws
 	HAWSER_MUST_CHECK;
 
 /* A choice among the coordinates of a model that exists, which are the lowest modes of something else
- * than a span, with all others condensed and their response to the load known; of `modes` n, mode and time_unit are used. No mode is kept
- * yet but those that the load drives. *all is taken over. HAWSER_ERR_ARGUMENT: the load drives nothing;
- * HAWSER_ERR_MEMORY. */
+ * than a span, with all others condensed and their response to the load known; of `modes` n, mode and
+ * time_unit are used. No mode is kept yet but those that the load drives. *all is taken over.
+ * HAWSER_ERR_ARGUMENT: the load drives nothing; HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_choice_of(struct hawser_choice *choice, struct hawser_rom *all,
                                     const struct hawser_modes *modes, double from, double to,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;

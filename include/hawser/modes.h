@@ -73,6 +73,7 @@ struct hawser_modes {
 	int gyroscopic;             /* 0: real modes, parts is 1; 1: complex modes of a travelling cable
 	                             * (gyroscopic.h), parts is 2: real, imaginary */
 	int n;                      /* number of modes, by ascending omega, both planes together */
+	int spanned;                /* 1: shapes of the space of complex modes (gyroscopic.h) */
 	int basis;                  /* functions per component in the final solution */
 	double time_unit;           /* d*sqrt(rho/H), s */
 	struct hawser_mode *mode;   /* [n] */

@@ -209,6 +209,9 @@ struct hawser_rom {
 	double *mass;              /* [n][n] by whose inverse the equations of a file were multiplied, for
 	                            * the energy; NULL: the unit matrix */
 	struct hawser_rom_plug *plug; /* forces by a function, besides; or NULL */
+	double *carried;           /* [n][n]: coordinate j of the modes is the sum of carried[j*n + e] u_e,
+	                            * where shapes that carry the inertia of what follows take their places;
+	                            * or NULL */
 	int periods;               /* b: Omega in the equations above is a b-th part of the frequency that
 	                            * hawser_frf_trace, hawser_sweep_run and hawser_integrate are given,
 	                            * whose motions have b of its periods; 0: 1. What else has loads

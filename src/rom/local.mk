@@ -10,6 +10,7 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/energy/block.c \
 	%D%/build/build.c \
 	%D%/build/build.h \
+	%D%/choose/beyond.c \
 	%D%/choose/choose.c \
 	%D%/energy/compile.c \
 	%D%/energy/compile_cable.c \
@@ -125,6 +126,7 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/terms/ties.h \
 	%D%/condense/support_shape.c \
 	%D%/terms/travel.c \
+	%D%/terms/travel_modes.c \
 	%D%/terms/travel.h \
 	%D%/condense/twin.c \
 	%D%/condense/twin.h \

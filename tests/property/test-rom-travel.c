@@ -9,9 +9,12 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <lapacke.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include <hawser/gyroscopic.h>
 #include <hawser/rom.h>
 #include "rom/build/ramp.h"
 #include "tests/tap.h"
@@ -346,6 +349,7 @@ static void check_condensed(double h)
 	        !hawser_rom_build(&raw, &few, &scene, NULL), "models of all and of three"))
 		return;
 	scene.model.condense = HAWSER_CONDENSE_STATIC;
+	scene.model.inertia = HAWSER_INERTIA_NONE; /* coordinates of the modes themselves */
 	ok(!hawser_rom_build(&condensed, &few, &scene, NULL), "and of three with the others condensed");
 	for (int p = 0; p < 3; p++) {
 		double worst = 0.0, largest = 0.0;
@@ -369,6 +373,102 @@ static void check_condensed(double h)
 	hawser_modes_clear(&few);
 }
 
+/* --- gyroscopic inertia of the condensed modes --- */
+
+enum { FEW = 6, FIRST = 3 };
+
+/* The first frequencies of u'' + D u' + K u = 0, ascending. */
+static int frequencies(double omega[FIRST], const struct hawser_rom *rom)
+{
+	double A[4*FEW*FEW] = {0.0}, re[2*FEW], im[2*FEW];
+
+	for (int j = 0; j < FEW; j++) {
+		A[2*FEW*j + FEW + j] = 1.0;
+		for (int k = 0; k < FEW; k++) {
+			A[2*FEW*(FEW + j) + k] = -rom->K[j*FEW + k];
+			A[2*FEW*(FEW + j) + FEW + k] = -rom->D[j*FEW + k];
+		}
+	}
+	if (LAPACKE_dgeev(LAPACK_ROW_MAJOR, 'N', 'N', 2*FEW, A, 2*FEW, re, im, NULL, 1, NULL, 1))
+		return 0;
+	for (int i = 0; i < FIRST; i++) {
+		omega[i] = INFINITY;
+		for (int e = 0; e < 2*FEW; e++)
+			if (im[e] > (i ? omega[i - 1]*(1.0 + 1e-9) : 0.0))
+				omega[i] = fmin(omega[i], im[e]);
+	}
+	return 1;
+}
+
+/* Largest error of them by the complex modes of the cable. */
+static double off(const struct hawser_rom *rom, const struct hawser_modes *exact)
+{
+	double omega[FIRST], worst = frequencies(omega, rom) ? 0.0 : INFINITY;
+
+	for (int i = 0; i < FIRST; i++)
+		worst = fmax(worst, fabs(omega[i]/exact->mode[i].omega - 1.0));
+	return worst;
+}
+
+/* Largest entry of Y' (1 + 4 nu^2 sum of G_js G_ks/w_s^2) Y - 1, Y rom->carried, s over the modes of
+ * `all` that are not the first ones. */
+static double unlike(const struct hawser_rom *rom, const struct hawser_modes *all)
+{
+	double *G = malloc((size_t)all->n*(size_t)all->n*sizeof *G), M[FEW*FEW], worst = 0.0;
+	double nu = all->statics.motion.nu;
+
+	hawser_modes_convection(all, G, NULL, NULL, NULL);
+	for (int j = 0; j < FEW; j++)
+		for (int k = 0; k < FEW; k++) {
+			M[j*FEW + k] = j == k;
+			for (int s = FEW; s < all->n; s++)
+				M[j*FEW + k] += 4.0*nu*nu*G[j*all->n + s]*G[k*all->n + s]/
+				                pow(all->mode[s].omega, 2);
+		}
+	for (int e = 0; e < FEW*FEW; e++) {
+		double sum = e/FEW == e%FEW ? -1.0 : 0.0;
+
+		for (int i = 0; i < FEW*FEW; i++)
+			sum += rom->carried[i/FEW*FEW + e/FEW]*M[i]*rom->carried[i%FEW*FEW + e%FEW];
+		worst = fmax(worst, fabs(sum));
+	}
+	free(G);
+	return worst;
+}
+
+/* At 0.3 of the speed of waves. */
+static void check_carried(double h)
+{
+	struct hawser_scene scene = scene_of(h, 18.6, 0.0, HAWSER_HOLD_TENSION);
+	struct hawser_modes_options options = {.n = FIRST};
+	struct hawser_rom bare, carrying;
+	struct hawser_modes few, all, exact;
+	struct hawser_statics st;
+
+	scene.damping.alpha = 0.0;
+	scene.model.condense = HAWSER_CONDENSE_STATIC;
+	if (!solve(&st, &few, &scene, FEW))
+		return;
+	scene.model.inertia = HAWSER_INERTIA_NONE;
+	if (ok(!hawser_complex_modes_solve(&exact, &st, &options, NULL) &&
+	       !hawser_modes_basis(&all, &st, 40, 40, NULL) &&
+	       !hawser_rom_build(&bare, &few, &scene, NULL), "h %g: complex modes, a basis, a model", h)) {
+		scene.model.inertia = HAWSER_INERTIA_AUTO;
+		ok(!hawser_rom_build(&carrying, &few, &scene, NULL) && carrying.carried && !bare.carried,
+		   "and one with gyroscopic inertia");
+		ok(off(&carrying, &exact) < 0.2*off(&bare, &exact),
+		   "h %g: frequencies of %d modes are off by %.1e, without it by %.1e", h, FEW,
+		   off(&carrying, &exact), off(&bare, &exact));
+		ok(unlike(&carrying, &all) < 1e-4, "h %g: by the sum over a basis, to %.1e", h,
+		   unlike(&carrying, &all));
+		hawser_rom_clear(&carrying);
+		hawser_rom_clear(&bare);
+		hawser_modes_clear(&all);
+		hawser_modes_clear(&exact);
+	}
+	hawser_modes_clear(&few);
+}
+
 CASE(property_rom_travel)
 {
 	check_condensed(0.0);
@@ -382,5 +482,7 @@ CASE(property_rom_travel)
 	check_structure();
 	check_rest();
 	check_tension();
+	check_carried(0.0);
+	check_carried(11.0);
 	return done_testing();
 }

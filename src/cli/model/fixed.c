@@ -68,7 +68,9 @@ static const char none_larger[] = "no model of a ropeway has more modes to look 
 
 static int has_most(const struct cli_model *model)
 {
-	return model->ropeway && model->ropeway->modes.mode[model->rom.n - 1].place >= HAWSER_LINE_ROM_MODES;
+	const struct cli_rom_ropeway *of = model->ropeway;
+
+	return of && of->modes.mode[of->modes.n - 1].place >= HAWSER_LINE_ROM_MODES;
 }
 
 enum hawser_status cli_fixed_estimate(struct cli_frf_result *result, struct hawser_report *report)

@@ -38,7 +38,8 @@ struct cli_exact {
 
 /* Not known yet; about: "folds and peaks". */
 struct cli_model_error cli_fixed_unknown(const struct cli_model *model, const char *about, int timed);
-/* Does nothing for the first branch with modes: auto, and where it is stated. Status: HAWSER_ERR_MEMORY. */
+/* Does nothing for the first branch with modes: auto, and where it is stated. Status:
+ * HAWSER_ERR_MEMORY. */
 enum hawser_status cli_fixed_estimate(struct cli_frf_result *result,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 /* The same for one motion of a model of a scene; of a ropeway, for its steady motion. */

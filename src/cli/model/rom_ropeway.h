@@ -19,13 +19,14 @@ struct cli_rom_ropeway {
 	struct hawser_line_freedom freedom;    /* the carriage */
 	struct hawser_line_modes modes;
 	int kept[HAWSER_LINE_ROM_MODES];       /* --keep: what options.kept points to */
-	int chosen;                            /* candidates among which modes were chosen; 0: they were not */
+	int chosen;                            /* candidates of a choice of modes; 0: none was made */
 };
 
 /* model->ropeway and model->rom by common->lane; n: number of modes, 0 for the default. */
 enum hawser_status cli_rom_ropeway_load(struct cli_model *model, const struct cli_common *common, int n,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
-/* The same with n modes, or those of them that kept[count] are the indices of. Release them with hawser_rom_clear and hawser_line_modes_clear. */
+/* The same with n modes, or those of them that kept[count] are the indices of. Release them with
+ * hawser_rom_clear and hawser_line_modes_clear. */
 enum hawser_status cli_rom_ropeway_again(struct hawser_rom *rom, struct hawser_line_modes *modes,
                                          const struct cli_rom_ropeway *of, int n, const int *kept,
                                          int count, struct hawser_report *report) HAWSER_MUST_CHECK;

@@ -1,5 +1,5 @@
-/* cli/model/ropeway_choice.c - the modes that a model of a ropeway leaves out, weighed in the motions of
- * its response, and a model of those that matter.
+/* cli/model/ropeway_choice.c - the modes that a model of a ropeway leaves out, weighed in the motions
+ * of its response, and a model of those that matter.
  *
  * Weights of carriers act at the first harmonics of their frequency, and products of the motion at all.
  * Which of the many modes of a line with several spans that concerns, their number does not tell. The

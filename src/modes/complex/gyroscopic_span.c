@@ -184,6 +184,7 @@ static enum hawser_status collect(struct hawser_modes *modes, struct side side[2
 	if (status)
 		return status;
 	modes->method = "span of complex modes";
+	modes->spanned = 1;
 	modes->basis = basis->basis;
 	modes->time_unit = basis->time_unit;
 	modes->grid = basis->grid;

@@ -293,15 +293,6 @@ static enum hawser_status set_line(struct hawser_rom *rom, const struct hawser_m
 	return status;
 }
 
-enum hawser_status hawser__rom_real(const struct hawser_modes *modes, struct hawser_report *report)
-{
-	if (!modes->gyroscopic)
-		return HAWSER_OK;
-	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
-	                    "the modes are complex: a model needs real modes, for a travelling cable "
-	                    "those of the apparent cable (hawser_modes_solve)");
-}
-
 enum hawser_status hawser__rom_begin(struct hawser_rom *rom, const struct hawser_modes *modes,
                                      const struct hawser_scene *scene,
                                      struct hawser_report *report)
@@ -463,12 +454,21 @@ static enum hawser_status build(struct hawser_rom *rom, const struct hawser_mode
                                 const struct hawser_scene *scene, int compile,
                                 struct hawser_report *report)
 {
-	struct hawser_modes with;
+	struct hawser_modes with, carrying = {.n = 0};
 	enum hawser_status status = hawser__rom_attached(&with, modes, scene, report);
+	const struct hawser_modes *own = with.n > 0 ? &with : modes;
+	double *turned = NULL;
 
 	memset(rom, 0, sizeof *rom);
 	if (!status)
-		status = build_with(rom, with.n > 0 ? &with : modes, scene, compile, report);
+		status = hawser__travel_modes(&carrying, &turned, own, scene, report);
+	if (!status)
+		status = build_with(rom, carrying.n > 0 ? &carrying : own, scene, compile, report);
+	if (!status)
+		rom->carried = turned;
+	else
+		free(turned);
+	hawser_modes_clear(&carrying);
 	hawser_modes_clear(&with);
 	return status;
 }

@@ -13,6 +13,7 @@
 #include "rom/energy/exact.h"
 #include "rom/energy/kernel.h"
 #include "rom/condense/known.h"
+#include "rom/build/build.h"
 #include "rom/build/model.h"
 #include "rom/file/plug.h"
 
@@ -141,6 +142,7 @@ void hawser_rom_clear(struct hawser_rom *rom)
 	free(rom->Q);
 	free(rom->term);
 	free(rom->mass);
+	free(rom->carried);
 	hawser__plug_free(rom->plug);
 	hawser_rom_clear(rom->first);
 	free(rom->first);
@@ -154,4 +156,13 @@ void hawser_rom_clear(struct hawser_rom *rom)
 	hawser__exact_free(rom->exact);
 	hawser__drag_free(rom->drag);
 	memset(rom, 0, sizeof *rom);
+}
+
+enum hawser_status hawser__rom_real(const struct hawser_modes *modes, struct hawser_report *report)
+{
+	if (!modes->gyroscopic)
+		return HAWSER_OK;
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+	                    "the modes are complex: a model needs real modes, for a travelling cable "
+	                    "those of the apparent cable (hawser_modes_solve)");
 }

@@ -17,8 +17,8 @@
  *      load drives the mode near its resonance: the displacements of a model contain the linear
  *      response of condensed modes (known.c), but a resonance depends on the motion. The static
  *      answer to the load is included although the displacements of a model contain it to the order
- *      (Omega/omega_s)^4: without it bench/accuracy finds errors beyond the estimate. Where they contain
- *      all of it (choice->answered), it is left out. Instead of
+ *      (Omega/omega_s)^4: without it bench/accuracy finds errors beyond the estimate. Where they
+ *      contain all of it (choice->answered), it is left out. Instead of
  *      planes, displacement components x at the shape points can be weighed: then effect 1 is the
  *      largest of max |dx/du_s (Delta_s + the answer to the load)|/max |x| over the period
  *      (displaced.c).

@@ -90,6 +90,25 @@ static void resonate(struct hawser__omitted *w, int s)
 	}
 }
 
+/* Coordinate k of the modes by coordinate e of the model. */
+static double part(const struct hawser__omitted *w, int k, int e)
+{
+	const struct hawser_rom *model = w->orbit.model;
+
+	return model->carried ? model->carried[w->place[k]*model->n + w->place[e]] : k == e;
+}
+
+/* Forces f[held] on the modes become those on the coordinates of the model. */
+static void turn_back(struct hawser__omitted *w, double *f)
+{
+	for (int e = 0; e < w->held; e++) {
+		w->plus[e] = 0.0;
+		for (int k = 0; k < w->held; k++)
+			w->plus[e] += part(w, k, e)*f[k];
+	}
+	memcpy(f, w->plus, (size_t)w->held*sizeof *f);
+}
+
 /* w->G, with the inertia and damping of all relaxed coordinates, or of those that are not candidates.
  * a[rows][model->n]: accelerations of the model. */
 static void set_omitted(struct hawser__omitted *w, const double *a, int all_of_them)
@@ -98,8 +117,7 @@ static void set_omitted(struct hawser__omitted *w, const double *a, int all_of_t
 
 	for (int t = 0; t < w->rows; t++)
 		for (int k = 0; k < held; k++)
-			w->G[(size_t)t*held + k] = a[(size_t)t*n + w->place[k]] -
-			                           hawser__omitted_twin(w, k, w->force + (size_t)t*N);
+			w->G[(size_t)t*held + k] = -hawser__omitted_twin(w, k, w->force + (size_t)t*N);
 	for (int i = 0; i < w->relax.frees; i++) {
 		int s = w->relax.freed[i], moves = all_of_them || w->beyond[i];
 
@@ -108,6 +126,11 @@ static void set_omitted(struct hawser__omitted *w, const double *a, int all_of_t
 		for (int t = 0; t < w->rows; t++)
 			cblas_daxpy(held, -(moves ? w->rate[t] : w->pull[(size_t)t*N + s]),
 			            w->led + ((size_t)t*w->relax.frees + i)*held, 1, w->G + (size_t)t*held, 1);
+	}
+	for (int t = 0; t < w->rows; t++) {
+		turn_back(w, w->G + (size_t)t*held);
+		for (int k = 0; k < held; k++)
+			w->G[(size_t)t*held + k] += a[(size_t)t*n + w->place[k]];
 	}
 }
 
@@ -258,6 +281,16 @@ static double size_of(const struct hawser__omitted *w)
 	return sqrt(sum);
 }
 
+/* dx of coordinate e at row t. */
+static double moves(const struct hawser__omitted *w, const double *x, int e, int t)
+{
+	double sum = 0.0;
+
+	for (int p = 0; p < w->functions; p++)
+		sum += x[HAWSER__OMITTED*(w->place[e]*w->functions + p)]*wave(w, p, t);
+	return sum;
+}
+
 /* Largest relative change of an amplitude that counts, for harmonics x[] of dx, HAWSER__OMITTED
  * apart. */
 static double amplitudes(struct hawser__omitted *w, const double *x, unsigned peaks)
@@ -270,8 +303,8 @@ static double amplitudes(struct hawser__omitted *w, const double *x, unsigned pe
 			for (int k = 0; k < w->held; k++) {
 				double u = w->kept[(size_t)t*w->held + k];
 
-				for (int p = 0; moved && p < w->functions; p++)
-					u += x[HAWSER__OMITTED*(w->place[k]*w->functions + p)]*wave(w, p, t);
+				for (int e = 0; moved && e < w->held; e++)
+					u += part(w, k, e)*moves(w, x, e, t);
 				w->u[w->mode[k]] = u;
 			}
 			hawser__omitted_condensed(w);

@@ -18,8 +18,8 @@
  * The condensed modes respond to the forces g and d as well. When the speed changes, this is most
  * of the response of a cable: the tension of a taut one varies by rho n. (S - L/2) along its
  * length. With w_jk, their displacement per u_j u_k (condense.h), the integrals of w_jk' . x' and
- * w_jk . x' are added to M' and G in the stiffness (follow.h has them without w_jk). Neglected are
- * the inertia of these modes and the gyroscopic forces on them.
+ * w_jk . x' are added to M' and G in the stiffness (follow.h has them without w_jk). They follow the
+ * gyroscopic forces too (travel_modes.c). Neglected are those of second order.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

@@ -18,6 +18,14 @@ enum hawser_status hawser__rom_travel_condensed(struct hawser_rom *rom,
                                                 const struct hawser_scene *scene,
                                                 struct hawser_report *report);
 
+/* Shapes of the same space as the modes, which carry the inertia that the gyroscopic forces on the
+ * condensed modes give them; with->n = 0 if none is needed. *turned is that of struct hawser_rom, for
+ * the caller to free, on failure too. travel_modes.c. */
+enum hawser_status hawser__travel_modes(struct hawser_modes *with, double **turned,
+                                        const struct hawser_modes *modes,
+                                        const struct hawser_scene *scene,
+                                        struct hawser_report *report) HAWSER_MUST_CHECK;
+
 /* Change of the scaled speed by braking. */
 double hawser__travel_change(const struct hawser_modes *modes, const struct hawser_scene *scene);
 

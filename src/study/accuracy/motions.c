@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <cblas.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -21,6 +22,17 @@ int hawser__nearest_point(const struct hawser_frf *frf, double arc)
 		if (fabs(frf->point[i].arc - arc) < fabs(frf->point[best].arc - arc))
 			best = i;
 	return best;
+}
+
+/* u of the modes that the model keeps, at its state. */
+static void coordinates_of_modes(double *u, const struct hawser_rom *rom, const double *state)
+{
+	int n = rom->n, kept = n - rom->inertia.shapes;
+
+	if (rom->carried)
+		cblas_dgemv(CblasRowMajor, CblasNoTrans, n, n, 1.0, rom->carried, n, state, 1, 0.0, u, 1);
+	else
+		memcpy(u, state, (size_t)kept*sizeof *u);
 }
 
 enum hawser_status hawser__weigh_motion(struct hawser_choice *choice, const struct hawser_rom *rom,
@@ -43,7 +55,7 @@ enum hawser_status hawser__weigh_motion(struct hawser_choice *choice, const stru
 	if (!status && (!u || !state))
 		status = hawser__no_memory(report, "study");
 	for (size_t t = 0; !status && t < rows; t++) {
-		memcpy(u + t*kept, run.state + t*2*n, kept*sizeof *u);
+		coordinates_of_modes(u + t*kept, rom, run.state + t*2*n);
 		memcpy(state + t*n, run.state + t*2*n, n*sizeof *state);
 	}
 	orbit.state = state;
