@@ -7,8 +7,11 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <stdlib.h>
+
 #include "rom/build/build.h"
 #include "rom/condense/support.h"
+#include "rom/terms/travel.h"
 
 void hawser__rom_held(double *K, const struct hawser_rom *rom, const double *f, double factor)
 {
@@ -65,7 +68,19 @@ enum hawser_status hawser_rom_build_linear(struct hawser_rom *rom, const struct 
                                            const struct hawser_scene *scene,
                                            struct hawser_report *report)
 {
-	return build_with(rom, modes, scene, 1, report);
+	struct hawser_modes carrying;
+	double *turned;
+	enum hawser_status status = hawser__travel_modes(&carrying, &turned, modes, scene, report);
+
+	*rom = (struct hawser_rom){.n = 0};
+	if (!status)
+		status = build_with(rom, carrying.n > 0 ? &carrying : modes, scene, 1, report);
+	if (!status)
+		rom->carried = turned;
+	else
+		free(turned);
+	hawser_modes_clear(&carrying);
+	return status;
 }
 
 enum hawser_status hawser__rom_build_forces(struct hawser_rom *rom, const struct hawser_modes *modes,

@@ -2,6 +2,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <math.h>
+
 #include "rom/terms/absorbers.h"
 #include "rom/build/build.h"
 #include "rom/terms/dampers.h"
@@ -28,7 +30,8 @@ enum hawser_status hawser__rom_damping(struct hawser_rom *rom, const struct haws
 	                                  : HAWSER_OK;
 
 	for (int j = 0; !ratio && j < rom->n; j++) {
-		double omega = modes->mode[j].omega, *d = &rom->D[j*rom->n + j];
+		double *d = &rom->D[j*rom->n + j];
+		double omega = rom->carried ? sqrt(rom->K[j*rom->n + j]) : modes->mode[j].omega;
 
 		switch (scene->damping.kind) {
 		case HAWSER_DAMPING_NONE:

@@ -135,13 +135,14 @@ static enum hawser_status turn(struct hawser_modes *with, double *turned,
 	return HAWSER_OK;
 }
 
-/* Not where the speed changes for good; nor of the shapes of complex modes, in whose space the
- * gyroscopic forces are complete. */
+/* Not where the speed changes: the mass would too, and its mean alone moves boundaries of stability by
+ * more than both together. Nor of the shapes of complex modes, in whose space the gyroscopic forces are
+ * complete. */
 static int carries(const struct hawser_modes *modes, const struct hawser_scene *scene)
 {
 	return scene && scene->model.condense == HAWSER_CONDENSE_STATIC &&
 	       scene->model.inertia != HAWSER_INERTIA_NONE && modes->statics.motion.nu != 0.0 &&
-	       !(scene->travel.braking > 0.0) && !modes->gyroscopic && !modes->spanned;
+	       modes->statics.motion.swing == 0.0 && !(scene->travel.braking > 0.0) && !modes->gyroscopic && !modes->spanned;
 }
 
 enum hawser_status hawser__travel_modes(struct hawser_modes *with, double **turned,
