@@ -136,13 +136,15 @@ static enum hawser_status turn(struct hawser_modes *with, double *turned,
 }
 
 /* Not where the speed changes: the mass would too, and its mean alone moves boundaries of stability by
- * more than both together. Nor of the shapes of complex modes, in whose space the gyroscopic forces are
- * complete. */
+ * more than both together. Nor of the shapes of complex modes, in whose space the gyroscopic forces
+ * are complete. */
 static int carries(const struct hawser_modes *modes, const struct hawser_scene *scene)
 {
+	const struct hawser_motion *motion = &modes->statics.motion;
+
 	return scene && scene->model.condense == HAWSER_CONDENSE_STATIC &&
-	       scene->model.inertia != HAWSER_INERTIA_NONE && modes->statics.motion.nu != 0.0 &&
-	       modes->statics.motion.swing == 0.0 && !(scene->travel.braking > 0.0) && !modes->gyroscopic && !modes->spanned;
+	       scene->model.inertia != HAWSER_INERTIA_NONE && motion->nu != 0.0 && motion->swing == 0.0 &&
+	       !(scene->travel.braking > 0.0) && !modes->gyroscopic && !modes->spanned;
 }
 
 enum hawser_status hawser__travel_modes(struct hawser_modes *with, double **turned,
