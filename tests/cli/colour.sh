@@ -28,6 +28,9 @@ if script -qec true /dev/null </dev/null >/dev/null 2>&1; then
 	try "colour on a terminal" grep -q "$escape\[1;31mhawser:" terminal
 	TERM=dumb script -qec "'$HAWSER' check bad.yaml" /dev/null </dev/null >terminal 2>&1
 	try "not on a dumb one" sh -c "grep -q hawser: terminal && ! grep -q '$escape' terminal"
+	script -qec "'$HAWSER' frf '$chairlift' --from 0.98w1 --to 1.3w1 --step 0.05 -q" /dev/null </dev/null >terminal 2>&1
+	try "peaks on a terminal, the highest first" awk -F '\t' '$1 == "probe" {rows = 1; next} rows && NF > 5 {
+		if (n++ && $5 > before) exit 1; before = $5} END {exit !(n > 1 && n <= 10)}' terminal
 else
 	skip "terminals: the program script is missing, or there are none here"
 fi

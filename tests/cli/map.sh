@@ -112,6 +112,8 @@ try "with a checkpoint" test $status -eq 3 -a -s kept -a ! -e some.json
 run map "$chairlift" $half --json some.json -q --checkpoint kept --partial
 try "--partial: status 0 and a warning" test $status -eq 0 -a "$(cat "$scratch/err")" = \
 	"hawser: warning: 70 of 85 points could not be computed and are empty; the comments of the table say why"
+run map "$top/notebooks-data/scenes/b-table-5.4.yaml" -n 1 --x Omega=14:16 --y travel.fluctuation=0:8 --points 2x2 -q
+try "multipliers over a frequency, unasked" grep -q '^Omega_rad_s	travel.fluctuation_m_s	multiplier' "$scratch/out"
 run map "$chairlift" $half --json other.json -q --checkpoint kept
 try "a point that the checkpoint holds without a value ends the map, too" test $status -eq 3
 run map "$chairlift" --x span.h=0:20 --y damping.alpha=0:0.125 --points 5x3 --coarse 1 --json right.json -q

@@ -190,7 +190,8 @@ same frf "ft, rpm" frf "$chairlift" --to 1.1w1 --max-points 6
 same energy "ft.lbf, rpm" frf "$chairlift" --to 1.1w1 -n 2 --max-points 6 --backbone 1 --energy
 same folds "ft, rpm" folds "$scenes/b-table-4.5.yaml" --set model.modes=1 --from 0.9w1 --to 1.1w1 --starts 0
 same integrate "ft, rpm, min" integrate "$chairlift" --Omega 0.9w1 --until 1T
-same map "rpm, ft/s, 1/min" map "$scenes/b-table-5.4.yaml" -n 2 --x Omega=14:16 --y travel.fluctuation=0:8 --points 3x3
+same map "rpm, ft/s, 1/min" map "$scenes/b-table-5.4.yaml" -n 2 --x Omega=14:16 --y travel.fluctuation=0:8 --points 3x3 \
+	--quantity growth
 same hill "rpm, ft/s" hill "$scenes/b-table-5.4.yaml" --set model.modes=1 --x Omega=14:16 --y travel.fluctuation=0:8 \
 	--samples 5 --lines 5
 same beam "ft/s, rpm, 1/min" beam "$scenes/hoist-rope.yaml" --to 60 --points 4 --basis 6

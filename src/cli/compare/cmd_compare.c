@@ -22,7 +22,7 @@ struct settings {
 	int points, landmarks;
 };
 static const struct settings defaults = {
-	.from = "0.6w1", .to = "3.3w1", .step = CLI_STEP, .limit = 10.0,
+	.step = CLI_STEP, .limit = 10.0,
 	.fidelities = "multiple-scales, raw 5, raw 9, condensed 5, condensed 9, condensed 12, "
 	              "condensed 16",
 };

@@ -20,7 +20,7 @@ struct settings {
 	int n, points, no_isolas, starts;
 };
 static const struct settings defaults = {
-	.from = "0.6w1", .to = "3.3w1", .method = "balance", .load_from = 0.01, .load_to = 2.0,
+	.method = "balance", .load_from = 0.01, .load_to = 2.0,
 	.starts = -1,
 };
 enum { STARTS = 96 };

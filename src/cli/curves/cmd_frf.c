@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "cli/backbone/backbone.h"
 #include "cli/model/exact.h"
@@ -23,6 +24,7 @@
 #define LOCATED 0.01 /* tolerance of peaks, as a part of the accuracy that was asked for */
 #define OBSERVED 2 /* unstable multipliers with modes: auto; without a limit the error estimate does
                     * not fall, since models differ most in motions that can't be observed; chosen */
+enum { LISTED = 10 }; /* peaks on a terminal: they fit on it; chosen */
 #define CLOSE 1e-3   /* relative tolerance of peaks otherwise; takes 5 % of the time of the chairlift */
 
 struct settings {
@@ -35,13 +37,13 @@ struct settings {
 	int branches, period, label_every;
 };
 static const struct settings defaults = {
-	.from = "0.6w1", .to = "3.3w1", .scale = "auto", .slack = "end",
+	.scale = "auto", .slack = "end",
 	.sweep_points = 200, .label_every = 10,
 };
 
 static const struct cli_option options[] = {
 	CLI_RANGE_OPTIONS("frequency at which the curve starts (0.6w1)",
-	                  "other end of the range (3.3w1)"),
+	                  "other end of the range (3.3w1; ropeways: end of the modes)"),
 	CLI_MODES_OPTION,
 	CLI_TEXT_OPTION(method, "NAME", "shooting, balance, multiple-scales or auto (auto)"),
 	{"branches", 0, "DEPTH", "follow branches that begin at bifurcations too, and theirs, so deep",
@@ -318,13 +320,24 @@ static enum hawser_status backbone(struct cli_backbone *to, const struct setting
 	                          result->to, settings->common.quiet, report);
 }
 
+/* Whether the rows go to a terminal. */
+static int reads_along(const struct cli_common *common)
+{
+	return isatty(STDOUT_FILENO) && !common->json && !common->tsv && !common->plot;
+}
+
 static enum hawser_status write_result(struct cli_frf_result *result, struct cli_model *model,
                                        const struct settings *settings,
                                        struct hawser_report *report)
 {
-	struct cli_showing showing = settings->peaks ? cli_frf_show_peaks() : cli_frf_showing;
+	struct cli_showing showing = cli_frf_showing;
 	enum hawser_status status;
 	char *said;
+
+	if (!settings->peaks && reads_along(result->common))
+		result->highest = cli_frf_displacements(result) < LISTED ? cli_frf_displacements(result) : LISTED;
+	if (settings->peaks || result->highest > 0)
+		showing = cli_frf_show_peaks(result);
 
 	if (settings->energy)
 		showing.draw = cli_backbone_draw;

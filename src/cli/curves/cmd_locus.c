@@ -19,7 +19,7 @@ struct settings {
 	double tolerance, step;
 	int n, points, harmonic;
 };
-static const struct settings defaults = {.from = "0.6w1", .to = "3.3w1", .kind = "fold"};
+static const struct settings defaults = {.kind = "fold"};
 static const double work = 5.0; /* of cli_exact_range; chosen */
 
 static const struct cli_option options[] = {

@@ -1,6 +1,6 @@
 /* cli/curves/frf_draw.c - the curves in the picture of a frequency response. With probes: z and y at
- * quarter and mid-span, one panel each, without panels in which nothing moves, and the largest stroke
- * of an absorber in one of its own. Without probes: the first coordinates.
+ * mid-span and where else it moves most, one panel each, without panels in which nothing moves, and the
+ * largest stroke of an absorber in one of its own. Without probes: the first coordinates.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -23,6 +23,8 @@ enum { label_size = CLI_FRF_LABEL };
 static const double visible = 1e-9;
 /* If the ratio of large to small amplitudes exceeds this, a linear axis hides the small ones. */
 static const double log_ratio = 100.0;
+/* Amplitudes of mirrored probes differ by less than this, relative: the orbits' errors. */
+static const double same = 1e-6;
 
 /* Names come from files: only letters, digits and blanks are written to the script. */
 static void plain(char *label, const char *name)
@@ -49,16 +51,6 @@ void cli_probe_label(char *label, size_t size, char component, const char *probe
 
 	name_probe(name, probe);
 	snprintf(label, size, "Amplitude of {/:Italic %c}, %.20s%s", component, name, unit);
-}
-
-static int probe_named(const struct hawser_rom_shapes *shapes, const char *name, int otherwise)
-{
-	int p;
-
-	for (p = 0; p < shapes->points; p++)
-		if (strcmp(shapes->name[p], name) == 0)
-			return p;
-	return otherwise < shapes->points ? otherwise : shapes->points - 1;
 }
 
 static void add_curve(struct cli_frf_picture *of, const char *name, int panel, int source)
@@ -88,6 +80,11 @@ static void name_panel(struct cli_frf_picture *of, int panel, const char *what)
 	         *unit ? " (" : "", unit, *unit ? ")" : "");
 }
 
+static int is_stroke(const char *name)
+{
+	return strncmp(name, "stroke_", 7) == 0;
+}
+
 /* The absorber with the largest stroke in a panel of its own, by the component that is largest. */
 static void choose_stroke(struct cli_frf_picture *of)
 {
@@ -98,7 +95,7 @@ static void choose_stroke(struct cli_frf_picture *of)
 	char name[label_size], what[64];
 
 	for (int k = 0; k < stride; k++)
-		if (strncmp(shapes->name[k/3], "stroke_", 7) == 0 &&
+		if (is_stroke(shapes->name[k/3]) &&
 		    largest(frf->probe, frf->points, stride, k) > most) {
 			most = largest(frf->probe, frf->points, stride, k);
 			source = k;
@@ -114,12 +111,49 @@ static void choose_stroke(struct cli_frf_picture *of)
 
 static const char *const axis_name[] = {"{/:Italic x}", "{/:Italic y}", "{/:Italic z}"};
 
+/* The probe, but for `drawn`, whose y or z is largest; the first of equal ones (a quarter of a span
+ * before three quarters). -1: there is none. */
+static int moves_most(const struct cli_frf_picture *of, int drawn)
+{
+	const struct hawser_frf *frf = of->result->frf;
+	double most = -1.0;
+	int at = -1;
+
+	for (int p = 0; p < frf->probes; p++) {
+		double y = largest(frf->probe, frf->points, 3*frf->probes, 3*p + 1);
+		double size = fmax(y, largest(frf->probe, frf->points, 3*frf->probes, 3*p + 2));
+
+		if (p == drawn || is_stroke(of->result->model->rom.shapes.name[p]) || size <= most*(1.0 + same))
+			continue;
+		most = size;
+		at = p;
+	}
+	return at;
+}
+
+/* The middle of a span, since others move with it, and the probe that moves most of the others; of a
+ * ropeway, whose probes are the middles of its spans, the two that move most. */
+static int choose_points(int point[2], const struct cli_frf_picture *of)
+{
+	const struct hawser_rom_shapes *shapes = &of->result->model->rom.shapes;
+	int second = 0;
+
+	while (second < shapes->points && strcmp(shapes->name[second], "mid") != 0)
+		second++;
+	if (second == shapes->points)
+		second = moves_most(of, -1);
+	point[0] = moves_most(of, second);
+	point[1] = second;
+	if (point[0] < 0)
+		point[0] = second;
+	return point[0] < 0 ? 0 : point[0] == point[1] ? 1 : 2;
+}
+
 static void choose_probes(struct cli_frf_picture *of)
 {
 	const struct hawser_rom_shapes *shapes = &of->result->model->rom.shapes;
 	const struct hawser_frf *frf = of->result->frf;
-	int point[2] = {probe_named(shapes, "quarter", 0), probe_named(shapes, "mid", 1)};
-	int probes = point[0] == point[1] ? 1 : 2, stride = 3*frf->probes, c, p;
+	int point[2], probes = choose_points(point, of), stride = 3*frf->probes, c, p;
 	double most[3] = {0.0, 0.0, 0.0};
 
 	for (c = 1; c < 3; c++)

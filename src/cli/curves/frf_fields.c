@@ -435,13 +435,13 @@ static void more_peaks(struct hawser__table *table, const void *of)
 		hawser__fields_rows(table, cli_frf_peak_column, &cli_frf_peak_rows, &result->other[k], &view);
 }
 
-struct cli_showing cli_frf_show_peaks(void)
+struct cli_showing cli_frf_show_peaks(const struct cli_frf_result *result)
 {
 	struct cli_showing showing = cli_frf_showing;
 
 	showing.head = peaks_head;
-	showing.rows = &cli_frf_peak_rows;
-	showing.more = more_peaks;
+	showing.rows = result->highest > 0 ? &cli_frf_highest_rows : &cli_frf_peak_rows;
+	showing.more = result->highest > 0 ? NULL : more_peaks;
 	return showing;
 }
 

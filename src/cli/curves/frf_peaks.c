@@ -138,6 +138,54 @@ const struct hawser__field cli_frf_peak_column[] = {
 	HAWSER__END,
 };
 #undef OF
+
+static const struct cli_frf_result *branch_of(const struct cli_frf_result *result, int k)
+{
+	return k ? &result->other[k - 1] : result;
+}
+
+/* Number of displacements of all branches with a higher peak; of equal ones the first is higher. */
+static int higher(const struct cli_frf_result *result, int branch, int peak)
+{
+	const struct hawser_landmark *of = &branch_of(result, branch)->peak[peak];
+	int count = 0;
+
+	for (int k = 0; k <= result->others; k++)
+		for (int i = 0; i < branch_of(result, k)->peaks; i++) {
+			const struct hawser_landmark *other = &branch_of(result, k)->peak[i];
+			int before = k < branch || (k == branch && i < peak);
+
+			count += !tells_tension(other) &&
+			         (other->size > of->size || (before && !(other->size < of->size)));
+		}
+	return count;
+}
+
+int cli_frf_displacements(const struct cli_frf_result *result)
+{
+	int count = 0;
+
+	for (int k = 0; k <= result->others; k++)
+		for (int i = 0; i < branch_of(result, k)->peaks; i++)
+			count += !tells_tension(&branch_of(result, k)->peak[i]);
+	return count;
+}
+
+/* The displacement of all branches above which there are `rank`. */
+static const void *highest_row(void *to, const void *parent, size_t rank)
+{
+	const struct cli_frf_result *result = parent;
+
+	for (int k = 0; k <= result->others; k++)
+		for (int i = 0; i < branch_of(result, k)->peaks; i++)
+			if (!tells_tension(&branch_of(result, k)->peak[i]) &&
+			    higher(result, k, i) == (int)rank)
+				return peak_row(to, branch_of(result, k), (size_t)i);
+	return NULL;
+}
+
+const struct hawser__list cli_frf_highest_rows = HAWSER__MADE_ROWS(
+	struct peak, cli_frf_peak_column, struct cli_frf_result, highest, highest_row);
 const struct hawser__list cli_frf_peak_rows = HAWSER__MADE_ROWS(
 	struct peak, cli_frf_peak_column, struct cli_frf_result, peaks, peak_row);
 const struct hawser__list cli_frf_peak_list = HAWSER__MADE_ROWS(

@@ -120,7 +120,6 @@ static void comment_branch(struct hawser__table *table, const struct cli_frf_res
 	cli_fixed_comments(table, &result->error, result->frf->branch);
 	for (int k = 0; k < frf->events; k++)
 		comment_event(table, result, k);
-	cli_frf_peak_comments(table, result);
 }
 
 void cli_frf_comments(struct hawser__table *table, const void *of)
@@ -154,7 +153,12 @@ void cli_frf_comments(struct hawser__table *table, const void *of)
 		                      model->natural[k]*per_omega, rad_s);
 	for (k = 0; k < frf->events; k++)
 		comment_event(table, result, k);
-	cli_frf_peak_comments(table, result);
+	if (result->highest > 0)
+		hawser__table_comment(table, "the highest %d of %d peaks of displacements, as this is a terminal "
+		                      "(--peaks: all peaks; --tsv FILE: the points)", result->highest,
+		                      cli_frf_displacements(result));
+	else
+		cli_frf_peak_comments(table, result);
 	for (k = 0; k < result->sweeps; k++)
 		hawser__table_comment(table, "sweep %+d: %d frequencies%s", result->sweep[k].direction,
 		                      result->sweep[k].run.points,
@@ -178,8 +182,11 @@ void cli_frf_comments(struct hawser__table *table, const void *of)
 	hawser__table_comment(table, "end: %s - %s%s%s", hawser_frf_end_name(frf->end),
 	                      sentence(frf->end), *frf->lost ? ": " : "", frf->lost);
 	hawser__table_comment(table, "%d points", frf->points);
-	for (k = 0; k < result->others; k++)
+	for (k = 0; k < result->others; k++) {
 		comment_branch(table, &result->other[k]);
+		if (result->highest == 0)
+			cli_frf_peak_comments(table, &result->other[k]);
+	}
 	for (k = 0; (note = cli_frf_note(text, sizeof text, result, k)) >= 0; k++)
 		if (note > 0)
 			hawser__table_comment(table, "warning: %s", text);

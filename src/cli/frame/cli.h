@@ -170,6 +170,8 @@ struct hawser_modes_options cli_modes_options(const struct hawser_scene *scene);
 enum hawser_status cli_known(struct cli_model *model, double omega,
                              struct hawser_report *report) HAWSER_MUST_CHECK;
 int cli_known_lacks(char *text, size_t size, const struct cli_model *model, double omega);
+/* known.c: up to where a response of a ropeway is that of its modes, scaled; of others INFINITY. */
+double cli_modes_end(const struct cli_model *model);
 void cli_known_warn(const struct cli_model *model, double omega);
 
 /* basis.c. Checks the natural frequencies of a full-order model up to twice `omega` (scaled), at least
@@ -216,7 +218,8 @@ enum hawser_status cli_quantity(double *value, const char *text, const char *uni
 enum hawser_status cli_frequency(double *omega, const char *text, const char *option,
                                  const struct cli_model *model,
                                  struct hawser_report *report) HAWSER_MUST_CHECK;
-/* Parse --from and --to, which must differ; `command` is for the message. */
+/* Parse --from and --to, which must differ; `command` is for the message. NULL: 0.6w1 and 3.3w1, or
+ * where the modes end (cli_modes_end). */
 enum hawser_status cli_range(double *from, double *to, const char *from_text, const char *to_text,
                              const char *command, const struct cli_model *model,
                              struct hawser_report *report) HAWSER_MUST_CHECK;
@@ -417,6 +420,7 @@ struct cli_frf_result {
 	const struct cli_model *model;
 	const struct hawser_frf *frf;
 	const struct hawser_landmark *peak; /* [peaks] */
+	int highest; /* peaks that stand on a terminal in place of the points; 0: those points */
 	int peaks, located; /* located: 1: peaks were searched for; the list may be empty */
 	const struct cli_sweep *sweep; /* [sweeps] */
 	int sweeps, overlays, curves;
@@ -455,7 +459,10 @@ int cli_frf_caution(char *text, size_t size, const struct cli_frf_result *result
 void cli_frf_peak_comments(struct hawser__table *table, const struct cli_frf_result *result);
 void cli_frf_comments(struct hawser__table *table, const void *result);
 extern const struct cli_showing cli_frf_showing;
-struct cli_showing cli_frf_show_peaks(void); /* a table of the peaks in place of the points */
+/* A table of the peaks in place of the points. */
+struct cli_showing cli_frf_show_peaks(const struct cli_frf_result *result);
+/* Number of peaks of displacements, of all branches. */
+int cli_frf_displacements(const struct cli_frf_result *result);
 enum hawser_status cli_frf_draw(const char *path, const void *result, struct hawser_report *report);
 /* Write "Amplitude of z, mid-span (m)" in gnuplot's markup; probes may have any name. */
 void cli_probe_label(char *label, size_t size, char component, const char *probe, const char *unit);

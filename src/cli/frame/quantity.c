@@ -128,12 +128,16 @@ enum hawser_status cli_range(double *from, double *to, const char *from_text, co
                              const char *command, const struct cli_model *model,
                              struct hawser_report *report)
 {
-	enum hawser_status status = cli_frequency(from, from_text, "from", model, report);
+	enum hawser_status status = cli_frequency(from, from_text ? from_text : "0.6w1", "from", model,
+	                                          report);
 
 	if (!status)
-		status = cli_frequency(to, to_text, "to", model, report);
+		status = cli_frequency(to, to_text ? to_text : "3.3w1", "to", model, report);
+	if (!status && !to_text && *from < cli_modes_end(model))
+		*to = fmin(*to, cli_modes_end(model));
 	if (!status && *from == *to)
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, command,
-		                      "--from %s and --to %s are the same frequency", from_text, to_text);
+		                      "--from %s and --to %s are the same frequency",
+		                      from_text ? from_text : "0.6w1", to_text ? to_text : "3.3w1");
 	return status;
 }

@@ -61,7 +61,7 @@ extern const struct hawser__field cli_warnings_field[];
 extern const struct hawser__list cli_frf_peak_list;
 /* The same as a table. */
 extern const struct hawser__field cli_frf_peak_column[];
-extern const struct hawser__list cli_frf_peak_rows;
+extern const struct hawser__list cli_frf_peak_rows, cli_frf_highest_rows;
 
 /* Axes: Omega of a response; Omega or energy of a backbone. */
 struct hawser__axis cli_frf_axis(const struct cli_model *model);

@@ -25,12 +25,10 @@ struct settings {
 	double jump, tolerance;
 	int n, depth, coarse, threads, full, partial, stable, rest;
 };
-static const struct settings defaults = {.quantity = "growth"};
-
 static const struct cli_option options[] = {
 	{"x", 0, "KEY=FROM:TO", "horizontal axis: a key of the scene, or Omega", CLI_TEXT(x)},
 	{"y", 0, "KEY=FROM:TO", "vertical axis", CLI_TEXT(y)},
-	{"quantity", 0, "NAME", "what is mapped: growth, multiplier, unstable, amplitude, basin (growth)",
+	{"quantity", 0, "NAME", "what is mapped: growth, multiplier, unstable, amplitude, basin (by the axes)",
 	 CLI_TEXT(quantity)},
 	{"points", 0, "NXxNY", "resolution (200x200)", CLI_TEXT(points)},
 	{"modes", 'n', "N", "number of modes (the scene's model.modes)", CLI_INTEGER(n)},
@@ -209,6 +207,20 @@ static enum hawser_status axis(struct cli_map_result *result, int k, const char 
 	return status;
 }
 
+static int is_of(const char *axis, const char *begin)
+{
+	return axis && strncmp(axis, begin, strlen(begin)) == 0;
+}
+
+/* Without --quantity: multipliers of motions at a frequency, growth of others. */
+static const char *quantity_by_axes(const struct settings *settings)
+{
+	int at_frequency = settings->omega || is_of(settings->x, "Omega=") || is_of(settings->y, "Omega=");
+	int beam = is_of(settings->x, "beam.") || is_of(settings->y, "beam.");
+
+	return at_frequency && !beam ? "multiplier" : "growth";
+}
+
 static enum hawser_status read_quantity(struct cli_map_result *result, const char *name,
                                         struct hawser_report *report)
 {
@@ -353,7 +365,11 @@ static enum hawser_status check(struct cli_map_result *result, struct settings *
 	const struct cli_output more[] = {{"checkpoint", settings->checkpoint},
 	                                  {"boundary", settings->boundary},
 	                                  {"hdf5", settings->hdf5}};
-	enum hawser_status status = read_quantity(result, settings->quantity, report);
+	enum hawser_status status;
+
+	if (!settings->quantity)
+		settings->quantity = quantity_by_axes(settings);
+	status = read_quantity(result, settings->quantity, report);
 
 	if (!status && strcmp(result->quantity->name, "amplitude") == 0)
 		status = check_rows(settings, report);
@@ -480,7 +496,7 @@ enum hawser_status cli_map_frequency(double *omega, const char *text, const char
 }
 
 const struct cli_command cli_map = {
-	"map", "SCENE|MODEL", "Stability and amplitude over two parameters", notes, options, &defaults,
+	"map", "SCENE|MODEL", "Stability and amplitude over two parameters", notes, options, NULL,
 	sizeof(struct settings), 1, run, cli_map_listing,
 	.takes = CLI_MODELS | CLI_BEAM,
 };

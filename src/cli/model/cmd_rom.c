@@ -15,10 +15,6 @@ struct settings {
 	double tolerance;
 	int n, intervals, points;
 };
-static const struct settings defaults = {
-	.from = "0.6w1", .to = "3.3w1",
-};
-
 static const struct cli_option options[] = {
 	{"modes", 'n', "N", "number of modes kept (the scene's model.modes)", CLI_INTEGER(n)},
 	CLI_HEADING("Export"),
@@ -256,10 +252,9 @@ static enum hawser_status choose(struct cli_model *model, const struct settings 
                                  struct hawser_report *report)
 {
 	double from, to;
-	enum hawser_status status = cli_frequency(&from, settings->from, "from", model, report);
+	enum hawser_status status = cli_range(&from, &to, settings->from, settings->to, "rom", model,
+	                                      report);
 
-	if (!status)
-		status = cli_frequency(&to, settings->to, "to", model, report);
 	return status ? status : cli_choice_build(model, from, to, report);
 }
 
@@ -275,10 +270,7 @@ static enum hawser_status export(const struct settings *settings, const struct c
 			cli_written(settings->export[1]);
 		return status;
 	}
-	status = cli_frequency(&choice.from, settings->from, "from", model, report);
-
-	if (!status)
-		status = cli_frequency(&choice.to, settings->to, "to", model, report);
+	status = cli_range(&choice.from, &choice.to, settings->from, settings->to, "rom", model, report);
 	if (status)
 		return status;
 	if (settings->tolerance > 0.0)
@@ -343,6 +335,6 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 const struct cli_command cli_rom = {
 	"rom", "SCENE|MODEL", "Reduced-order model: a file, or equations for other programs", notes,
 	options,
-	&defaults, sizeof(struct settings), 1, run, cli_rom_listing,
+	NULL, sizeof(struct settings), 1, run, cli_rom_listing,
 	.takes = CLI_MODELS,
 };

@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <math.h>
 #include <stdio.h>
 
 #include "cli/frame/cli.h"
@@ -14,6 +15,9 @@ static const double above = 4.0;
 /* For a mode at 1/part times the forcing frequency the two terms have an error of 0.08 of the
  * static response; for lower modes it grows without limit. */
 static const double part = 0.5;
+/* A range that nobody gave ends at this multiple of a ropeway's highest mode, past its peak: others
+ * follow within some percent, and a response beyond has their peaks as if they were linear. Chosen. */
+static const double last = 1.1;
 
 /* The highest multiple of the forcing frequency at which a force drives modes that are not kept;
  * 0: none does. */
@@ -67,6 +71,11 @@ int cli_known_lacks(char *text, size_t size, const struct cli_model *model, doub
 	         : model->ropeway ? "lower the frequency, or keep more modes (-n)"
 	         : "give the scene in place of its model");
 	return 1;
+}
+
+double cli_modes_end(const struct cli_model *model)
+{
+	return model->ropeway && model->naturals > 0 ? last*model->natural[model->naturals - 1] : INFINITY;
 }
 
 void cli_known_warn(const struct cli_model *model, double omega)

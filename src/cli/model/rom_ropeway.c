@@ -278,6 +278,10 @@ void cli_rom_ropeway_comments(struct hawser__table *table, const struct cli_mode
 			                      hawser_plane_name(of->modes.mode[k].plane), load,
 			                      of->line.sheave[lift.sheave].name, lift.amplitude, lift.motion);
 	}
+	if (isfinite(cli_modes_end(model)))
+		hawser__table_comment(table, "a range without --to ends at %.9g rad/s, past the highest of "
+		                      "these modes (-n keeps more), or at 3.3w1",
+		                      cli_modes_end(model)*cli_per_omega(model));
 }
 
 void cli_rom_ropeway_free(struct cli_rom_ropeway *of)

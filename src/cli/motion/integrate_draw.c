@@ -1,5 +1,5 @@
 /* cli/motion/integrate_draw.c - the signals in the picture of a time response: z and y at
- * mid-span or, for a model without probes, its first coordinates; history, phase plane of the settled
+ * mid-span, or where a ropeway moves most, or, for a model without probes, its first coordinates; history, phase plane of the settled
  * part, spectrum.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -28,20 +28,35 @@ static double reach(const struct cli_integrate_result *result, int k)
 	return most;
 }
 
-/* z and y at mid-span (or the first coordinates), without a signal that does not move. */
-static int choose(int *signal, const struct cli_integrate_result *result)
+/* The middle of a span, or of other models the probe whose y or z is largest. */
+static int choose_probe(const struct cli_integrate_result *result)
 {
 	const struct hawser_rom_shapes *shapes = &result->model->rom.shapes;
-	int middle = shapes->points/2, count = 0, p;
+	double most = -1.0;
+	int at = 0;
 
-	for (p = 0; p < shapes->points; p++)
+	for (int p = 0; p < shapes->points; p++) {
+		double size = fmax(reach(result, 3*p + 1), reach(result, 3*p + 2));
+
 		if (strcmp(shapes->name[p], "mid") == 0)
-			middle = p;
+			return p;
+		at = size > most ? p : at;
+		most = fmax(most, size);
+	}
+	return at;
+}
+
+/* z and y at that probe (or the first coordinates), without a signal that does not move. */
+static int choose(int *signal, const struct cli_integrate_result *result)
+{
+	int count = 0, middle;
+
 	if (!result->probed) {
-		for (p = 0; p < 2 && p < result->signals; p++)
+		for (int p = 0; p < 2 && p < result->signals; p++)
 			signal[count++] = p;
 		return count;
 	}
+	middle = choose_probe(result);
 	if (reach(result, 3*middle + 2) > 1e-9*reach(result, 3*middle + 1))
 		signal[count++] = 3*middle + 2;
 	if (count == 0 || reach(result, 3*middle + 1) > 1e-9*reach(result, 3*middle + 2))

@@ -20,7 +20,6 @@ struct settings {
 	struct cli_plan_net net; /* of nets only */
 };
 static const struct settings defaults = {
-	.from = "0.6w1", .to = "3.3w1",
 	.fidelities = "multiple-scales, raw 5, raw 9, raw 16, condensed 5, condensed 9, condensed 12, "
 	              "condensed 16, chosen 9, auto, full",
 };

@@ -36,7 +36,7 @@ static void print_models(const struct cli_common *common)
 	double from, to;
 
 	if (!status)
-		status = cli_range(&from, &to, "0.6w1", "3.3w1", "check", &model, &report);
+		status = cli_range(&from, &to, NULL, NULL, "check", &model, &report);
 	if (!status)
 		status = hawser_plan_make(&result.plan, &model.statics, &model.scene, NULL, 0, from, to,
 		                          &report);
