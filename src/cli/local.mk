@@ -51,6 +51,7 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/modes/cmd_irvine.c \
 	%D%/map/cmd_map.c \
 	%D%/sweep/cmd_merge.c \
+	%D%/map/map_axes.c \
 	%D%/map/map_part.c \
 	%D%/map/map_part.h \
 	%D%/curves/cmd_orbit.c \

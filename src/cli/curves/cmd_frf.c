@@ -334,8 +334,11 @@ static enum hawser_status write_result(struct cli_frf_result *result, struct cli
 	enum hawser_status status;
 	char *said;
 
-	if (!settings->peaks && reads_along(result->common))
-		result->highest = cli_frf_displacements(result) < LISTED ? cli_frf_displacements(result) : LISTED;
+	if (!settings->peaks && reads_along(result->common)) {
+		int all = cli_frf_displacements(result);
+
+		result->highest = all < LISTED ? all : LISTED;
+	}
 	if (settings->peaks || result->highest > 0)
 		showing = cli_frf_show_peaks(result);
 

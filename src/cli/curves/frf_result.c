@@ -154,9 +154,9 @@ void cli_frf_comments(struct hawser__table *table, const void *of)
 	for (k = 0; k < frf->events; k++)
 		comment_event(table, result, k);
 	if (result->highest > 0)
-		hawser__table_comment(table, "the highest %d of %d peaks of displacements, as this is a terminal "
-		                      "(--peaks: all peaks; --tsv FILE: the points)", result->highest,
-		                      cli_frf_displacements(result));
+		hawser__table_comment(table, "the highest %d of %d peaks of displacements, as this is a "
+		                      "terminal (--peaks: all peaks; --tsv FILE: the points)",
+		                      result->highest, cli_frf_displacements(result));
 	else
 		cli_frf_peak_comments(table, result);
 	for (k = 0; k < result->sweeps; k++)

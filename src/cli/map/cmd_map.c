@@ -2,7 +2,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
-#include <ctype.h>
 #include <limits.h>
 #include <math.h>
 #include <stdlib.h>
@@ -28,7 +27,7 @@ struct settings {
 static const struct cli_option options[] = {
 	{"x", 0, "KEY=FROM:TO", "horizontal axis: a key of the scene, or Omega", CLI_TEXT(x)},
 	{"y", 0, "KEY=FROM:TO", "vertical axis", CLI_TEXT(y)},
-	{"quantity", 0, "NAME", "what is mapped: growth, multiplier, unstable, amplitude, basin (by the axes)",
+	{"quantity", 0, "NAME", "growth, multiplier, unstable, amplitude or basin (by the axes)",
 	 CLI_TEXT(quantity)},
 	{"points", 0, "NXxNY", "resolution (200x200)", CLI_TEXT(points)},
 	{"modes", 'n', "N", "number of modes (the scene's model.modes)", CLI_INTEGER(n)},
@@ -90,121 +89,6 @@ static enum hawser_status read_points(int points[2], const struct settings *sett
 		                    "--points %s: write two whole numbers such as 200x100",
 		                    settings->points);
 	return HAWSER_OK;
-}
-
-/* Split KEY=FROM:TO into three texts in *copy, which the caller frees. */
-static enum hawser_status split(char **copy, const char *part[3], const char *option,
-                                const char *text, struct hawser_report *report)
-{
-	char *equals, *colon;
-
-	*copy = text ? strdup(text) : NULL;
-	if (text && !*copy)
-		return hawser__no_memory(report, "map");
-	equals = text ? strchr(*copy, '=') : NULL;
-	colon = equals ? strchr(equals + 1, ':') : NULL;
-	if (!text)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
-		                    "--%s is missing: write --%s KEY=FROM:TO, such as --%s %s", option,
-		                    option, option,
-		                    *option == 'x' ? "Omega=0.5w1:3w1" : "travel.fluctuation=0:5");
-	if (!colon || equals == *copy || colon == equals + 1 || !colon[1])
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
-		                    "--%s %s: write KEY=FROM:TO, such as travel.speed=0:20", option, text);
-	*equals = *colon = '\0';
-	part[0] = *copy;
-	part[1] = equals + 1;
-	part[2] = colon + 1;
-	return HAWSER_OK;
-}
-
-/* Natural frequencies in rad/s (or the model's own unit), for multiples such as 0.6w1. */
-static enum hawser_status natural(struct cli_model *model, struct hawser_report *report)
-{
-	struct hawser_modes_options choice = cli_modes_options(&model->scene);
-	enum hawser_status status = HAWSER_OK;
-
-	if (model->natural)
-		return HAWSER_OK;
-	if (!model->has_scene)
-		return HAWSER_OK;
-	status = hawser_statics_scene(&model->statics, &model->scene, report);
-	if (!status)
-		status = hawser_modes_solve(&model->modes, &model->statics, &choice, report);
-	if (!status)
-		status = hawser_rom_build_linear(&model->rom, &model->modes, &model->scene, report);
-	return status ? status : cli_natural(model, report);
-}
-
-/* In rad/s, or the model's own unit. */
-static enum hawser_status frequency(double *omega, const char *text, const char *option,
-                                    struct cli_model *model, struct hawser_report *report)
-{
-	enum hawser_status status = HAWSER_OK;
-	int multiple = strchr(text, 'w') != NULL;
-
-	if (model->has_scene && !multiple) {
-		struct cli_model plain = {.rom = {.scaled = 1, .time = 1.0}};
-
-		return cli_frequency(omega, text, option, &plain, report);
-	}
-	status = natural(model, report);
-	if (!status)
-		status = cli_frequency(omega, text, option, model, report);
-	if (!status)
-		*omega *= cli_per_omega(model);
-	return status;
-}
-
-/* Unit of a component of the state; NULL: the key is no such component. */
-static const char *component_unit(const char *key, const struct cli_model *model)
-{
-	if ((*key != 'u' && *key != 'v') || !isdigit((unsigned char)key[1]))
-		return NULL;
-	return !model->has_scene && !model->rom.scaled ? "" : *key == 'u' ? "m" : "m/s";
-}
-
-static const char *unit_of(const char *key, const struct cli_model *model)
-{
-	const char *unit = component_unit(key, model);
-
-	if (unit)
-		return unit;
-	if (strcmp(key, "Omega") == 0)
-		return model->has_scene || model->rom.scaled ? "rad/s" : "";
-	return strcmp(cli_key_unit(key), "1") == 0 ? "" : cli_key_unit(key);
-}
-
-static enum hawser_status end_of(double *value, const char *text, const char *option,
-                                 const char *key, struct cli_model *model,
-                                 struct hawser_report *report)
-{
-	const char *unit = component_unit(key, model);
-
-	if (strcmp(key, "Omega") == 0)
-		return frequency(value, text, option, model, report);
-	if (unit)
-		return cli_quantity(value, text, *unit ? unit : "1", CLI_ANY, "map", option, report);
-	return cli_quantity(value, text, cli_key_unit(key), CLI_ANY, "map", option, report);
-}
-
-static enum hawser_status axis(struct cli_map_result *result, int k, const char *option,
-                               const char *part[3], struct cli_model *model,
-                               struct hawser_report *report)
-{
-	double *from = &result->options.from[k], *to = &result->options.to[k];
-	enum hawser_status status;
-
-	result->key[k] = part[0];
-	status = end_of(from, part[1], option, part[0], model, report);
-	if (!status)
-		status = end_of(to, part[2], option, part[0], model, report);
-	result->unit[k] = unit_of(part[0], model);
-	if (!status && (*from == *to || !isfinite(*from) || !isfinite(*to)))
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
-		                      "--%s %s=%s:%s: the ends of the range must be finite and different",
-		                      option, part[0], part[1], part[2]);
-	return status;
 }
 
 static int is_of(const char *axis, const char *begin)
@@ -400,6 +284,14 @@ static enum hawser_status check(struct cli_map_result *result, struct settings *
 	return status ? status : hawser__file_check(settings->boundary, report);
 }
 
+static void take_axis(struct cli_map_result *result, int k, const struct cli_map_axis *axis)
+{
+	result->key[k] = axis->key;
+	result->unit[k] = axis->unit;
+	result->options.from[k] = axis->backwards ? axis->to : axis->from;
+	result->options.to[k] = axis->backwards ? axis->from : axis->to;
+}
+
 static enum hawser_status make(struct settings *settings, struct hawser__ranks *ranks,
                                struct hawser_report *report)
 {
@@ -407,22 +299,17 @@ static enum hawser_status make(struct settings *settings, struct hawser__ranks *
 	struct hawser_map map = {0};
 	struct cli_map_result result = {.common = &settings->common, .model = &model, .map = &map,
 	                                .full = settings->full};
-	const char *x[3], *y[3];
-	char *copy[2] = {NULL, NULL};
+	struct cli_map_axis axis[2] = {{NULL}};
 	enum hawser_status status = check(&result, settings, ranks, report);
 
 	if (!status)
-		status = split(&copy[0], x, "x", settings->x, report);
-	if (!status)
-		status = split(&copy[1], y, "y", settings->y, report);
-	if (!status)
 		status = cli_model_or_scene(&model, &settings->common, settings->n, report);
-	if (!status)
-		status = axis(&result, 0, "x", x, &model, report);
-	if (!status)
-		status = axis(&result, 1, "y", y, &model, report);
+	for (int k = 0; k < 2 && !status; k++) {
+		status = cli_map_axis(&axis[k], k ? "y" : "x", k ? settings->y : settings->x, &model, report);
+		take_axis(&result, k, &axis[k]);
+	}
 	if (!status && settings->omega)
-		status = frequency(&result.omega, settings->omega, "Omega", &model, report);
+		status = cli_map_frequency(&result.omega, settings->omega, "Omega", &model, report);
 	if (!status)
 		status = cli_exact_map(&result, &model, settings->n, report);
 	if (!status && model.has_scene && model.scene.travel.braking > 0.0)
@@ -446,8 +333,8 @@ static enum hawser_status make(struct settings *settings, struct hawser__ranks *
 	hawser_map_clear(&map);
 	hawser_basins_clear(&result.basins);
 	cli_model_clear(&model);
-	free(copy[0]);
-	free(copy[1]);
+	free(axis[0].copy);
+	free(axis[1].copy);
 	return status;
 }
 
@@ -467,32 +354,6 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		status = HAWSER_OK; /* rank 0 tells of it; mpirun ends all as soon as one fails */
 	cli_ranks_close(ranks, NULL);
 	return status;
-}
-
-/* --- axes for other commands --- */
-
-enum hawser_status cli_map_axis(struct cli_map_axis *to, const char *option, const char *text,
-                                struct cli_model *model, struct hawser_report *report)
-{
-	struct cli_map_result result = {.common = NULL};
-	const char *part[3];
-	int k = *option == 'y';
-	enum hawser_status status = split(&to->copy, part, option, text, report);
-
-	if (!status)
-		status = axis(&result, k, option, part, model, report);
-	to->key = result.key[k];
-	to->unit = result.unit[k];
-	to->from = fmin(result.options.from[k], result.options.to[k]);
-	to->to = fmax(result.options.from[k], result.options.to[k]);
-	to->backwards = result.options.from[k] > result.options.to[k];
-	return status;
-}
-
-enum hawser_status cli_map_frequency(double *omega, const char *text, const char *option,
-                                     struct cli_model *model, struct hawser_report *report)
-{
-	return frequency(omega, text, option, model, report);
 }
 
 const struct cli_command cli_map = {

@@ -1,6 +1,6 @@
 /* cli/motion/integrate_draw.c - the signals in the picture of a time response: z and y at
- * mid-span, or where a ropeway moves most, or, for a model without probes, its first coordinates; history, phase plane of the settled
- * part, spectrum.
+ * mid-span, or where a ropeway moves most, or, for a model without probes, its first coordinates;
+ * history, phase plane of the settled part, spectrum.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
