@@ -212,6 +212,27 @@ static int element_of(const struct hawser_grid *grid, double s)
 	return low;
 }
 
+int hawser__grid_weights(double *weight, const struct hawser_grid *grid, double s)
+{
+	int m = grid->order, e = element_of(grid, s);
+	double a = grid->edge[e], b = grid->edge[e + 1], x = ((s - a) - (b - s))/(b - a), sum = 0.0;
+
+	for (int i = 0; i < m; i++) {
+		double distance = x - grid->node[i];
+
+		if (distance == 0.0) {
+			for (int k = 0; k < m; k++)
+				weight[k] = k == i;
+			return e;
+		}
+		weight[i] = grid->bary[i]/distance;
+		sum += weight[i];
+	}
+	for (int i = 0; i < m; i++)
+		weight[i] /= sum;
+	return e;
+}
+
 void hawser__grid_at(double *out, const struct hawser_grid *grid, const double *in, int stride,
                      int fields, double s)
 {

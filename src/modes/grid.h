@@ -33,6 +33,10 @@ void hawser__reference_clear(struct hawser__reference *reference);
 double hawser__grid_running(double *out, const struct hawser_grid *grid,
                             const struct hawser__reference *reference, const double *in);
 
+/* weight [order] of the points of the element at s, whose index it returns: a field's value at s is
+ * their sum. */
+int hawser__grid_weights(double *weight, const struct hawser_grid *grid, double s);
+
 /* Values at s of `fields` fields stored as in[points][stride], field f at offset f. */
 void hawser__grid_at(double *out, const struct hawser_grid *grid, const double *in, int stride,
                      int fields, double s);

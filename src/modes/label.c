@@ -29,11 +29,12 @@ static const double sign_at = 0.3;
 
 static double mirrored(const struct hawser_grid *grid, const double *shape, int f, int i)
 {
-	double all[3];
+	int opposite = grid->points - 1 - i;
+	double s = grid->edge[grid->elements] - grid->s[i], all[3];
 
-	if (grid->elements == 1)
-		return shape[3*(grid->points - 1 - i) + f];
-	hawser__grid_at(all, grid, shape, 3, 3, grid->edge[grid->elements] - grid->s[i]);
+	if (fabs(s - grid->s[opposite]) <= 1e-12*grid->edge[grid->elements])
+		return shape[3*opposite + f];
+	hawser__grid_at(all, grid, shape, 3, 3, s);
 	return all[f];
 }
 

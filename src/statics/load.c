@@ -162,16 +162,25 @@ enum hawser_status hawser__loads_make(struct hawser__loads *loads, const struct 
 
 /* --- forces --- */
 
+void hawser__piece_part(double f[3], const struct hawser__piece *piece,
+                        const struct hawser__loads *loads, int h, double s)
+{
+	double factor = piece->harmonic[loads->sine[h]] == h
+	                ? part(piece->phase - piece->kappa*s, loads->sine[h]) : 0.0;
+
+	for (int c = 0; c < 3; c++)
+		f[c] = factor*piece->f[c];
+}
+
 void hawser__piece_at(double local[3], const struct hawser__piece *piece,
                       const struct hawser__loads *loads, int h, const struct hawser_statics *st,
                       double s)
 {
-	double factor = piece->harmonic[loads->sine[h]] == h
-	                ? part(piece->phase - piece->kappa*s, loads->sine[h]) : 0.0;
 	double f[3];
 
+	hawser__piece_part(f, piece, loads, h, s);
 	for (int c = 0; c < 3; c++)
-		local[c] = f[c] = factor*piece->f[c];
+		local[c] = f[c];
 	if (piece->frame == HAWSER_FRAME_GLOBAL) {
 		struct hawser_frame_point at = hawser_statics_frame(st, s);
 		double in[3];

@@ -40,7 +40,10 @@ enum hawser_status hawser__loads_make(struct hawser__loads *loads, const struct 
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser__loads_clear(struct hawser__loads *loads);
 
-/* Part of harmonic h in the force of a piece at s, N/m in the local frame. */
+/* Part of harmonic h in the force of a piece at s, N/m: in the axes of the piece, and (_at) in the
+ * local frame. */
+void hawser__piece_part(double f[3], const struct hawser__piece *piece,
+                        const struct hawser__loads *loads, int h, double s);
 void hawser__piece_at(double local[3], const struct hawser__piece *piece,
                       const struct hawser__loads *loads, int h, const struct hawser_statics *st,
                       double s);

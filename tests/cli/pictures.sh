@@ -192,7 +192,7 @@ works "with sweeps" frf "$duffing" --from 0.8 --to 1.5 --sweep both --sweep-poin
 shows sweep up-sweep down-sweep
 sound sweep
 symbols sweep
-works "events that crowd" frf "$chairlift" --plot crowd.svg -q
+works "events that crowd" frf --unstable 9 "$chairlift" --plot crowd.svg -q
 shows crowd "grey part, enlarged" fold torus peak
 sound crowd
 symbols crowd

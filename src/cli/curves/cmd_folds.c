@@ -44,7 +44,7 @@ static const struct cli_option options[] = {
 	{"starts", 0, "N", "look for detached curves from N pseudo-random motions too; 0: none (96)",
 	 CLI_STORED(cli_store_every, starts)},
 	CLI_HEADING("Steps"),
-	CLI_TOLERANCE_OPTION("residual and truncation error, relative to the orbit (1e-9)"),
+	CLI_TOLERANCE_OPTION("residual and truncation error, relative to the orbit (1e-7; 1e-9 of files)"),
 	CLI_POINTS_OPTION("end a curve or response after this many points (5000)"),
 	CLI_LANE_LOAD_OPTION,
 	CLI_LANE_OPTIONS,
@@ -72,8 +72,7 @@ static enum hawser_status trace(struct hawser_folds *folds, const struct setting
 	choice.load_from = settings->load_from;
 	choice.load_to = settings->load_to;
 	choice.method = settings->method;
-	if (settings->tolerance > 0.0)
-		choice.tolerance = settings->tolerance;
+	choice.tolerance = cli_tolerance(settings->tolerance, result->model);
 	if (settings->points > 0)
 		choice.max_points = settings->points;
 	choice.skip_isolas = settings->no_isolas;

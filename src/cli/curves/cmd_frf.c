@@ -22,8 +22,8 @@
 #include "core/report.h"
 
 #define LOCATED 0.01 /* tolerance of peaks, as a part of the accuracy that was asked for */
-#define OBSERVED 2 /* unstable multipliers with modes: auto; without a limit the error estimate does
-                    * not fall, since models differ most in motions that can't be observed; chosen */
+#define OBSERVED 2 /* unstable multipliers: nobody observes motions with more, and models differ most
+                    * in them, so that the error estimate of modes: auto does not fall; chosen */
 enum { LISTED = 10 }; /* peaks on a terminal: they fit on it; chosen */
 #define CLOSE 1e-3   /* relative tolerance of peaks otherwise; takes 5 % of the time of the chairlift */
 
@@ -84,8 +84,8 @@ static const struct cli_option options[] = {
 	CLI_TEXT_WITH(slack, "WHAT",
 	              "where the cable goes slack: end the curve or follow the model's on (end)",
 	              .words = "end|follow"),
-	{"unstable", 0, "N", "end a branch where more than N multipliers are unstable (no limit; 2 "
-	 "on further branches and with modes: auto)", CLI_INTEGER(unstable)},
+	{"unstable", 0, "N", "end a branch where more than N multipliers are unstable (2; no limit "
+	 "of a curve that begins or is followed otherwise)", CLI_INTEGER(unstable)},
 	{"partial", 0, "", "write what was computed also if the run fails", CLI_FLAG(partial)},
 	CLI_HEADING("Contents of results"),
 	{"peaks", 0, "", "table of the peaks in place of the points", CLI_FLAG(peaks)},
@@ -262,7 +262,9 @@ static enum hawser_status trace(struct hawser_frf *frf, struct hawser_landmark *
 	choice.family = result->over ? &result->over->family : NULL;
 	choice.segments = settings->segments;
 	choice.end_at_slack = strcmp(settings->slack, "end") == 0;
-	choice.most_unstable = settings->unstable > 0 ? settings->unstable : automatic ? OBSERVED : 0;
+	choice.most_unstable = settings->unstable;
+	if (!settings->unstable && !is_special(settings))
+		choice.most_unstable = result->observed = OBSERVED;
 	if (settings->step > 0.0 || !automatic)
 		choice.step_max = settings->step > 0.0 ? settings->step : CLI_STEP;
 	if (settings->tolerance > 0.0)

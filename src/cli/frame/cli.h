@@ -170,6 +170,9 @@ struct hawser_modes_options cli_modes_options(const struct hawser_scene *scene);
 enum hawser_status cli_known(struct cli_model *model, double omega,
                              struct hawser_report *report) HAWSER_MUST_CHECK;
 int cli_known_lacks(char *text, size_t size, const struct cli_model *model, double omega);
+/* known.c: the tolerance of orbits that are followed over two parameters, if the user gives none (0): a
+ * hundredth of what models of scenes are good for at best; 0: the library's, for files of models. */
+double cli_tolerance(double given, const struct cli_model *model);
 /* known.c: up to where a response of a ropeway is that of its modes, scaled; of others INFINITY. */
 double cli_modes_end(const struct cli_model *model);
 void cli_known_warn(const struct cli_model *model, double omega);

@@ -18,6 +18,9 @@ static const double part = 0.5;
 /* A range that nobody gave ends at this multiple of a ropeway's highest mode, past its peak: others
  * follow within some percent, and a response beyond has their peaks as if they were linear. Chosen. */
 static const double last = 1.1;
+/* Models of scenes are off by 1e-5 at best, by what they leave out; chosen. Looser ones let steps
+ * jump: with 1e-5 the folds of the chairlift had six curves more. */
+static const double enough = 1e-7;
 
 /* The highest multiple of the forcing frequency at which a force drives modes that are not kept;
  * 0: none does. */
@@ -71,6 +74,11 @@ int cli_known_lacks(char *text, size_t size, const struct cli_model *model, doub
 	         : model->ropeway ? "lower the frequency, or keep more modes (-n)"
 	         : "give the scene in place of its model");
 	return 1;
+}
+
+double cli_tolerance(double given, const struct cli_model *model)
+{
+	return given > 0.0 ? given : model->has_scene || model->ropeway ? enough : 0.0;
 }
 
 double cli_modes_end(const struct cli_model *model)

@@ -61,20 +61,6 @@ static enum hawser_status record_events(struct hawser__trace *trace)
 	return HAWSER_OK;
 }
 
-int hawser__trace_told_to_stop(const struct hawser__trace *trace)
-{
-	struct hawser_progress_state state;
-
-	if (!hawser__is_watched(&trace->options.progress))
-		return 0;
-	state = hawser__progress_state("response", "points", trace->frf->points, trace->began);
-	state.frf = trace->frf;
-	state.events = trace->frf->events;
-	if (trace->frf->points > 0)
-		state.omega = trace->frf->point[trace->frf->points - 1].omega/trace->rom->time;
-	return hawser__told_to_stop(&trace->options.progress, &state);
-}
-
 /* Find the events of the step. *again is set and *ds shortened if the step must be repeated. If an
  * event cannot be located, next lies across a gap (a bifurcation that a small load has separated
  * into two branches): the step is halved until the gap is resolved. If events do not explain the

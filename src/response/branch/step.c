@@ -24,11 +24,44 @@
 #define REFINED_STEP 100.0     /* factor on that step with a finer discretisation; chosen */
 #define MOST_ENRICHED 4        /* finer discretisations of one orbit, each of which has to reduce */
 #define ENRICHED_ERROR 0.5     /* its error by this factor; both chosen */
+#define WORTH 0.02             /* part of a range above which a time left is told; chosen */
 #define WORST_ERROR 0.05       /* largest estimated relative error of an accepted orbit; chosen */
+
+/* Part of the range that is done and time left: folds turn back, and the furthest place counts. Not
+ * of curves that need not end at an end of the range. */
+static void foretell(struct hawser_progress_state *state, struct hawser__trace *trace, double omega)
+{
+	const struct hawser_frf_options *o = &trace->options;
+
+	if (o->family || o->begin > 0.0)
+		return;
+	trace->reached = fmax(trace->reached, fmin((omega - o->from)/(o->to - o->from), 1.0));
+	state->fraction = trace->reached;
+	if (trace->reached > WORTH)
+		state->left = state->seconds*(1.0 - trace->reached)/trace->reached;
+}
+
+int hawser__trace_told_to_stop(struct hawser__trace *trace)
+{
+	struct hawser_progress_state state;
+
+	if (!hawser__is_watched(&trace->options.progress))
+		return 0;
+	state = hawser__progress_state("response", "points", trace->frf->points, trace->began);
+	state.frf = trace->frf;
+	state.events = trace->frf->events;
+	if (trace->frf->points > 0) {
+		double omega = trace->frf->point[trace->frf->points - 1].omega;
+
+		state.omega = omega/trace->rom->time;
+		foretell(&state, trace, omega);
+	}
+	return hawser__told_to_stop(&trace->options.progress, &state);
+}
 
 int hawser__trace_interrupted(void *owner, int tries)
 {
-	const struct hawser__trace *trace = owner;
+	struct hawser__trace *trace = owner;
 
 	/* a difficult step takes many attempts, between which the user may interrupt */
 	return tries > 0 && hawser__trace_told_to_stop(trace);

@@ -58,6 +58,7 @@ struct hawser__trace {
 	struct hawser__curve curve;
 	double lo, hi;
 	double began;           /* s, hawser__wall_seconds */
+	double reached;         /* furthest place, as a part of the range */
 	int enriched;           /* number of finer discretisations already used in this step */
 	double undetermined;    /* error of the orbit before the last of them */
 	struct hawser__shrinking shrinking;
@@ -80,8 +81,8 @@ enum hawser_status hawser__frf_trace(struct hawser_frf *frf, const struct hawser
                                      const struct hawser__trace_watch *watch,
                                      struct hawser_report *report);
 
-/* frf.c: whether the caller's progress function ends the trace. */
-int hawser__trace_told_to_stop(const struct hawser__trace *trace);
+/* step.c: whether the caller's progress function ends the trace. */
+int hawser__trace_told_to_stop(struct hawser__trace *trace);
 
 /* step.c: correct station->y in the plane of `row`, with a discretisation that is fine enough.
  * *failed becomes 1 if the corrector fails. */

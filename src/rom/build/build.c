@@ -55,12 +55,14 @@ static void set_stiffness(struct hawser_rom *rom, const struct hawser_modes *mod
 static enum hawser_status set_load(struct hawser_rom *rom, const struct hawser_modes *modes,
                                    const struct hawser__loads *loads, struct hawser_report *report)
 {
+	enum hawser_status status = HAWSER_OK;
+
 	if (loads->harmonics == 0)
 		return HAWSER_OK;
 	rom->harmonic = calloc((size_t)loads->harmonics, sizeof *rom->harmonic);
 	if (!rom->harmonic)
 		return hawser__no_memory(report, "rom");
-	for (int i = 0; i < loads->harmonics; i++) {
+	for (int i = 0; i < loads->harmonics && !status; i++) {
 		struct hawser_harmonic *h = &rom->harmonic[rom->harmonics++];
 
 		h->k = loads->k[i];
@@ -68,17 +70,14 @@ static enum hawser_status set_load(struct hawser_rom *rom, const struct hawser_m
 		h->f = malloc((size_t)rom->n*sizeof *h->f);
 		if (!h->f)
 			return hawser__no_memory(report, "rom");
-		for (int j = 0; j < rom->n; j++) {
-			double f = hawser__loads_work(loads, i, modes, j);
-
-			if (!isfinite(f))
-				return hawser__fail(report, HAWSER_ERR_NAN, "rom",
-				                    "the load on mode %d is %g: its shape or the load is not "
-				                    "finite", j + 1, f);
-			h->f[j] = f;
-		}
+		status = hawser__loads_work(h->f, loads, i, modes, report);
+		for (int j = 0; !status && j < rom->n; j++)
+			if (!isfinite(h->f[j]))
+				status = hawser__fail(report, HAWSER_ERR_NAN, "rom",
+				                      "the load on mode %d is %g: its shape or the load is not "
+				                      "finite", j + 1, h->f[j]);
 	}
-	return HAWSER_OK;
+	return status;
 }
 
 /* The condensed modes also respond to the load, which thereby varies the stiffness of the kept
@@ -362,8 +361,9 @@ static enum hawser_status add_shapes(struct hawser_modes *with, struct hawser_ro
 
 	if (!status && (!load || !damping))
 		status = hawser__no_memory(report, "rom");
+	if (!status)
+		status = hawser__loads_most(load, &loads, modes, report);
 	for (int j = 0; !status && j < modes->n; j++) {
-		load[j] = hawser__loads_most(&loads, modes, j);
 		damping[j] = rom->D[(size_t)j*(n + 1)];
 		if (!isfinite(load[j]))
 			load[j] = 0.0; /* reported when the load is set */

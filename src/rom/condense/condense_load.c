@@ -28,11 +28,17 @@ static void add_force(double global[3], const struct hawser__piece *piece,
                       const struct hawser__loads *loads, int h, const struct hawser_statics *st,
                       double s, double factor)
 {
-	struct hawser_frame_point at = hawser_statics_frame(st, s);
 	double local[3], f[3];
 
-	hawser__piece_at(local, piece, loads, h, st, s);
-	hawser__frame_out(f, &at, local);
+	if (piece->frame == HAWSER_FRAME_GLOBAL) {
+		hawser__piece_part(local, piece, loads, h, s);
+		hawser_statics_from_global(st, f, local);
+	} else {
+		struct hawser_frame_point at = hawser_statics_frame(st, s);
+
+		hawser__piece_at(local, piece, loads, h, st, s);
+		hawser__frame_out(f, &at, local);
+	}
 	for (int c = 0; c < 3; c++)
 		global[c] += factor*f[c];
 }

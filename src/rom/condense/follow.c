@@ -58,24 +58,41 @@ static void add_part(struct hawser__stations *stations, int e, double from, doub
 	stations->edge[++stations->parts] = to;
 }
 
-static void set_slopes(struct hawser__stations *to)
+/* slope [3] = those of a mode, at the points with these weights. */
+static void combine(double *slope, const double *of, const double *weight, int order)
 {
-	const struct hawser_modes *modes = to->modes;
-	size_t points = (size_t)modes->grid.points, count = (size_t)to->count;
+	double sum[3] = {0.0};
 
-	for (int j = 0; j < to->moving; j++) {
-		const double *slope = modes->slope + (size_t)j*points*3;
+	for (int k = 0; k < order; k++)
+		for (int c = 0; c < 3; c++)
+			sum[c] += weight[k]*of[3*k + c];
+	memcpy(slope, sum, sizeof sum);
+}
 
-		for (size_t i = 0, p = 0; i < count; i++) {
-			/* NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult): count are set */
-			while (p < points && modes->grid.s[p] < to->s[i])
-				p++;
-			if (p < points && modes->grid.s[p] == to->s[i])
-				memcpy(to->slope + ((size_t)j*count + i)*3, slope + 3*p, 3*sizeof *slope);
+/* weight [order] is scratch. */
+static void set_slopes(struct hawser__stations *to, double *weight)
+{
+	const struct hawser_grid *grid = &to->modes->grid;
+	size_t points = (size_t)grid->points, count = (size_t)to->count;
+
+	for (size_t i = 0, p = 0; i < count; i++) {
+		size_t first;
+		int is_point;
+
+		/* NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult): count are set */
+		while (p < points && grid->s[p] < to->s[i])
+			p++;
+		is_point = p < points && grid->s[p] == to->s[i];
+		/* NOLINTNEXTLINE(clang-analyzer-core.CallAndMessage): the same */
+		first = is_point ? p : (size_t)(hawser__grid_weights(weight, grid, to->s[i])*grid->order);
+		for (size_t j = 0; j < (size_t)to->moving; j++) {
+			double *slope = to->slope + (j*count + i)*3;
+			const double *of = to->modes->slope + (j*points + first)*3;
+
+			if (is_point)
+				memcpy(slope, of, 3*sizeof *slope);
 			else
-				/* NOLINTNEXTLINE(clang-analyzer-core.CallAndMessage): the same */
-				hawser__grid_at(to->slope + ((size_t)j*count + i)*3, &modes->grid, slope, 3,
-				                3, to->s[i]);
+				combine(slope, of, weight, grid->order);
 		}
 	}
 }
@@ -139,7 +156,7 @@ static enum hawser_status make(struct hawser__stations *stations, const struct h
 			}
 		add_part(stations, e, from, grid->edge[e + 1]);
 	}
-	set_slopes(stations);
+	set_slopes(stations, stations->z); /* z is not yet used */
 	return set_springs(stations, report);
 }
 

@@ -16,8 +16,10 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
+#include "core/report.h"
 #include "rom/terms/load.h"
 
 enum { LARGEST = 24 }; /* functions of the basis with which loads are compared; chosen */
@@ -68,11 +70,17 @@ static enum hawser_status energy(double *sum, const struct hawser__loads *loads,
 {
 	struct hawser_modes modes;
 	enum hawser_status status = hawser_modes_basis(&modes, statics, functions, functions, report);
+	double *work = status ? NULL : malloc(((size_t)modes.n + 1)*sizeof *work);
 
 	*sum = 0.0;
-	for (int j = 0; !status && j < modes.n; j++)
-		for (int h = 0; h < loads->harmonics; h++)
-			*sum += pow(hawser__loads_work(loads, h, &modes, j)/modes.mode[j].omega, 2);
+	if (!status && !work)
+		status = hawser__no_memory(report, "rom");
+	for (int h = 0; !status && h < loads->harmonics; h++) {
+		status = hawser__loads_work(work, loads, h, &modes, report);
+		for (int j = 0; !status && j < modes.n; j++)
+			*sum += pow(work[j]/modes.mode[j].omega, 2);
+	}
+	free(work);
 	hawser_modes_clear(&modes);
 	return status;
 }

@@ -7,82 +7,109 @@
  *
  * The integrals are exact at the ends a and b of a piece: the elements of the modes' grid are
  * divided there, and in a wave so that the phase changes by at most HAWSER__LOAD_STEP on each part,
- * on which the Gauss rule is exact to round-off. A force F at a point is a piece without length: its
+ * on which the Gauss rule is exact to round-off. The load becomes forces at the points of the grid, once for
+ * all modes. A force F at a point is a piece without length: its
  * work is F . Phi_j there.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <math.h>
+#include <stdlib.h>
 
+#include <cblas.h>
+
+#include "core/report.h"
+#include "modes/grid.h"
+#include "modes/label.h"
 #include "rom/terms/load.h"
 
-static double work_at(const struct hawser__piece *piece, const struct hawser__loads *loads, int h,
-                      const struct hawser_modes *modes, int j, double s)
+/* F [points][3] += a force of a piece at s, times factor, as forces at the points of the grid that
+ * do the same work on every shape. */
+static void add_at(double *F, const struct hawser__piece *piece, const struct hawser__loads *loads,
+                   int h, const struct hawser_modes *modes, double s, double factor, double *weight)
 {
-	double phi[3], f[3];
+	const struct hawser_grid *grid = &modes->grid;
+	double f[3], *to = F + 3*hawser__grid_weights(weight, grid, s)*grid->order;
 
-	hawser_modes_at(modes, phi, NULL, j, s);
 	hawser__piece_at(f, piece, loads, h, &modes->statics, s);
-	return phi[0]*f[0] + phi[1]*f[1] + phi[2]*f[2];
+	for (int i = 0; i < grid->order; i++)
+		for (int c = 0; c < 3; c++)
+			to[3*i + c] += factor*weight[i]*f[c];
 }
 
-/* Integral over [from, to] inside element e, by the rule of the element, scaled, on as many parts as
- * a wave needs. */
-static double panel(const struct hawser__piece *piece, const struct hawser__loads *loads, int h,
-                    const struct hawser_modes *modes, int j, int e, double from, double to)
+/* The same of a piece over [from, to] inside element e, by the rule of the element, on as many parts
+ * as a wave needs. */
+static void add_panel(double *F, const struct hawser__piece *piece, const struct hawser__loads *loads,
+                      int h, const struct hawser_modes *modes, int e, double from, double to,
+                      double *weight)
 {
 	const struct hawser_grid *grid = &modes->grid;
 	int parts = 1 + (int)(fabs(piece->kappa)*(to - from)/HAWSER__LOAD_STEP);
-	double width = (to - from)/parts, sum = 0.0;
+	double width = (to - from)/parts;
 	double shrink = width/(grid->edge[e + 1] - grid->edge[e]);
 
 	for (int p = 0; p < parts; p++)
-		for (int i = 0; i < grid->order; i++) {
-			double s = from + p*width + 0.5*width*(1.0 + grid->node[i]);
-
-			sum += shrink*grid->weight[e*grid->order + i]*work_at(piece, loads, h, modes, j, s);
-		}
-	return sum;
+		for (int i = 0; i < grid->order; i++)
+			add_at(F, piece, loads, h, modes, from + p*width + 0.5*width*(1.0 + grid->node[i]),
+			       shrink*grid->weight[e*grid->order + i], weight);
 }
 
-double hawser__loads_work(const struct hawser__loads *loads, int h, const struct hawser_modes *modes,
-                          int j)
+static void add_whole(double *F, const struct hawser__piece *piece, const struct hawser__loads *loads,
+                      int h, const struct hawser_modes *modes, double *weight)
 {
 	const struct hawser_grid *grid = &modes->grid;
-	double sum = 0.0;
 
-	for (int i = 0; i < loads->count; i++) {
-		const struct hawser__piece *piece = &loads->piece[i];
+	if (piece->from == piece->to)
+		add_at(F, piece, loads, h, modes, piece->from, 1.0, weight);
+	for (int e = 0; e < grid->elements; e++) {
+		double from = fmax(grid->edge[e], piece->from);
+		double to = fmin(grid->edge[e + 1], piece->to);
 
-		if (piece->harmonic[loads->sine[h]] != h)
-			continue;
-		if (piece->from == piece->to)
-			sum += work_at(piece, loads, h, modes, j, piece->from);
-		for (int e = 0; e < grid->elements; e++) {
-			double from = fmax(grid->edge[e], piece->from);
-			double to = fmin(grid->edge[e + 1], piece->to);
-
-			if (from < to)
-				sum += panel(piece, loads, h, modes, j, e, from, to);
-		}
+		if (from < to)
+			add_panel(F, piece, loads, h, modes, e, from, to, weight);
 	}
-	return loads->scale*sum;
 }
 
-double hawser__loads_most(const struct hawser__loads *loads, const struct hawser_modes *modes, int j)
+enum hawser_status hawser__loads_work(double *work, const struct hawser__loads *loads, int h,
+                                      const struct hawser_modes *modes, struct hawser_report *report)
 {
-	double most = 0.0;
+	const struct hawser_grid *grid = &modes->grid;
+	size_t size = 3*(size_t)grid->points;
+	double *F = calloc(size + (size_t)grid->order, sizeof *F);
 
-	if (loads->harmonics == 1)
-		return hawser__loads_work(loads, 0, modes, j);
-	for (int h = 0; h < loads->harmonics; h++) {
-		double square = 0.0;
+	if (!F)
+		return hawser__no_memory(report, "rom");
+	for (int i = 0; i < loads->count; i++)
+		if (loads->piece[i].harmonic[loads->sine[h]] == h)
+			add_whole(F, &loads->piece[i], loads, h, modes, F + size);
+	for (int j = 0; j < modes->n; j++)
+		work[j] = loads->scale*cblas_ddot((int)size, F, 1, modes->shape +
+		                                  (size_t)j*hawser__modes_row(modes), 1);
+	free(F);
+	return HAWSER_OK;
+}
 
-		for (int i = 0; i < loads->harmonics; i++)
-			if (loads->k[i] == loads->k[h])
-				square += pow(hawser__loads_work(loads, i, modes, j), 2.0);
-		most = fmax(most, sqrt(square));
+enum hawser_status hawser__loads_most(double *most, const struct hawser__loads *loads,
+                                      const struct hawser_modes *modes, struct hawser_report *report)
+{
+	size_t n = (size_t)modes->n;
+	double *work = calloc((size_t)loads->harmonics*n + 1, sizeof *work);
+	enum hawser_status status = work ? HAWSER_OK : hawser__no_memory(report, "rom");
+
+	for (int h = 0; !status && h < loads->harmonics; h++)
+		status = hawser__loads_work(work + (size_t)h*n, loads, h, modes, report);
+	for (size_t j = 0; !status && j < n; j++) {
+		most[j] = loads->harmonics == 1 ? work[j] : 0.0;
+		for (int h = 0; loads->harmonics > 1 && h < loads->harmonics; h++) {
+			double square = 0.0;
+
+			for (int i = 0; i < loads->harmonics; i++)
+				if (loads->k[i] == loads->k[h])
+					square += pow(work[(size_t)i*n + j], 2.0);
+			most[j] = fmax(most[j], sqrt(square));
+		}
 	}
-	return most;
+	free(work);
+	return status;
 }

@@ -6,11 +6,15 @@
 #include <hawser/rom.h>
 #include "statics/load.h"
 
-/* The force of harmonic h on mode j, scaled. */
-double hawser__loads_work(const struct hawser__loads *loads, int h,
-                          const struct hawser_modes *modes, int j);
+/* work [modes->n]: the forces of harmonic h on the modes, scaled. */
+enum hawser_status hawser__loads_work(double *work, const struct hawser__loads *loads, int h,
+                                      const struct hawser_modes *modes,
+                                      struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* Largest force on mode j of all multiples of the frequency; of a single cosine with its sign. */
-double hawser__loads_most(const struct hawser__loads *loads, const struct hawser_modes *modes, int j);
+/* most [modes->n]: largest forces of all multiples of the frequency; of a single cosine with its
+ * sign. */
+enum hawser_status hawser__loads_most(double *most, const struct hawser__loads *loads,
+                                      const struct hawser_modes *modes,
+                                      struct hawser_report *report) HAWSER_MUST_CHECK;
 
 #endif

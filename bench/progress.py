@@ -1,0 +1,64 @@
+#!/usr/bin/env python3
+# bench/progress.py HAWSER COMMAND...: how near the time left is that progress shows on a terminal. Each COMMAND is one
+# argument, such as "frf chairlift.yaml -n 16"; without any, those of RUNS, in notebooks-data/scenes. A line a run:
+# seconds, lines of progress after the first second, the part of them with a time left, and the part of them within a
+# factor of 2 of the time that was really left (or within 1 s).
+# SPDX-License-Identifier: GPL-3.0-or-later
+import os
+import pty
+import re
+import shlex
+import sys
+import time
+
+RUNS = (
+    "frf b-table-4.4-line-2.yaml -n 16", "frf deep-sag.yaml -n 12 --set model.energy=quartic", "frf b-table-5.6.yaml",
+    "folds chairlift.yaml", "folds b-table-4.2.yaml", "locus b-table-4.3-line-2.yaml", "campbell b-table-5.4.yaml",
+    "map chairlift.yaml --x Omega=0.9w1:1.1w1 --y factor.load=0.5:1 --points 64x64 --threads 1",
+    "map chairlift.yaml --x Omega=0.8w1:2.2w1 --y load.per_length[2]=0.1:4 --quantity amplitude --points 40x40 --threads 1",
+    "integrate chairlift.yaml --Omega w1 --until 20000T --every T",
+)
+LIMIT = 60
+
+
+def watch(words):
+    """(second, what progress says) of each line, and the seconds of the run."""
+    pid, terminal = pty.fork()
+    if pid == 0:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
+        os.environ["OPENBLAS_NUM_THREADS"] = "1"
+        os.execvp(words[0], words)
+    began, lines = time.monotonic(), []
+    while time.monotonic() - began < LIMIT:
+        try:
+            text = os.read(terminal, 4096)
+        except OSError:
+            break
+        if not text:
+            break
+        lines += [(time.monotonic() - began, line) for line in re.split(r"[\r\n]+", text.decode(errors="replace")) if line]
+    seconds = time.monotonic() - began
+    try:
+        os.kill(pid, 9)
+    except ProcessLookupError:
+        pass
+    os.waitpid(pid, 0)
+    return lines, seconds
+
+
+def main():
+    hawser, runs = os.path.abspath(sys.argv[1]), sys.argv[2:]
+    if not runs:
+        runs = RUNS
+        os.chdir(os.path.join(os.path.dirname(__file__), "..", "notebooks-data", "scenes"))
+    for run in runs:
+        lines, seconds = watch([hawser, *shlex.split(run)])
+        lines = [(at, line) for at, line in lines if 1 <= at < seconds - 0.5 and "warning" not in line]
+        told = [(at, float(found.group(1))) for at, line in lines if (found := re.search(r"about (\d+) s left", line))]
+        near = sum(abs(left - (seconds - at)) <= 1 or 0.5 <= left/(seconds - at) <= 2 for at, left in told)
+        print(f"{seconds:6.1f} s{'+' if seconds >= LIMIT else ' '} {len(lines):5d} lines, {len(told)/max(1, len(lines)):4.0%} with a "
+              f"time, {near/max(1, len(told)):4.0%} of these near  {run}", flush=True)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
