@@ -299,7 +299,7 @@ static enum hawser_status make(struct settings *settings, struct hawser__ranks *
 	struct hawser_map map = {0};
 	struct cli_map_result result = {.common = &settings->common, .model = &model, .map = &map,
 	                                .full = settings->full};
-	struct cli_map_axis axis[2] = {{NULL}};
+	struct cli_map_axis axis[2] = {{.copy = NULL}};
 	enum hawser_status status = check(&result, settings, ranks, report);
 
 	if (!status)

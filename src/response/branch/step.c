@@ -9,6 +9,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/progress.h"
 #include "core/report.h"
 #include "response/branch/trace.h"
 
@@ -33,7 +34,7 @@ static void foretell(struct hawser_progress_state *state, struct hawser__trace *
 {
 	const struct hawser_frf_options *o = &trace->options;
 
-	if (o->family || o->begin > 0.0)
+	if (o->family || o->begin != o->from)
 		return;
 	trace->reached = fmax(trace->reached, fmin((omega - o->from)/(o->to - o->from), 1.0));
 	state->fraction = trace->reached;

@@ -7,9 +7,8 @@
  *
  * The integrals are exact at the ends a and b of a piece: the elements of the modes' grid are
  * divided there, and in a wave so that the phase changes by at most HAWSER__LOAD_STEP on each part,
- * on which the Gauss rule is exact to round-off. The load becomes forces at the points of the grid, once for
- * all modes. A force F at a point is a piece without length: its
- * work is F . Phi_j there.
+ * on which the Gauss rule is exact to round-off. The load becomes forces at the points of the grid,
+ * once for all modes. A force F at a point is a piece without length: its work is F . Phi_j there.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
