@@ -29,12 +29,11 @@ static const double sign_at = 0.3;
 
 static double mirrored(const struct hawser_grid *grid, const double *shape, int f, int i)
 {
-	int opposite = grid->points - 1 - i;
-	double s = grid->edge[grid->elements] - grid->s[i], all[3];
+	double all[3];
 
-	if (fabs(s - grid->s[opposite]) <= 1e-12*grid->edge[grid->elements])
-		return shape[3*opposite + f];
-	hawser__grid_at(all, grid, shape, 3, 3, s);
+	if (grid->elements == 1)
+		return shape[3*(grid->points - 1 - i) + f];
+	hawser__grid_at(all, grid, shape, 3, 3, grid->edge[grid->elements] - grid->s[i]);
 	return all[f];
 }
 
