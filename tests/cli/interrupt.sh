@@ -30,7 +30,7 @@ run.send_signal(number)
 out, err = run.communicate(timeout=600)
 if run.returncode != 128 + number:
     sys.exit("status %d, %s" % (run.returncode, err.decode()))
-pattern = r"frf: \d+ points, \d+ events, Omega \S+|integrate: \d+ %, \d+ rows, about \d+ s left"
+pattern = r"frf: (\d+ %, )?\d+ points, \d+ events, Omega \S+?(, about \d+ s left)?|integrate: \d+ %, \d+ rows, about \d+ s left"
 for line in (text + err.decode()).splitlines():
     assert re.fullmatch(pattern, line), line
 result = json.load(open(output))
