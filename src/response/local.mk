@@ -123,7 +123,9 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/orbit/rest.h \
 	%D%/backbone/scales.c \
 	%D%/floquet/monodromy.c \
+	%D%/floquet/condensation.h \
 	%D%/floquet/monodromy.h \
+	%D%/floquet/condensation.c \
 	%D%/floquet/monodromy_condense.c \
 	%D%/floquet/monodromy_factors.c \
 	%D%/floquet/monodromy_fast.c \

@@ -3,6 +3,8 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/accuracy/chosen.c \
 	%D%/accuracy/chosen.h \
 	%D%/accuracy/closed.c \
+	%D%/accuracy/draft.c \
+	%D%/accuracy/draft.h \
 	%D%/identify/decay.c \
 	%D%/identify/half_power.c \
 	%D%/identify/half_power.h \

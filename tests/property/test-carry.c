@@ -91,6 +91,49 @@ static void compare(struct hawser_rom *rom, const double *map)
 	free(mark);
 }
 
+/* A search that may take so many seconds, as counted. */
+static void search(struct hawser_accuracy *accuracy, double unit, double bearable)
+{
+	struct hawser_accuracy_options options = {.accuracy = 0.01, .agreed = 1, .partial = 1,
+		.bearable = bearable, .expected = 100, .frf = {.from = 0.87*unit, .to = 1.15*unit}};
+
+	ok(!hawser_accuracy_exact(accuracy, &statics, &scene, &options, &report), "%.3g s: %s", bearable,
+	   report.message);
+}
+
+/* The range ends where more of it would take too long; what there is of it is right. */
+static void search_parts(double unit)
+{
+	struct hawser_accuracy whole, part, none;
+	double distance = 1.0;
+
+	search(&whole, unit, 100.0);
+	search(&part, unit, 1.0);
+	search(&none, unit, 0.01);
+	ok(whole.reached && isnan(whole.until), "the whole range");
+	ok(part.reached && part.until > 0.9*unit && part.until < 1.14*unit && part.frf.points > 0 &&
+	   fabs(part.frf.point[part.frf.points - 1].omega - part.until) < 1e-9, "a part, to %.3f of %.3f",
+	   part.until/unit, 1.15);
+	ok(!none.reached && none.costly && none.frf.points < 24 && none.foreseen > 0.01,
+	   "none of it: %.2g s are foreseen", none.foreseen);
+	for (int i = 0, k = 0; i < part.frf.points; i++) {
+		double w = part.frf.point[i].omega, at;
+
+		while (k + 2 < whole.frf.points && whole.frf.point[k + 1].omega < w)
+			k++;
+		at = (w - whole.frf.point[k].omega)/(whole.frf.point[k + 1].omega - whole.frf.point[k].omega);
+		distance = i == 0 ? 0.0 : distance;
+		distance = fmax(distance, fabs(part.frf.probe[(size_t)i*3*part.frf.probes + 2] -
+		           (1.0 - at)*whole.frf.probe[(size_t)k*3*part.frf.probes + 2] -
+		           at*whole.frf.probe[((size_t)k + 1)*3*part.frf.probes + 2])/
+		           whole.frf.probe[((size_t)k + 1)*3*part.frf.probes + 2]);
+	}
+	ok(distance < 0.02, "the same response, up to %.1e", distance);
+	hawser_accuracy_clear(&whole);
+	hawser_accuracy_clear(&part);
+	hawser_accuracy_clear(&none);
+}
+
 CASE(property_carry)
 {
 	struct hawser_rom rom[2] = {{.n = 0}};
@@ -112,6 +155,7 @@ CASE(property_carry)
 	apart = off(&rom[0], &rom[1], map);
 	ok(apart < 1e-8, "displacements at the probes differ by %.1e", apart);
 	compare(rom, map);
+	search_parts(sqrt(rom[1].K[0]));
 	free(map);
 	fclose(stream);
 	for (int k = 0; k < 2; k++)

@@ -112,7 +112,8 @@ static void explain(struct cli_model *model, const struct hawser_accuracy *bette
 		         : "no two bases agree");
 }
 
-/* Search for the model. result: NULL: for the model alone, whose range stays. points: of the response of the modes; after: hawser_accuracy_options. */
+/* Search for the model. result: NULL: for the model alone, whose range stays. points: of the response
+ * of the modes; after: hawser_accuracy_options. */
 static enum hawser_status search(struct hawser_accuracy *better, struct cli_model *model,
                                  struct cli_model_error *error, struct cli_frf_result *result,
                                  const struct hawser_frf_options *options, int points, double after,

@@ -31,7 +31,7 @@ struct cli_exact {
 	int coordinates;  /* of that model */
 	double before;    /* error with the modes; NAN: no answer */
 	double beyond;    /* the part that no number of them makes up for */
-	double until;     /* rad/s, where its response ends before the range that was asked for; 0: nowhere */
+	double until;     /* rad/s, where its response ends before the range asked for; 0: nowhere */
 	char rest[640];   /* why */
 	char failed[640]; /* why there is none though it was called for; "": it was not */
 };

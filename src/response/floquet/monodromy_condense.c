@@ -49,44 +49,20 @@
 #include <string.h>
 
 #include "core/report.h"
-#include "response/floquet/monodromy.h"
+#include "response/floquet/condensation.h"
 #include "response/time/planner.h"
 
-#define SINGULAR 1e-8      /* ratio of a pivot of K_ff to the mean below which it counts as 0: far
-                            * above round-off */
-#define ITERATIONS 12      /* largest number; chosen */
 #define SETTLED 1e-9       /* relative change of N at which the iteration ends; chosen, far below the
                             * errors that are admitted */
 #define SETTLED_FAR 1e-6   /* the same for a model with rest: its iterations are long, and the
                             * errors of events are those of sharper multipliers; chosen */
 #define SLIGHT 0.1         /* part of these errors by harmonics of N that are left out; chosen */
 #define MORE 6             /* harmonics of N beyond twice those of K; chosen */
-#define GUESS 10.0         /* of a model with rest: expected error up to which coordinates are tried, over
-                            * the admitted one. It is mostly far above the error of the iteration, which
-                            * decides; chosen */
+#define GUESS 10.0         /* of a model with rest: expected error up to which coordinates are tried,
+                            * over the admitted one. It is mostly far above the error of the
+                            * iteration, which decides; chosen */
 #define ASIDE 1.0          /* harmonics beyond the highest resonance that a hasty computation
                             * includes; chosen */
-
-/* The coordinates of all matrices are ordered: the slow ones first, by blocks. */
-struct work {
-	int n, ns, nf, rows, order; /* order of the result */
-	int symmetric;              /* 1: K is, and D is constant */
-	int blocks;
-	struct hawser__block *block;        /* [n] */
-	size_t wide_F, wide_N;      /* of a row */
-	int *pivot;                 /* [n] */
-	double *basis;              /* [rows][2 order + 1] */
-	double *sorted;             /* [2 order + 1][n][n] coefficients of K or D */
-	double *K, *D;              /* [rows][n][n]; D: [1][n][n] if it is constant */
-	size_t next_D;              /* n^2, or 0 if D is constant */
-	double *F, *F1, *rate;      /* [rows][blocks][nf][2 ns]; rate: time derivative of one of them */
-	double *N, *before;         /* [rows][blocks][ns][2 ns] of this and the last iteration */
-	double *inverse;            /* [rows][nf][nf] of K_ff */
-	double *part;               /* [nf][2 ns] */
-	double *series;             /* [2 order + 1][blocks][ns][2 ns] of N */
-	double *result[2];          /* [2 order + 1][ns][ns] K and D of the slow coordinates */
-	double last;                /* size of the last harmonic of N, relative as in reduce() */
-};
 
 enum hawser_status hawser__monodromy_room(struct hawser__monodromy *monodromy, size_t need,
                                           struct hawser_report *report)
@@ -123,7 +99,7 @@ static int run_of(const int *list, int first, int count, const int *part, int ow
 
 /* The blocks of the coordinates, which are sorted by them. A block of none but fast ones matters to
  * no other. */
-static void divide(struct work *work, struct hawser__monodromy *monodromy)
+static void divide(struct hawser__condensation *work, struct hawser__monodromy *monodromy)
 {
 	int s = 0, f = 0;
 
@@ -149,7 +125,8 @@ static void divide(struct work *work, struct hawser__monodromy *monodromy)
 	}
 }
 
-static enum hawser_status make_room(struct work *work, struct hawser__monodromy *monodromy,
+static enum hawser_status make_room(struct hawser__condensation *work,
+                                    struct hawser__monodromy *monodromy,
                                     struct hawser_report *report)
 {
 	size_t n = (size_t)work->n, ns = (size_t)work->ns, nf = (size_t)work->nf;
@@ -181,8 +158,8 @@ static enum hawser_status make_room(struct work *work, struct hawser__monodromy 
 }
 
 /* A series of n by n matrices at `rows` phases, with sorted coordinates. */
-static void sample(const struct work *work, double *value, int rows, const double *series, int order,
-                   const int *slow, const int *fast)
+static void sample(const struct hawser__condensation *work, double *value, int rows,
+                   const double *series, int order, const int *slow, const int *fast)
 {
 	int n = work->n, ns = work->ns;
 
@@ -199,180 +176,10 @@ static void sample(const struct work *work, double *value, int rows, const doubl
 	            work->basis, 2*work->order + 1, work->sorted, n*n, 0.0, value, n*n);
 }
 
-/* Whether the pivots of K_ff at one phase, in its factor U, are safely positive. The mean of K_ff
- * is positive (hawser__fast_separate), so that if K_ff is not positive at one phase, it is singular
- * at another. A pivot that is 0 but for round-off must not count as positive with any BLAS kernel:
- * the limit is far above the round-off of the largest entry. */
-static int positive(const double *factor, int stride, const struct hawser__monodromy *monodromy,
-                    const struct hawser__block *block)
-{
-	for (int f = 0; f < block->nf; f++) {
-		double mean = monodromy->frequency[monodromy->fast[block->f + f]];
-		double pivot = factor[(size_t)f*stride + f];
-
-		if (!(pivot*pivot > SINGULAR*mean*mean))
-			return 0;
-	}
-	return 1;
-}
-
-/* The inverse of K_ff at one phase; returns 1 if K_ff is singular, or symmetric and not positive. */
-static int invert(const struct work *work, const struct hawser__monodromy *monodromy,
-                  const struct hawser__block *block, int row)
-{
-	int n = work->n, stride = work->nf, nf = block->nf, first = work->ns + block->f;
-	const double *K_ff = work->K + (size_t)row*n*n + (size_t)first*(n + 1);
-	double *inverse = work->inverse + (size_t)row*stride*stride + (size_t)block->f*(stride + 1);
-
-	for (int f = 0; f < nf; f++)
-		memcpy(inverse + (size_t)f*stride, K_ff + (size_t)f*n, nf*sizeof(double));
-	if (!work->symmetric) /* the transpose of the inverse is the inverse of the transpose */
-		return LAPACKE_dgetrf_work(LAPACK_COL_MAJOR, nf, nf, inverse, stride, work->pivot) ||
-		       LAPACKE_dgetri_work(LAPACK_COL_MAJOR, nf, inverse, stride, work->pivot,
-		                           work->part, nf);
-	if (LAPACKE_dpotrf_work(LAPACK_COL_MAJOR, 'U', nf, inverse, stride) ||
-	    !positive(inverse, stride, monodromy, block) ||
-	    LAPACKE_dpotri_work(LAPACK_COL_MAJOR, 'U', nf, inverse, stride))
-		return 1;
-	for (int f = 0; f < nf; f++)
-		for (int e = 0; e < f; e++)
-			inverse[(size_t)e*stride + f] = inverse[(size_t)f*stride + e];
-	return 0;
-}
-
-/* out [rows][2 ns] += factor a b; a has as many columns a row as `stride`. */
-static void add_product(const struct hawser__block *block, double *out, double factor, const double *a,
-                        int stride, int rows, int inner, const double *b)
-{
-	cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, rows, 2*block->ns, inner, factor, a,
-	            stride, b, 2*block->ns, 1.0, out, 2*block->ns);
-}
-
-/* N at one phase; returns its change relative to the squared frequency `top` (columns of x_s) and to
- * top (columns of x_s'). */
-static double reduce(const struct work *work, const struct hawser__block *block, int row, double top)
-{
-	int n = work->n, ns = block->ns, nf = block->nf;
-	size_t corner = (size_t)block->s*n, at = (size_t)row*work->wide_F + block->F;
-	const double *K = work->K + (size_t)row*n*n + corner, *D = work->D + row*work->next_D + corner;
-	double *N = work->N + (size_t)row*work->wide_N + block->N;
-	double *before = work->before + (size_t)row*work->wide_N + block->N;
-	double change = 0.0;
-
-	memcpy(before, N, 2*(size_t)ns*ns*sizeof(double));
-	for (int s = 0; s < ns; s++) {
-		memcpy(N + 2*(size_t)s*ns, K + (size_t)s*n + block->s, ns*sizeof(double));
-		memcpy(N + 2*(size_t)s*ns + ns, D + (size_t)s*n + block->s, ns*sizeof(double));
-	}
-	add_product(block, N, 1.0, K + work->ns + block->f, n, ns, nf, work->F + at);
-	add_product(block, N, 1.0, D + work->ns + block->f, n, ns, nf, work->F1 + at);
-	for (int e = 0; e < 2*ns*ns; e++)
-		change = fmax(change, fabs(N[e] - before[e])/(e%(2*ns) < ns ? top*top : top));
-	return change;
-}
-
-/* out [nf][2 ns] = rate + F Y, the derivative of F y in time at one phase. */
-static void derive(const struct work *work, const struct hawser__block *block, double *out, const double *F,
-                   int row)
-{
-	int ns = block->ns, nf = block->nf;
-	const double *rate = work->rate + (size_t)row*work->wide_F + block->F;
-
-	if (out != rate)
-		memcpy(out, rate, 2*(size_t)nf*ns*sizeof(double));
-	for (int f = 0; f < nf; f++)
-		cblas_daxpy(ns, 1.0, F + 2*(size_t)f*ns, 1, out + (2*(size_t)f + 1)*ns, 1);
-	add_product(block, out, -1.0, F + ns, 2*ns, nf, ns,
-	            work->N + (size_t)row*work->wide_N + block->N);
-}
-
-/* F at one phase from F_2 [nf][2 ns], which is overwritten, and F_1. */
-static void follow(const struct work *work, const struct hawser__block *block, double *F2, int row)
-{
-	int n = work->n, ns = block->ns, nf = block->nf;
-	size_t corner = (size_t)(work->ns + block->f)*n, at = (size_t)row*work->wide_F + block->F;
-	const double *K = work->K + (size_t)row*n*n + corner, *D = work->D + row*work->next_D + corner;
-	const double *inverse = work->inverse + (size_t)row*work->nf*work->nf;
-
-	for (int f = 0; f < nf; f++) {
-		cblas_daxpy(ns, 1.0, K + (size_t)f*n + block->s, 1, F2 + 2*(size_t)f*ns, 1);
-		cblas_daxpy(ns, 1.0, D + (size_t)f*n + block->s, 1, F2 + (2*(size_t)f + 1)*ns, 1);
-	}
-	add_product(block, F2, 1.0, D + work->ns + block->f, n, nf, nf, work->F1 + at);
-	memset(work->F + at, 0, 2*(size_t)nf*ns*sizeof(double));
-	add_product(block, work->F + at, -1.0, inverse + (size_t)block->f*(work->nf + 1), work->nf, nf,
-	            nf, F2);
-}
-
-/* The static response, which has no part of x_s'. */
-static void follow_at_rest(const struct work *work, const struct hawser__block *block, int row)
-{
-	double *F = work->F + (size_t)row*work->wide_F + block->F;
-
-	memset(work->part, 0, 2*(size_t)block->nf*block->ns*sizeof(double));
-	follow(work, block, work->part, row);
-	for (int f = 0; f < block->nf; f++)
-		memset(F + (2*(size_t)f + 1)*block->ns, 0, block->ns*sizeof(double));
-}
-
-/* F from that of the last iteration, its derivatives and N, at one phase: the first derivative
- * (0), then F itself (1). */
-static void iterate(const struct work *work, const struct hawser__block *block, int row, int second)
-{
-	size_t at = (size_t)row*work->wide_F + block->F;
-
-	if (!second) {
-		derive(work, block, work->F1 + at, work->F + at, row);
-		return;
-	}
-	derive(work, block, work->rate + at, work->F1 + at, row);
-	follow(work, block, work->rate + at, row);
-}
-
-/* The largest change of N over all phases. */
-static double reduce_all(const struct work *work, double top)
-{
-	double change = 0.0;
-
-	for (int i = 0; i < work->rows; i++)
-		for (int b = 0; b < work->blocks; b++)
-			change = fmax(change, reduce(work, &work->block[b], i, top));
-	return change;
-}
-
-/* Iterates F from the static response, until N changes by less than `goal` or no longer less.
- * Returns the last change of N. */
-static double settle(const struct work *work, const struct hawser__monodromy *monodromy,
-                     double omega, double goal)
-{
-	double change, last = INFINITY, top = monodromy->top;
-
-	memset(work->N, 0, work->rows*work->wide_N*sizeof(double));
-	memset(work->F1, 0, work->rows*work->wide_F*sizeof(double));
-	for (int i = 0; i < work->rows; i++)
-		for (int b = 0; b < work->blocks; b++)
-			follow_at_rest(work, &work->block[b], i);
-	reduce_all(work, top);
-	for (int k = 0; k < ITERATIONS; k++) {
-		for (int second = 0; second < 2; second++) {
-			hawser__differentiate(&monodromy->rates, work->rate,
-			                      second ? work->F1 : work->F, omega);
-			for (int i = 0; i < work->rows; i++)
-				for (int b = 0; b < work->blocks; b++)
-					iterate(work, &work->block[b], i, second);
-		}
-		change = reduce_all(work, top);
-		if (change < goal || !(change < last))
-			return change;
-		last = change;
-	}
-	return last;
-}
-
 /* The number of harmonics of a series of ns by ns matrices without the last ones, whose sizes,
  * relative to `scale`, add up to at most `negligible`. Their sum is added to *left_out. */
-static int count_harmonics(const double *series, const struct work *work, double scale,
-                           double negligible, double *left_out)
+static int count_harmonics(const double *series, const struct hawser__condensation *work,
+                           double scale, double negligible, double *left_out)
 {
 	size_t block = (size_t)work->ns*work->ns;
 	double sum = 0.0;
@@ -395,7 +202,7 @@ static int count_harmonics(const double *series, const struct work *work, double
 
 /* The series of K and D of the slow coordinates from N. Returns the size of the last harmonic,
  * relative as in reduce(). */
-static double transform(const struct work *work, double top)
+static double transform(const struct hawser__condensation *work, double top)
 {
 	int ns = work->ns, columns = 2*work->order + 1, wide = (int)work->wide_N;
 	double last = 0.0;
@@ -424,7 +231,7 @@ static double transform(const struct work *work, double top)
 }
 
 /* Prepares the iteration; returns 1 if K_ff is singular or not positive at a phase. */
-static int prepare(struct work *work, const struct hawser__monodromy *monodromy,
+static int prepare(struct hawser__condensation *work, const struct hawser__monodromy *monodromy,
                    const struct hawser__variational *system)
 {
 	hawser__monodromy_phases(work->basis, work->rows, work->order);
@@ -433,7 +240,7 @@ static int prepare(struct work *work, const struct hawser__monodromy *monodromy,
 	       monodromy->slow, monodromy->fast);
 	for (int i = 0; i < work->rows; i++)
 		for (int b = 0; b < work->blocks; b++)
-			if (work->block[b].nf > 0 && invert(work, monodromy, &work->block[b], i))
+			if (work->block[b].nf > 0 && hawser__condense_invert(work, monodromy, &work->block[b], i))
 				return 1;
 	return 0;
 }
@@ -445,7 +252,8 @@ static double settled(const struct hawser__monodromy *monodromy)
 
 /* Condenses the coordinates that `limit` and the expected number of iterations allow. Sets
  * monodromy->left_out, infinite if nothing can be condensed; *work has the result. */
-static enum hawser_status try_condense(struct work *work, struct hawser__monodromy *monodromy,
+static enum hawser_status try_condense(struct hawser__condensation *work,
+                                       struct hawser__monodromy *monodromy,
                                        const struct hawser__variational *system, double limit,
                                        int expected, struct hawser_report *report)
 {
@@ -467,7 +275,7 @@ static enum hawser_status try_condense(struct work *work, struct hawser__monodro
 		                    "the stiffness of the fast coordinates is singular at some phase of "
 		                    "the motion at Omega %g: keep fewer modes", system->omega);
 	}
-	monodromy->left_out = settle(work, monodromy, system->omega, settled(monodromy));
+	monodromy->left_out = hawser__condense_settle(work, monodromy, system->omega, settled(monodromy));
 	work->last = transform(work, monodromy->top);
 	monodromy->left_out += work->last;
 	return HAWSER_OK;
@@ -475,7 +283,8 @@ static enum hawser_status try_condense(struct work *work, struct hawser__monodro
 
 /* N has infinitely many harmonics. Along a branch few of them beyond those of K are included first; if
  * the last of these is not negligible, as many as for comparison. */
-static enum hawser_status try_orders(struct work *work, struct hawser__monodromy *monodromy,
+static enum hawser_status try_orders(struct hawser__condensation *work,
+                                     struct hawser__monodromy *monodromy,
                                      const struct hawser__variational *system, double limit,
                                      int expected, struct hawser_report *report)
 {
@@ -497,8 +306,8 @@ static enum hawser_status try_orders(struct work *work, struct hawser__monodromy
 }
 
 enum hawser_status hawser__monodromy_condense(struct hawser__monodromy *monodromy,
-                                              struct hawser__variational *system, int *kept,
-                                              struct hawser_report *report)
+                                            struct hawser__variational *system, int *kept,
+                                            struct hawser_report *report)
 {
 	int n = system->n;
 	double top = 0.0, slowest = INFINITY;
@@ -507,7 +316,7 @@ enum hawser_status hawser__monodromy_condense(struct hawser__monodromy *monodrom
 	               : monodromy->haste ? HAWSER__HASTE : HAWSER__NEGLECTED;
 	double guess = monodromy->rest && !monodromy->sharper ? GUESS : 1.0;
 	double most = monodromy->sharper ? HAWSER__SHARPER : limit;
-	struct work work = {.n = n, .pivot = monodromy->pivot, .block = monodromy->block};
+	struct hawser__condensation work = {.n = n, .pivot = monodromy->pivot, .block = monodromy->block};
 	enum hawser_status status;
 
 	*kept = n;

@@ -35,37 +35,20 @@
 #include "config.h"
 
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "core/progress.h"
 #include "core/report.h"
-#include "study/accuracy/carry.h"
-#include "rom/energy/full_map.h"
-#include "study/accuracy/accuracy.h"
+#include "study/accuracy/draft.h"
 
-#define SAFETY_BASIS 3.0 /* factor on the difference, calibrated by bench/accuracy.c */
 #define FINEST 1e-9      /* smallest tolerance of the orbits; chosen, far below any accuracy */
 #define COARSEST 1e-6    /* largest one; chosen */
-#define MIDDLING 12      /* functions per component from which on a failure is attributed to the
-                          * tolerance, not to the basis; chosen */
 #define RESOLVED 0.1     /* largest error of the frequencies in the range, relative to the accuracy;
                           * chosen */
 #define ROUGHLY 1.0      /* the same for modes up to REACH times the upper end of the range; chosen */
 #define LACKS 0.02       /* largest part of the static response to the load that a basis lacks;
                           * chosen */
-#define LONG 0.2         /* largest step of a curve for comparison, relative to the range; chosen */
-#define MORE_POINTS 1.2 /* of a response, over those of its draft or of the modes; chosen */
-#define CARRIED 0.3     /* work of the marks in the next basis over that of a draft; chosen */
 #define NEAR 0.1        /* largest distance of marks from the curve that they are carried from: others
                           * are of another curve; chosen */
-#define ROUGH 1e-5      /* least tolerance of orbits at marks; chosen, far below the distances */
-#define DOUBT 2.0       /* factor of what is foreseen of a draft that has not ended; chosen */
-#define A_PART 0.5      /* of what can be borne, for a part of the range; chosen */
-#define ASIDE 2         /* points before the one from which the curve cannot be followed; chosen */
-#define SLACK_POINTS 50 /* fewest points of which slackness is judged; chosen */
-#define FIRST_POINTS 24 /* of a trace, before anything is foreseen; chosen */
 #define REACH 2.0        /* 2: the second harmonic of the response may be in resonance with them */
 
 /* Numbers of functions per component, in the order in which they are tried. */
@@ -148,7 +131,7 @@ static int retry(enum hawser_status status, int *functions, struct hawser_frf_op
 {
 	if (status != HAWSER_ERR_CONVERGENCE)
 		return 0;
-	if (options->frf.tolerance == 0.0 && frf->tolerance > FINEST && *functions >= MIDDLING) {
+	if (options->frf.tolerance == 0.0 && frf->tolerance > FINEST && *functions >= HAWSER__MIDDLING) {
 		frf->tolerance = FINEST;
 		(*functions)--;
 		return 1;
@@ -156,238 +139,9 @@ static int retry(enum hawser_status status, int *functions, struct hawser_frf_op
 	return *functions < (options->most_functions > 0 ? options->most_functions : bases[BASES - 1]);
 }
 
-/* The draft of one basis: its curve; or, as long as they are near it, the counterparts of marks of the
- * curve of a smaller basis. */
-struct draft {
-	struct hawser_rom rom;
-	struct hawser__drawn_curve curve;
-	int functions, points;
-	double work;
-};
-
-/* The last curve that was traced, and the orbits at its marks. */
-struct traced {
-	struct hawser__drawn_curve curve;
-	struct hawser__orbits orbits;
-	enum hawser_frf_end end;
-	int functions, *mark, marks;
-};
-
-/* What a trace is watched for. */
-struct watch {
-	const struct hawser_accuracy_options *options;
-	struct hawser_accuracy *a;
-	double before; /* work of the traces that have ended */
-	double next;   /* work of another draft, over that of this one */
-	int expected;  /* points of the trace; 0: not known */
-	const struct hawser_rom *rom; /* of the trace */
-	int n;         /* coordinates of the model whose response follows */
-	int drafts;    /* 1: it is a draft, which may be given up */
-	int afforded;  /* 1: it was ended where the rest of the range is more than can be borne */
-};
-
-static void forget(struct traced *traced)
-{
-	hawser__curve_clear(&traced->curve);
-	hawser__orbits_clear(&traced->orbits);
-	free(traced->mark);
-	*traced = (struct traced){.functions = 0};
-}
-
-static void clear(struct draft *draft)
-{
-	hawser_rom_clear(&draft->rom);
-	hawser__curve_clear(&draft->curve);
-	*draft = (struct draft){.functions = 0};
-}
-
-/* Work of what follows the drafts, by one of them with the same kind of model. */
-static double follows(const struct hawser_accuracy_options *options, int n, int points, double work,
-                      const struct hawser_rom *rom)
-{
-	struct hawser_rom as = *rom;
-	struct hawser_orbit_cost judging = {
-		.judged = (long)(MORE_POINTS*fmax(points, options->expected))};
-
-	as.n = n;
-	return options->after > 0.0 ? options->after*work : work + hawser_orbit_work(&judging, &as);
-}
-
-/* Work of the search and the response, if the range ended where the draft is now. */
-static double so_far(const struct watch *watch, int points, double work)
-{
-	return watch->before + work*(1.0 + watch->next) +
-	       follows(watch->options, watch->n, points, work, watch->rom);
-}
-
-/* Ends a draft when the work that is foreseen is more than can be borne, or where the cable is slack
- * from early on; passes the rest on with the time left. */
-static int watch_trace(void *data, const struct hawser_progress_state *state)
-{
-	struct watch *watch = data;
-	struct hawser_progress_state shown = *state;
-	const struct hawser_frf *frf = state->frf;
-	int points = frf ? frf->points : 0, most = watch->expected;
-	double work = points > 0 ? hawser_orbit_work(&frf->cost, watch->rom) : 0.0;
-
-	if (most > 0 && points >= FIRST_POINTS) {
-		double whole = work*fmax((double)most/points, 1.0);
-
-		if (watch->drafts)
-			watch->a->foreseen = so_far(watch, points, whole);
-		shown.fraction = fmin((double)points/most, 1.0);
-		shown.left = state->seconds*fmax((double)most/points - 1.0, 0.0);
-	}
-	watch->afforded = watch->options->partial && watch->drafts && points >= FIRST_POINTS &&
-	                  so_far(watch, points, work) > watch->options->bearable*
-	                  (watch->a->foreseen > watch->options->bearable ? A_PART : 1.0);
-	if (watch->afforded)
-		return 1;
-	if (watch->options->bearable > 0.0 && watch->drafts && !watch->options->partial &&
-	    fmax(watch->before + work, watch->a->foreseen/DOUBT) > watch->options->bearable) {
-		watch->a->costly = 1;
-		return 1;
-	}
-	if (watch->drafts && points >= SLACK_POINTS && hawser__mostly_slack(frf))
-		return 1;
-	return hawser__told_to_stop(&watch->options->frf.progress, &shown);
-}
-
-/* Whether the range ends with this draft: at its last point but some, as the response must reach it. */
-static int ends_range(struct hawser_accuracy *a, const struct watch *watch, int functions,
-                      enum hawser_status status, const struct hawser_report *why)
-{
-	int failed = status == HAWSER_ERR_CONVERGENCE && functions >= MIDDLING;
-
-	if (!watch->options->partial || a->frf.points < FIRST_POINTS || !(failed || watch->afforded))
-		return 0;
-	a->until = a->frf.point[a->frf.points - 1 - (failed ? ASIDE : 0)].omega;
-	snprintf(a->beyond, sizeof a->beyond, "%s", failed ? why->message : "");
-	a->frf.end = HAWSER_END_RANGE;
-	return 1;
-}
-
-/* Trace the draft of the model in *draft; a->frf and *traced become its curve. */
-static enum hawser_status draw(struct draft *draft, struct traced *traced, struct hawser_accuracy *a,
-                               const struct hawser_accuracy_options *options,
-                               const struct hawser_frf_options *settled, double before,
-                               int expected, struct hawser_report *report)
-{
-	struct watch watch = {options, a, before, CARRIED, expected, &draft->rom, draft->rom.n, 1, 0};
-	struct hawser_frf_options frf = *settled;
-	struct hawser_report why = {.message = ""};
-	struct hawser__trace_watch keep;
-	enum hawser_status status;
-
-	*traced = (struct traced){.functions = 0};
-	keep = hawser__orbits_watch(&traced->orbits);
-	frf.unjudged = frf.skip_events = 1;
-	frf.samples = HAWSER_NONE;
-	frf.most_unstable = 0;
-	frf.step_max = LONG;
-	frf.progress = (struct hawser_progress){watch_trace, &watch};
-	hawser_frf_clear(&a->frf);
-	status = hawser__frf_trace(&a->frf, &draft->rom, &frf, &keep, &why);
-	if (ends_range(a, &watch, draft->functions, status, &why))
-		status = HAWSER_OK;
-	else if (status && report)
-		*report = why;
-	draft->points = a->frf.points;
-	draft->work = hawser_orbit_work(&a->frf.cost, &draft->rom);
-	a->slack = !status && !a->costly && hawser__mostly_slack(&a->frf);
-	if (!status)
-		status = hawser__curve_copy(&traced->curve, &a->frf, report);
-	if (status || !(traced->mark = malloc(((size_t)a->frf.points + 1)*sizeof(int))))
-		return status ? status : hawser__no_memory(report, "accuracy");
-	traced->functions = draft->functions;
-	traced->end = a->frf.end;
-	return hawser__curve_marks(traced->mark, &traced->marks, &traced->curve, report);
-}
-
-/* The counterparts of the marks in the model of *draft, if there are, and how far they are from the
- * curve. */
-static enum hawser_status carry(struct draft *draft, double *away, const struct traced *traced,
-                                const struct hawser_statics *statics,
-                                const struct hawser_frf_options *settled,
-                                struct hawser_report *report)
-{
-	struct hawser_frf_options frf = *settled;
-	struct hawser_frf found = {.n = 0};
-	int lost = 1, rows, columns;
-	double *map = NULL;
-	enum hawser_status status = HAWSER_OK;
-
-	*away = INFINITY;
-	frf.tolerance = fmax(frf.tolerance, ROUGH);
-	if (traced->orbits.count != traced->curve.points)
-		return HAWSER_OK;
-	status = hawser__full_map(&map, &rows, &columns, statics, traced->functions, draft->functions,
-	                          report);
-	if (!status && rows == draft->rom.n && columns == traced->orbits.n)
-		status = hawser__carry(&found, &lost, &draft->rom, &traced->orbits, traced->mark,
-		                       traced->marks, map, &frf, report);
-	free(map);
-	draft->work = hawser_orbit_work(&found.cost, &draft->rom);
-	if (!status && found.points > 0)
-		status = hawser__curve_copy(&draft->curve, &found, report);
-	if (!status && !lost)
-		status = hawser__curve_points_distance(away, &traced->curve, traced->mark, NULL,
-		                                       &draft->curve, report);
-	hawser_frf_clear(&found);
-	return status;
-}
-
-/* Ends the range where the first two bases stop to agree: at the last mark up to which they do, if there
- * are enough before it. The curve of *next then ends there, and is near. */
-static enum hawser_status agree(struct draft *next, double *away, const struct traced *traced,
-                                struct hawser_accuracy *a, struct hawser_frf_options *settled,
-                                struct hawser_report *report)
-{
-	int found = next->curve.points;
-	double off = INFINITY;
-	enum hawser_status status = HAWSER_OK;
-
-	while (!status && next->curve.points > 0 && SAFETY_BASIS*off > a->asked) {
-		next->curve.points--;
-		status = hawser__curve_points_distance(&off, &traced->curve, traced->mark, NULL,
-		                                       &next->curve, report);
-	}
-	if (status || next->curve.points == 0 ||
-	    traced->mark[next->curve.points - 1] < FIRST_POINTS) {
-		next->curve.points = found;
-		return status;
-	}
-	a->until = settled->to = a->frf.point[traced->mark[next->curve.points - 1]].omega;
-	snprintf(a->beyond, sizeof a->beyond, "bases of %d and %d functions differ beyond: the motion has "
-	         "short waves", traced->functions, next->functions);
-	*away = off;
-	return HAWSER_OK;
-}
-
-/* The same basis with a draft of its own, in place of the last one, with which it is compared. */
-static enum hawser_status draw_again(struct draft *next, double *moved, struct traced *traced,
-                                     const struct draft *chosen, struct hawser_accuracy *a,
-                                     const struct hawser_accuracy_options *options,
-                                     const struct hawser_frf_options *settled, double before,
-                                     struct hawser_report *report)
-{
-	struct traced last = *traced;
-	enum hawser_status status;
-
-	*moved = INFINITY;
-	hawser__curve_clear(&next->curve);
-	status = draw(next, traced, a, options, settled, before,
-	              last.functions ? (int)(MORE_POINTS*chosen->points) : options->expected, report);
-	if (!status && !hawser__accuracy_cut(a) && last.functions && last.functions == chosen->functions &&
-	    traced->end == last.end)
-		status = hawser__curve_distance(moved, &last.curve, &traced->curve, report);
-	forget(&last);
-	return status;
-}
-
 /* The first bases of which two agree: *chosen is the smaller one, *moved the distance of the two,
  * and *checked the coordinates of the larger. If no two agree, the last ones. */
-static enum hawser_status choose(struct draft *chosen, double *moved, int *checked,
+static enum hawser_status choose(struct hawser__draft *chosen, double *moved, int *checked,
                                  struct hawser_accuracy *a, const struct hawser_scene *scene,
                                  const struct hawser_accuracy_options *options,
                                  struct hawser_frf_options *frf, double *work,
@@ -395,12 +149,12 @@ static enum hawser_status choose(struct draft *chosen, double *moved, int *check
 {
 	const struct hawser_accuracy_bases of = {&a->modes, scene, a->choice.to, a->asked,
 	                                         options->most_functions};
-	struct traced traced = {.functions = 0};
+	struct hawser__traced traced = {.functions = 0};
 	enum hawser_status status = HAWSER_OK;
 	int functions = 0;
 
 	while (!status) {
-		struct draft next = {.functions = 0};
+		struct hawser__draft next = {.functions = 0};
 		double away = INFINITY;
 		int again = 0;
 
@@ -409,11 +163,11 @@ static enum hawser_status choose(struct draft *chosen, double *moved, int *check
 			break;
 		a->functions = next.functions = functions;
 		if (traced.functions)
-			status = carry(&next, &away, &traced, &a->modes.statics, frf, report);
+			status = hawser__draft_carry(&next, &away, &traced, &a->modes.statics, frf, report);
 		*work += next.work;
 		if (!status && isfinite(a->until) && next.curve.points > 0 && chosen->functions ==
-		    traced.functions && !(SAFETY_BASIS*away <= a->asked))
-			status = agree(&next, &away, &traced, a, frf, report);
+		    traced.functions && !(HAWSER__SAFETY_BASIS*away <= a->asked))
+			status = hawser__draft_agree(&next, &away, &traced, a, frf, report);
 		if (!status && away <= NEAR) {
 			next.points = chosen->points;
 			next.work = chosen->work*pow((double)next.rom.n/chosen->rom.n, 2.0);
@@ -421,7 +175,7 @@ static enum hawser_status choose(struct draft *chosen, double *moved, int *check
 			                                       chosen->curve.points ? &chosen->curve : NULL,
 			                                       &next.curve, report);
 		} else if (!status) {
-			status = draw_again(&next, moved, &traced, chosen, a, options, frf, *work, report);
+			status = hawser__draft_draw(&next, moved, &traced, chosen, a, options, frf, *work, report);
 			*work += next.work;
 			again = retry(status, &functions, frf, options);
 			if (isfinite(a->until))
@@ -429,18 +183,18 @@ static enum hawser_status choose(struct draft *chosen, double *moved, int *check
 		}
 		if (again) {
 			status = HAWSER_OK;
-			clear(&next);
+			hawser__draft_clear(&next);
 			continue;
 		}
 		*checked = next.rom.n;
-		if (status || hawser__accuracy_cut(a) || SAFETY_BASIS**moved <= a->asked) {
-			clear(&next);
+		if (status || hawser__accuracy_cut(a) || HAWSER__SAFETY_BASIS**moved <= a->asked) {
+			hawser__draft_clear(&next);
 			break;
 		}
-		clear(chosen);
+		hawser__draft_clear(chosen);
 		*chosen = next;
 	}
-	forget(&traced);
+	hawser__traced_clear(&traced);
 	return status;
 }
 
@@ -451,11 +205,12 @@ static enum hawser_status follow(struct hawser_accuracy *a, struct hawser__marks
                                  const struct hawser_frf_options *settled, int functions,
                                  double work, struct hawser_report *report)
 {
-	struct watch watch = {options, a, work, 0.0, options->expected, &a->rom, a->rom.n, 0, 0};
+	struct hawser__draft_watch watch = {options, a, work, 0.0, options->expected, &a->rom, a->rom.n,
+	                                    .drafts = 0};
 	struct hawser_frf_options frf = *settled;
 	enum hawser_status status;
 
-	frf.progress = (struct hawser_progress){watch_trace, &watch};
+	frf.progress = (struct hawser_progress){hawser__draft_watch_trace, &watch};
 	status = hawser__accuracy_attempt(a, marks, scene, functions, &frf, report);
 	if (status == HAWSER_ERR_CONVERGENCE && options->frf.tolerance == 0.0 && frf.tolerance > FINEST) {
 		frf.tolerance = FINEST;
@@ -471,7 +226,7 @@ enum hawser_status hawser__accuracy_full(struct hawser_accuracy *a, struct hawse
                                          struct hawser_report *report)
 {
 	struct hawser_frf_options frf = settle(options, a->asked);
-	struct draft chosen = {.functions = 0};
+	struct hawser__draft chosen = {.functions = 0};
 	double moved = INFINITY, work = 0.0, start = hawser__wall_seconds();
 	int checked = 0;
 	enum hawser_status status = choose(&chosen, &moved, &checked, a, scene, options, &frf, &work,
@@ -479,12 +234,12 @@ enum hawser_status hawser__accuracy_full(struct hawser_accuracy *a, struct hawse
 	int ended = status || hawser__accuracy_cut(a) || !chosen.functions;
 
 	if (!ended) {
-		a->foreseen = work + follows(options, chosen.rom.n, chosen.points, chosen.work,
+		a->foreseen = work + hawser__draft_follows(options, chosen.rom.n, chosen.points, chosen.work,
 		                             &chosen.rom);
 		a->costly = options->bearable > 0.0 && !options->partial && a->foreseen > options->bearable;
 	}
-	if (ended || a->costly || (options->agreed && !(SAFETY_BASIS*moved <= a->asked))) {
-		clear(&chosen);
+	if (ended || a->costly || (options->agreed && !(HAWSER__SAFETY_BASIS*moved <= a->asked))) {
+		hawser__draft_clear(&chosen);
 		return status == HAWSER_ERR_CONVERGENCE ? lost(a, report) : status;
 	}
 	hawser_rom_clear(&a->rom);
@@ -492,7 +247,7 @@ enum hawser_status hawser__accuracy_full(struct hawser_accuracy *a, struct hawse
 	a->functions = chosen.functions;
 	chosen.rom = (struct hawser_rom){.n = 0};
 	if (options->after > 0.0) {
-		a->estimated = fmax(SAFETY_BASIS*moved, 0.1*a->asked);
+		a->estimated = fmax(HAWSER__SAFETY_BASIS*moved, 0.1*a->asked);
 		a->checked = checked;
 	} else {
 		status = follow(a, marks, scene, options, &frf, chosen.functions, work, report);
@@ -503,10 +258,10 @@ enum hawser_status hawser__accuracy_full(struct hawser_accuracy *a, struct hawse
 			this->moved = moved;
 			this->checked = checked;
 			if (!hawser__accuracy_cut(a) && isfinite(moved))
-				hawser__accuracy_claim(a, SAFETY_BASIS*moved, marks);
+				hawser__accuracy_claim(a, HAWSER__SAFETY_BASIS*moved, marks);
 		}
 	}
-	clear(&chosen);
+	hawser__draft_clear(&chosen);
 	return status == HAWSER_ERR_CONVERGENCE ? lost(a, report) : status;
 }
 

@@ -23,7 +23,7 @@ enum { FUNCTIONS = 24 };
 /* Seconds of processor time, as counted (hawser_orbit_work), that nobody has to ask for: where
  * no number of modes is good enough, and where more of them, or model.modes: auto, may be;
  * chosen. */
-static const double bearable = 600.0, bearable_else = 600.0;
+static const double bearable = 60.0, bearable_else = 10.0;
 
 int hawser_accuracy_truncated(double truncation)
 {
@@ -40,13 +40,11 @@ struct hawser_accuracy_options hawser_accuracy_instead(const struct hawser_accur
                                                        int own,
                                                        const struct hawser_frf_options *frf)
 {
-	struct hawser_accuracy_options choice = {.frf = *frf, .agreed = 1, .accuracy = own ? 0.0 : asked,
-		.bearable = bearable, .most_functions = FUNCTIONS};
+	struct hawser_accuracy_options choice = {.frf = *frf, .agreed = 1, .partial = 1,
+		.accuracy = own ? 0.0 : asked, .bearable = bearable, .most_functions = FUNCTIONS};
 
 	if (fixed && isfinite(fixed->estimated) && !hawser_accuracy_truncated(fixed->truncation))
 		choice.bearable = bearable_else;
-	else
-		choice.partial = 1;
 	choice.frf.most_work = 0.0;
 	if (choice.frf.max_points == 0 || choice.frf.max_points > HAWSER_INSTEAD_POINTS)
 		choice.frf.max_points = HAWSER_INSTEAD_POINTS;

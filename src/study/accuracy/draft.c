@@ -1,0 +1,238 @@
+/* study/accuracy/draft.c - see draft.h. SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "core/progress.h"
+#include "core/report.h"
+#include "rom/energy/full_map.h"
+#include "study/accuracy/draft.h"
+
+#define LONG 0.2         /* largest step of a curve for comparison, relative to the range; chosen */
+#define CARRIED 0.3     /* work of the marks in the next basis over that of a draft; chosen */
+#define ROUGH 1e-5      /* least tolerance of orbits at marks; chosen, far below the distances */
+#define DOUBT 2.0       /* factor of what is foreseen of a draft that has not ended; chosen */
+#define A_PART 0.5      /* of what can be borne, for a part of the range; chosen */
+#define ASIDE 2         /* points before the one from which the curve cannot be followed; chosen */
+#define SLACK_POINTS 50 /* fewest points of which slackness is judged; chosen */
+#define FIRST_POINTS 24 /* of a trace, before anything is foreseen; chosen */
+
+void hawser__traced_clear(struct hawser__traced *traced)
+{
+	hawser__curve_clear(&traced->curve);
+	hawser__orbits_clear(&traced->orbits);
+	free(traced->mark);
+	*traced = (struct hawser__traced){.functions = 0};
+}
+
+void hawser__draft_clear(struct hawser__draft *draft)
+{
+	hawser_rom_clear(&draft->rom);
+	hawser__curve_clear(&draft->curve);
+	*draft = (struct hawser__draft){.functions = 0};
+}
+
+/* Work of what follows the drafts, by one of them with the same kind of model. */
+double hawser__draft_follows(const struct hawser_accuracy_options *options, int n, int points,
+                             double work, const struct hawser_rom *rom)
+{
+	struct hawser_rom as = *rom;
+	struct hawser_orbit_cost judging = {
+		.judged = (long)(HAWSER__MORE_POINTS*points)};
+
+	as.n = n;
+	return options->after > 0.0 ? options->after*work : work + hawser_orbit_work(&judging, &as);
+}
+
+/* Work of the search and the response, if the range ended where the draft is now. */
+static double so_far(const struct hawser__draft_watch *watch, int points, double work)
+{
+	return watch->before + work*(1.0 + watch->next) +
+	       hawser__draft_follows(watch->options, watch->n, points, work, watch->rom);
+}
+
+/* Whether a draft is more than can be borne, of which a part is of no use either. */
+static int is_costly(const struct hawser__draft_watch *watch, int points, double work)
+{
+	double bearable = watch->options->bearable;
+
+	if (watch->options->partial)
+		return points < FIRST_POINTS && watch->before + work > A_PART*bearable;
+	return fmax(watch->before + work, watch->a->foreseen/DOUBT) > bearable;
+}
+
+/* Ends a draft when the work that is foreseen is more than can be borne, or where the cable is slack
+ * from early on; passes the rest on with the time left. */
+int hawser__draft_watch_trace(void *data, const struct hawser_progress_state *state)
+{
+	struct hawser__draft_watch *watch = data;
+	struct hawser_progress_state shown = *state;
+	const struct hawser_frf *frf = state->frf;
+	int points = frf ? frf->points : 0, most = watch->expected;
+	double work = points > 0 ? hawser_orbit_work(&frf->cost, watch->rom) : 0.0;
+
+	if (most > 0 && points >= FIRST_POINTS) {
+		double whole = work*fmax((double)most/points, 1.0);
+
+		if (watch->drafts)
+			watch->a->foreseen = so_far(watch, points > most ? points : most, whole);
+		shown.fraction = fmin((double)points/most, 1.0);
+		shown.left = state->seconds*fmax((double)most/points - 1.0, 0.0);
+	}
+	watch->afforded = watch->options->partial && watch->drafts && points >= FIRST_POINTS &&
+	                  so_far(watch, points, work) > watch->options->bearable*
+	                  (watch->a->foreseen > watch->options->bearable ? A_PART : 1.0);
+	if (watch->afforded)
+		return 1;
+	if (watch->options->bearable > 0.0 && watch->drafts && is_costly(watch, points, work)) {
+		watch->a->costly = 1;
+		if (points > 0 && !(watch->a->foreseen > 0.0)) /* of too few points to foresee it well */
+			watch->a->foreseen = so_far(watch, points > most ? points : most,
+			                            work*fmax((double)most/points, 1.0));
+		return 1;
+	}
+	if (watch->drafts && points >= SLACK_POINTS && hawser__mostly_slack(frf))
+		return 1;
+	return hawser__told_to_stop(&watch->options->frf.progress, &shown);
+}
+
+/* Whether the range ends with this draft: at its last point but some, as the response must reach it. */
+static int ends_range(struct hawser_accuracy *a, const struct hawser__draft_watch *watch,
+                      int functions, enum hawser_status status, const struct hawser_report *why)
+{
+	int failed = status == HAWSER_ERR_CONVERGENCE && functions >= HAWSER__MIDDLING;
+
+	if (!watch->options->partial || a->frf.points < FIRST_POINTS || !(failed || watch->afforded))
+		return 0;
+	a->until = a->frf.point[a->frf.points - 1 - (failed ? ASIDE : 0)].omega;
+	snprintf(a->beyond, sizeof a->beyond, "%s", failed ? why->message : "");
+	a->frf.end = HAWSER_END_RANGE;
+	return 1;
+}
+
+/* Trace the draft of the model in *draft; a->frf and *traced become its curve. */
+static enum hawser_status draw(struct hawser__draft *draft, struct hawser__traced *traced,
+                               struct hawser_accuracy *a,
+                               const struct hawser_accuracy_options *options,
+                               const struct hawser_frf_options *settled, double before,
+                               int expected, struct hawser_report *report)
+{
+	struct hawser__draft_watch watch = {options, a, before, CARRIED, expected, &draft->rom,
+	                                    draft->rom.n, .drafts = 1};
+	struct hawser_frf_options frf = *settled;
+	struct hawser_report why = {.message = ""};
+	struct hawser__trace_watch keep;
+	enum hawser_status status;
+
+	*traced = (struct hawser__traced){.functions = 0};
+	keep = hawser__orbits_watch(&traced->orbits);
+	frf.unjudged = frf.skip_events = 1;
+	frf.samples = HAWSER_NONE;
+	frf.most_unstable = 0;
+	frf.step_max = LONG;
+	frf.progress = (struct hawser_progress){hawser__draft_watch_trace, &watch};
+	hawser_frf_clear(&a->frf);
+	status = hawser__frf_trace(&a->frf, &draft->rom, &frf, &keep, &why);
+	if (ends_range(a, &watch, draft->functions, status, &why))
+		status = HAWSER_OK;
+	else if (status && report)
+		*report = why;
+	draft->points = a->frf.points;
+	draft->work = hawser_orbit_work(&a->frf.cost, &draft->rom);
+	a->slack = !status && !a->costly && hawser__mostly_slack(&a->frf);
+	if (!status)
+		status = hawser__curve_copy(&traced->curve, &a->frf, report);
+	if (status || !(traced->mark = malloc(((size_t)a->frf.points + 1)*sizeof(int))))
+		return status ? status : hawser__no_memory(report, "accuracy");
+	traced->functions = draft->functions;
+	traced->end = a->frf.end;
+	return hawser__curve_marks(traced->mark, &traced->marks, &traced->curve, report);
+}
+
+/* The counterparts of the marks in the model of *draft, if there are, and how far they are from the
+ * curve. */
+enum hawser_status hawser__draft_carry(struct hawser__draft *draft, double *away,
+                                       const struct hawser__traced *traced,
+                                       const struct hawser_statics *statics,
+                                       const struct hawser_frf_options *settled,
+                                       struct hawser_report *report)
+{
+	struct hawser_frf_options frf = *settled;
+	struct hawser_frf found = {.n = 0};
+	int lost = 1, rows, columns;
+	double *map = NULL;
+	enum hawser_status status = HAWSER_OK;
+
+	*away = INFINITY;
+	frf.tolerance = fmax(frf.tolerance, ROUGH);
+	if (traced->orbits.count != traced->curve.points)
+		return HAWSER_OK;
+	status = hawser__full_map(&map, &rows, &columns, statics, traced->functions, draft->functions,
+	                          report);
+	if (!status && rows == draft->rom.n && columns == traced->orbits.n)
+		status = hawser__carry(&found, &lost, &draft->rom, &traced->orbits, traced->mark,
+		                       traced->marks, map, &frf, report);
+	free(map);
+	draft->work = hawser_orbit_work(&found.cost, &draft->rom);
+	if (!status && found.points > 0)
+		status = hawser__curve_copy(&draft->curve, &found, report);
+	if (!status && !lost)
+		status = hawser__curve_points_distance(away, &traced->curve, traced->mark, NULL,
+		                                       &draft->curve, report);
+	hawser_frf_clear(&found);
+	return status;
+}
+
+/* Ends the range where the first two bases stop to agree: at the last mark up to which they do, if
+ * there are enough before it. The curve of *next then ends there, and is near. */
+enum hawser_status hawser__draft_agree(struct hawser__draft *next, double *away,
+                                       const struct hawser__traced *traced,
+                                       struct hawser_accuracy *a,
+                                       struct hawser_frf_options *settled,
+                                       struct hawser_report *report)
+{
+	int found = next->curve.points;
+	double off = INFINITY;
+	enum hawser_status status = HAWSER_OK;
+
+	while (!status && next->curve.points > 0 && HAWSER__SAFETY_BASIS*off > a->asked) {
+		next->curve.points--;
+		status = hawser__curve_points_distance(&off, &traced->curve, traced->mark, NULL,
+		                                       &next->curve, report);
+	}
+	if (status || next->curve.points == 0 ||
+	    traced->mark[next->curve.points - 1] < FIRST_POINTS) {
+		next->curve.points = found;
+		return status;
+	}
+	a->until = settled->to = a->frf.point[traced->mark[next->curve.points - 1]].omega;
+	snprintf(a->beyond, sizeof a->beyond, "bases of %d and %d functions differ beyond: the motion has "
+	         "short waves", traced->functions, next->functions);
+	*away = off;
+	return HAWSER_OK;
+}
+
+/* The same basis with a draft of its own, in place of the last one, with which it is compared. */
+enum hawser_status hawser__draft_draw(struct hawser__draft *next, double *moved,
+                                      struct hawser__traced *traced,
+                                      const struct hawser__draft *chosen, struct hawser_accuracy *a,
+                                      const struct hawser_accuracy_options *options,
+                                      const struct hawser_frf_options *settled, double before,
+                                      struct hawser_report *report)
+{
+	struct hawser__traced last = *traced;
+	enum hawser_status status;
+
+	*moved = INFINITY;
+	hawser__curve_clear(&next->curve);
+	status = draw(next, traced, a, options, settled, before,
+	              last.functions ? (int)(HAWSER__MORE_POINTS*chosen->points) : options->expected,
+	              report);
+	if (!status && !hawser__accuracy_cut(a) && last.functions && last.functions == chosen->functions &&
+	    traced->end == last.end)
+		status = hawser__curve_distance(moved, &last.curve, &traced->curve, report);
+	hawser__traced_clear(&last);
+	return status;
+}

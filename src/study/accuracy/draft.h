@@ -1,0 +1,81 @@
+/* study/accuracy/draft.h - the curves of full-order models by which a basis is chosen: see
+ * accuracy_full.c. SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_STUDY_DRAFT_H
+#define HAWSER_STUDY_DRAFT_H
+
+#include "study/accuracy/accuracy.h"
+#include "study/accuracy/carry.h"
+#include "study/compare/curve.h"
+
+#define HAWSER__SAFETY_BASIS 3.0 /* factor on the difference, calibrated by bench/accuracy.c */
+#define HAWSER__MIDDLING 12      /* functions per component from which on a failure is attributed to the
+                          * tolerance, not to the basis; chosen */
+#define HAWSER__MORE_POINTS 1.2 /* of a response, over those of its draft or of the modes; chosen */
+
+/* The draft of one basis: its curve; or, as long as they are near it, the counterparts of marks of the
+ * curve of a smaller basis. */
+struct hawser__draft {
+	struct hawser_rom rom;
+	struct hawser__drawn_curve curve;
+	int functions, points;
+	double work;
+};
+
+/* The last curve that was traced, and the orbits at its marks. */
+struct hawser__traced {
+	struct hawser__drawn_curve curve;
+	struct hawser__orbits orbits;
+	enum hawser_frf_end end;
+	int functions, *mark, marks;
+};
+
+/* What a trace is watched for. */
+struct hawser__draft_watch {
+	const struct hawser_accuracy_options *options;
+	struct hawser_accuracy *a;
+	double before; /* work of the traces that have ended */
+	double next;   /* work of another draft, over that of this one */
+	int expected;  /* points of the trace; 0: not known */
+	const struct hawser_rom *rom; /* of the trace */
+	int n;         /* coordinates of the model whose response follows */
+	int drafts;    /* 1: it is a draft, which may be given up */
+	int afforded;  /* 1: it was ended where the rest of the range is more than can be borne */
+};
+
+void hawser__traced_clear(struct hawser__traced *traced);
+
+void hawser__draft_clear(struct hawser__draft *draft);
+
+/* Work of what follows the drafts, by one of them with the same kind of model. */
+double hawser__draft_follows(const struct hawser_accuracy_options *options, int n, int points,
+                             double work, const struct hawser_rom *rom);
+
+/* Ends a draft when the work that is foreseen is more than can be borne, or where the cable is slack
+ * from early on; passes the rest on with the time left. */
+int hawser__draft_watch_trace(void *data, const struct hawser_progress_state *state);
+
+/* The counterparts of the marks in the model of *draft, if there are, and how far they are from the
+ * curve. */
+enum hawser_status hawser__draft_carry(struct hawser__draft *draft, double *away,
+                                       const struct hawser__traced *traced,
+                                       const struct hawser_statics *statics,
+                                       const struct hawser_frf_options *settled,
+                                       struct hawser_report *report);
+
+/* Ends the range where the first two bases stop to agree: at the last mark up to which they do, if
+ * there are enough before it. The curve of *next then ends there, and is near. */
+enum hawser_status hawser__draft_agree(struct hawser__draft *next, double *away,
+                                       const struct hawser__traced *traced,
+                                       struct hawser_accuracy *a,
+                                       struct hawser_frf_options *settled,
+                                       struct hawser_report *report);
+
+/* The same basis with a draft of its own, in place of the last one, with which it is compared. */
+enum hawser_status hawser__draft_draw(struct hawser__draft *next, double *moved,
+                                      struct hawser__traced *traced,
+                                      const struct hawser__draft *chosen, struct hawser_accuracy *a,
+                                      const struct hawser_accuracy_options *options,
+                                      const struct hawser_frf_options *settled, double before,
+                                      struct hawser_report *report);
+
+#endif
