@@ -44,7 +44,7 @@ refuses 1 "half is no state of this cable with 20 elements: give a file that a r
 refuses 1 "--check does not go with --initial: leave out one of them" \
 	tow "$scene" --until 1 --initial half --check
 
-works "animation" tow shed.yaml --every 0.25 --until 1 -q --animate turn.gif --frames 3
+works "animation" tow shed.yaml --every "250 ms" --until 1 -q --animate turn.gif --frames 3
 try "  three frames" python3 -S -c 'import sys; d = open("turn.gif", "rb").read()
 sys.exit(d[:6] != b"GIF89a" or d.count(bytes([0x21, 0xf9, 4])) != 3)'
 refuses 1 "--animate turn.png: an animation is a GIF, whose name must end in .gif" \

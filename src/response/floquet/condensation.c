@@ -60,6 +60,8 @@ int hawser__condense_invert(const struct hawser__condensation *work,
 static void add_product(const struct hawser__block *block, double *out, double factor,
                         const double *a, int stride, int rows, int inner, const double *b)
 {
+	if (block->ns == 0) /* a matrix without columns is an error of the reference BLAS */
+		return;
 	cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, rows, 2*block->ns, inner, factor, a,
 	            stride, b, 2*block->ns, 1.0, out, 2*block->ns);
 }
