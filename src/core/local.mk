@@ -19,6 +19,7 @@ noinst_LTLIBRARIES += %D%/libcore.la
 	%D%/paths.h \
 	%D%/progress.c \
 	%D%/progress.h \
+	%D%/random.h \
 	%D%/ranks.c \
 	%D%/ranks.h \
 	%D%/ranks_packet.c \
