@@ -41,13 +41,13 @@
 /* Factor on the error of D of one pair, which was up to 2.1 times the third difference (random undamped
  * models). */
 #define SAFETY 3.0
-#define REAL 0.4        /* real multipliers with a smaller logarithm are not near 1 or -1: those of
-                         * strong damping; chosen */
+#define REAL 0.4        /* largest size of the logarithm of a real multiplier that counts as near 1 or
+                         * -1; others are those of strong damping; chosen */
 #define CLOSE 1.0       /* distance at both ends, rad, above which pairs do not collide within a
                          * step; chosen */
 
-/* Real multipliers near the circle, of one sign, of the station, which has them by falling modulus: the
- * number, and the rank-th of them. */
+/* The number of real multipliers near 1, or near -1 (negative: 1). *rank_th becomes the logarithm of
+ * that with this rank, 0 for the largest: a station lists its multipliers by falling modulus. */
 static int list_real(double *rank_th, int rank, const struct hawser__station *station, int m,
                      int negative)
 {

@@ -165,9 +165,6 @@ static enum hawser_status choose(struct hawser__draft *chosen, double *moved, in
 		if (traced.functions)
 			status = hawser__draft_carry(&next, &away, &traced, &a->modes.statics, frf, report);
 		*work += next.work;
-		if (!status && isfinite(a->until) && next.curve.points > 0 && chosen->functions ==
-		    traced.functions && !(HAWSER__SAFETY_BASIS*away <= a->asked))
-			status = hawser__draft_agree(&next, &away, &traced, a, frf, report);
 		if (!status && away <= NEAR) {
 			next.points = chosen->points;
 			next.work = chosen->work*pow((double)next.rom.n/chosen->rom.n, 2.0);

@@ -10,7 +10,7 @@
 #include "rom/energy/full_map.h"
 #include "study/accuracy/draft.h"
 
-#define LONG 0.2         /* largest step of a curve for comparison, relative to the range; chosen */
+#define LONG 0.2        /* largest step of a curve for comparison, relative to the range; chosen */
 #define CARRIED 0.3     /* work of the marks in the next basis over that of a draft; chosen */
 #define ROUGH 1e-5      /* least tolerance of orbits at marks; chosen, far below the distances */
 #define DOUBT 2.0       /* factor of what is foreseen of a draft that has not ended; chosen */
@@ -63,14 +63,15 @@ static int is_costly(const struct hawser__draft_watch *watch, int points, double
 	return fmax(watch->before + work, watch->a->foreseen/DOUBT) > bearable;
 }
 
-/* Ends a draft when the work that is foreseen is more than can be borne, or where the cable is slack
- * from early on; passes the rest on with the time left. */
+/* Ends a draft when the work that is foreseen is more than can be borne, or with options->partial when
+ * that of the part so far is, or where the cable is slack from early on; tells the time left. */
 int hawser__draft_watch_trace(void *data, const struct hawser_progress_state *state)
 {
 	struct hawser__draft_watch *watch = data;
 	struct hawser_progress_state shown = *state;
 	const struct hawser_frf *frf = state->frf;
 	int points = frf ? frf->points : 0, most = watch->expected;
+	int limited = watch->drafts && watch->options->bearable > 0.0;
 	double work = points > 0 ? hawser_orbit_work(&frf->cost, watch->rom) : 0.0;
 
 	if (most > 0 && points >= FIRST_POINTS) {
@@ -81,12 +82,12 @@ int hawser__draft_watch_trace(void *data, const struct hawser_progress_state *st
 		shown.fraction = fmin((double)points/most, 1.0);
 		shown.left = state->seconds*fmax((double)most/points - 1.0, 0.0);
 	}
-	watch->afforded = watch->options->partial && watch->drafts && points >= FIRST_POINTS &&
+	watch->afforded = limited && watch->options->partial && points >= FIRST_POINTS &&
 	                  so_far(watch, points, work) > watch->options->bearable*
 	                  (watch->a->foreseen > watch->options->bearable ? A_PART : 1.0);
 	if (watch->afforded)
 		return 1;
-	if (watch->options->bearable > 0.0 && watch->drafts && is_costly(watch, points, work)) {
+	if (limited && is_costly(watch, points, work)) {
 		watch->a->costly = 1;
 		if (points > 0 && !(watch->a->foreseen > 0.0)) /* of too few points to foresee it well */
 			watch->a->foreseen = so_far(watch, points > most ? points : most,
@@ -98,7 +99,8 @@ int hawser__draft_watch_trace(void *data, const struct hawser_progress_state *st
 	return hawser__told_to_stop(&watch->options->frf.progress, &shown);
 }
 
-/* Whether the range ends with this draft: at its last point but some, as the response must reach it. */
+/* Whether the range ends with this draft: at its last point, or some points before one that cannot be
+ * computed, since the response must reach the end. */
 static int ends_range(struct hawser_accuracy *a, const struct hawser__draft_watch *watch,
                       int functions, enum hawser_status status, const struct hawser_report *why)
 {
@@ -176,42 +178,13 @@ enum hawser_status hawser__draft_carry(struct hawser__draft *draft, double *away
 		                       traced->marks, map, &frf, report);
 	free(map);
 	draft->work = hawser_orbit_work(&found.cost, &draft->rom);
-	if (!status && found.points > 0)
+	if (!status && !lost)
 		status = hawser__curve_copy(&draft->curve, &found, report);
 	if (!status && !lost)
 		status = hawser__curve_points_distance(away, &traced->curve, traced->mark, NULL,
 		                                       &draft->curve, report);
 	hawser_frf_clear(&found);
 	return status;
-}
-
-/* Ends the range where the first two bases stop to agree: at the last mark up to which they do, if
- * there are enough before it. The curve of *next then ends there, and is near. */
-enum hawser_status hawser__draft_agree(struct hawser__draft *next, double *away,
-                                       const struct hawser__traced *traced,
-                                       struct hawser_accuracy *a,
-                                       struct hawser_frf_options *settled,
-                                       struct hawser_report *report)
-{
-	int found = next->curve.points;
-	double off = INFINITY;
-	enum hawser_status status = HAWSER_OK;
-
-	while (!status && next->curve.points > 0 && HAWSER__SAFETY_BASIS*off > a->asked) {
-		next->curve.points--;
-		status = hawser__curve_points_distance(&off, &traced->curve, traced->mark, NULL,
-		                                       &next->curve, report);
-	}
-	if (status || next->curve.points == 0 ||
-	    traced->mark[next->curve.points - 1] < FIRST_POINTS) {
-		next->curve.points = found;
-		return status;
-	}
-	a->until = settled->to = a->frf.point[traced->mark[next->curve.points - 1]].omega;
-	snprintf(a->beyond, sizeof a->beyond, "bases of %d and %d functions differ beyond: the motion has "
-	         "short waves", traced->functions, next->functions);
-	*away = off;
-	return HAWSER_OK;
 }
 
 /* The same basis with a draft of its own, in place of the last one, with which it is compared. */

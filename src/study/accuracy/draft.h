@@ -8,9 +8,9 @@
 #include "study/compare/curve.h"
 
 #define HAWSER__SAFETY_BASIS 3.0 /* factor on the difference, calibrated by bench/accuracy.c */
-#define HAWSER__MIDDLING 12      /* functions per component from which on a failure is attributed to the
-                          * tolerance, not to the basis; chosen */
-#define HAWSER__MORE_POINTS 1.2 /* of a response, over those of its draft or of the modes; chosen */
+#define HAWSER__MIDDLING 12      /* functions per component from which on a failure is not attributed to
+                                  * the basis, but to the tolerance or the motion; chosen */
+#define HAWSER__MORE_POINTS 1.2  /* of a response, over those of its draft or of the modes; chosen */
 
 /* The draft of one basis: its curve; or, as long as they are near it, the counterparts of marks of the
  * curve of a smaller basis. */
@@ -50,8 +50,9 @@ void hawser__draft_clear(struct hawser__draft *draft);
 double hawser__draft_follows(const struct hawser_accuracy_options *options, int n, int points,
                              double work, const struct hawser_rom *rom);
 
-/* Ends a draft when the work that is foreseen is more than can be borne, or where the cable is slack
- * from early on; passes the rest on with the time left. */
+/* For the progress of a trace; data: struct hawser__draft_watch. Ends a draft when the work that is
+ * foreseen is more than can be borne, or with options->partial when that of the part so far is, or
+ * where the cable is slack from early on; tells the time left. */
 int hawser__draft_watch_trace(void *data, const struct hawser_progress_state *state);
 
 /* The counterparts of the marks in the model of *draft, if there are, and how far they are from the
@@ -60,14 +61,6 @@ enum hawser_status hawser__draft_carry(struct hawser__draft *draft, double *away
                                        const struct hawser__traced *traced,
                                        const struct hawser_statics *statics,
                                        const struct hawser_frf_options *settled,
-                                       struct hawser_report *report);
-
-/* Ends the range where the first two bases stop to agree: at the last mark up to which they do, if
- * there are enough before it. The curve of *next then ends there, and is near. */
-enum hawser_status hawser__draft_agree(struct hawser__draft *next, double *away,
-                                       const struct hawser__traced *traced,
-                                       struct hawser_accuracy *a,
-                                       struct hawser_frf_options *settled,
                                        struct hawser_report *report);
 
 /* The same basis with a draft of its own, in place of the last one, with which it is compared. */

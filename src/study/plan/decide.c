@@ -241,8 +241,8 @@ static void decide_response(struct hawser_plan *plan, const struct hawser_survey
 	    fixed->estimated < 1.0 ? "about " : "more than ", fixed->estimated,
 	    fixed->truncation < 1.0 ? "" : "more than ", fmin(fixed->truncation, 1.0),
 	    survey->instead == HAWSER__INSTEAD ? ": hawser frf takes full-order models" :
-	    survey->instead == HAWSER__TOO_LONG ? ": hawser frf warns, since full-order models take long "
-	                                          "(model.energy: exact)" : "");
+	    survey->instead == HAWSER__TOO_LONG ? ": hawser frf takes full-order models for as much of "
+	                                          "the range as they cover in a bearable time" : "");
 }
 
 enum hawser_status hawser__decide(struct hawser_plan *plan, const struct hawser_survey *survey,
