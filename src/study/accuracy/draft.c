@@ -53,14 +53,17 @@ static double so_far(const struct hawser__draft_watch *watch, int points, double
 	       hawser__draft_follows(watch->options, watch->n, points, work, watch->rom);
 }
 
-/* Whether a draft is more than can be borne, of which a part is of no use either. */
+/* Whether a draft is more than can be borne, of which a part is of no use either. The range of one that
+ * follows a part ends there, so that what it needs is known to a factor. */
 static int is_costly(const struct hawser__draft_watch *watch, int points, double work)
 {
-	double bearable = watch->options->bearable;
+	double bearable = watch->options->bearable, spent = watch->before + work;
 
+	if (isfinite(watch->a->until))
+		return spent > DOUBT*bearable;
 	if (watch->options->partial)
-		return points < FIRST_POINTS && watch->before + work > A_PART*bearable;
-	return fmax(watch->before + work, watch->a->foreseen/DOUBT) > bearable;
+		return points < FIRST_POINTS && spent > bearable;
+	return fmax(spent, watch->a->foreseen/DOUBT) > bearable;
 }
 
 /* Ends a draft when the work that is foreseen is more than can be borne, or with options->partial when
@@ -82,7 +85,8 @@ int hawser__draft_watch_trace(void *data, const struct hawser_progress_state *st
 		shown.fraction = fmin((double)points/most, 1.0);
 		shown.left = state->seconds*fmax((double)most/points - 1.0, 0.0);
 	}
-	watch->afforded = limited && watch->options->partial && points >= FIRST_POINTS &&
+	watch->afforded = limited && watch->options->partial && isnan(watch->a->until) &&
+	                  points >= FIRST_POINTS &&
 	                  so_far(watch, points, work) > watch->options->bearable*
 	                  (watch->a->foreseen > watch->options->bearable ? A_PART : 1.0);
 	if (watch->afforded)
