@@ -30,7 +30,7 @@
 #include "response/orbit/method.h"
 #include "response/floquet/monodromy.h"
 
-#define HAWSER__KRYLOV 24 /* largest number of iterations of GMRES */
+#define HAWSER__KRYLOV 72 /* largest number of iterations of GMRES */
 
 struct hawser__balance {
 	struct hawser__orbit base;

@@ -31,6 +31,7 @@
 #define ASSEMBLED 10.0 /* operations for an element of the matrix, */
 #define APPLIED 8.0    /* and for each in an iteration, at the speed of a factorisation; chosen */
 #define KRYLOV HAWSER__KRYLOV
+#define OLD_KRYLOV 24 /* the same with old factors, or with those of M itself; chosen */
 #define NEWTON_RESIDUAL 1e-5 /* relative: far below the contraction required of the corrector */
 #define TANGENT_RESIDUAL 1e-11 /* relative; at a fold the Omega component of the tangent is 0 */
 #define TRIED 6 /* iterations after which a solution with old factors may be given up; chosen */
@@ -315,18 +316,25 @@ static void extend(struct hawser__balance *balance, struct hessenberg *H, int k)
 		cblas_dscal(count, 1.0/H->r[k][k + 1], v, 1);
 }
 
-/* Whether old factors would need more than KRYLOV iterations, at the mean rate of the first k, which
- * have reduced the residual to `part`. */
+/* With fresh blocks the alternative is to factorise M itself, which takes as long as hundreds of
+ * iterations. */
+static int most_iterations(const struct hawser__balance *balance)
+{
+	return balance->blockwise && balance->fresh ? KRYLOV : OLD_KRYLOV;
+}
+
+/* Whether old factors would need more than OLD_KRYLOV iterations, at the mean rate of the first k,
+ * which have reduced the residual to `part`. */
 static int hopeless(const struct hawser__balance *balance, int k, double part, double goal)
 {
-	return !balance->fresh && k >= TRIED && k*log(goal) < KRYLOV*log(part);
+	return !balance->fresh && k >= TRIED && k*log(goal) < OLD_KRYLOV*log(part);
 }
 
 /* x = M^-1 x to the relative residual `goal`. Returns 1 after too many iterations; x is then
  * invalid. */
 static int gmres(struct hawser__balance *balance, double *x, double goal)
 {
-	int count = balance->unknowns + 1, k = 0;
+	int count = balance->unknowns + 1, k = 0, most = most_iterations(balance);
 	double length = cblas_dnrm2(count, x, 1);
 	struct hessenberg H;
 
@@ -335,7 +343,7 @@ static int gmres(struct hawser__balance *balance, double *x, double goal)
 	memcpy(balance->krylov, x, (size_t)count*sizeof *x);
 	cblas_dscal(count, 1.0/length, balance->krylov, 1);
 	H.g[0] = length;
-	while (k < KRYLOV && fabs(H.g[k]) > goal*length &&
+	while (k < most && fabs(H.g[k]) > goal*length &&
 	       !hopeless(balance, k, fabs(H.g[k])/length, goal)) {
 		extend(balance, &H, k);
 		rotate(&H, k++);
