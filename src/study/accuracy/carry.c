@@ -23,7 +23,9 @@
 #include "rom/terms/terms.h"
 
 #define FAR 0.3    /* largest distance from an orbit to its counterpart, in the metric; chosen */
-#define PART 1e-4  /* smallest harmonic that is taken over, relative to the orbit; chosen */
+#define PART 1e-5  /* smallest harmonic that is taken over, relative to the orbit, both by the root of their
+                    * energies: small motions along the cable stretch it. Chosen: an orbit carried to its
+                    * own model then moves by some 5e-3 in the metric, with 1e-4 by 0.1 */
 
 static size_t length_of(const struct hawser__series *series, int n)
 {
@@ -120,6 +122,11 @@ static void take(const struct hawser__balance *balance, double *y, const double 
 	y[balance->base.size - 1] = from[(2*(size_t)order + 1)*(size_t)n];
 }
 
+static double stiffness_of(const struct hawser__balance *balance, int j)
+{
+	return fabs(balance->base.rom->K[(size_t)j*((size_t)balance->base.n + 1)]);
+}
+
 /* Make the harmonics of y active that are not small. */
 static enum hawser_status adopt(struct hawser__balance *balance, const double *y, int order,
                                 struct hawser_report *report)
@@ -130,11 +137,11 @@ static enum hawser_status adopt(struct hawser__balance *balance, const double *y
 	order = order < balance->top ? order : balance->top;
 	pairs = (order + 1)*n;
 	for (int i = 0; i < (2*order + 1)*n; i++)
-		whole += y[i]*y[i];
+		whole += stiffness_of(balance, i%n)*y[i]*y[i];
 	for (int e = 0; e < pairs; e++) {
 		double c = y[hawser__cos(n, e/n, e%n)], s = e < n ? 0.0 : y[hawser__sin(n, e/n, e%n)];
 
-		if (hypot(c, s) > PART*sqrt(whole))
+		if (sqrt(stiffness_of(balance, e%n))*hypot(c, s) > PART*sqrt(whole))
 			balance->active[e] = 1;
 	}
 	return hawser__balance_arrange(balance, report);
