@@ -268,11 +268,11 @@ const struct hawser_scene_key *hawser_scene_key(int index);
 
 /* Read a scene from `stream` (called `name` in messages) and apply `nset` overrides in order. An
  * override has the syntax of --set: "cable.EA=100 MN", "load.per_length=[1, 2, 3]", or a whole
- * section, "load={frame: local, per_length: [1, 2, 3]}". A key of an item of the lists attach,
- * loads and cases is named by the number of the item, from 0, or by its name: "attach.0.mass=20 kg",
- * "attach.carrier.mass=20 kg". If two keys exclude each other (tension.H
- * and tension.T0, the kinds of damping), the override replaces the one given before. *scene is
- * overwritten; release it with hawser_scene_clear. On failure it is all zero. Returns
+ * section, "load={frame: local, per_length: [1, 2, 3]}", which takes the place of all of it. A key
+ * of an item of the lists attach, loads and cases is named by the number of the item, from 0, or by
+ * its name: "attach.0.mass=20 kg", "attach.carrier.mass=20 kg". If two keys exclude each other
+ * (tension.H and tension.T0, the kinds of damping), the override replaces the one given before.
+ * *scene is overwritten; release it with hawser_scene_clear. On failure it is all zero. Returns
  * HAWSER_ERR_SCENE, HAWSER_ERR_IO (the stream, or the unit database), HAWSER_ERR_MEMORY, and
  * HAWSER_ERR_ARGUMENT if `stream` is a directory. */
 enum hawser_status hawser_scene_read(struct hawser_scene *scene, FILE *stream, const char *name,

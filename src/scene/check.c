@@ -1,304 +1,292 @@
-/* scene/check.c - checks after the file and all overrides are read: missing keys, and keys that
- * require another one.
+/* scene/check.c - rules over several keys of a span, after the file and all overrides are read.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "scene/keys.h"
 #include "scene/reader.h"
 
-static int written(const struct hawser__reader *reader, int index)
+struct checked {
+	struct hawser__reader *reader;
+	struct hawser_scene *scene;
+	const struct hawser__tree *root;
+};
+
+static int given(const struct checked *of, const char *path)
 {
-	return reader->scene->written[index];
+	return hawser__tree_at(of->root, path) != NULL;
 }
 
-static int within(const char *path, const char *section)
+/* The place of a key or mapping that is given. */
+static const struct hawser__mark *place(const struct checked *of, const char *path)
 {
-	size_t length = strlen(section);
-
-	return !strncmp(path, section, length) && path[length] == '.';
+	return &hawser__tree_at(of->root, path)->at;
 }
 
-/* 1 if a section is given, by its name or by an override of one of its keys. The section load with
- * nothing but load.static is not: the scene then has no varying load. */
-static int present(const struct hawser__reader *reader, int section)
+static enum hawser_status missing(const struct checked *of, const char *section, const char *leaf)
 {
-	size_t count;
-	const char *path = hawser__sections(&count)[section].path;
-	int load = !strcmp(path, "load");
+	char what[64], path[80];
 
-	if (reader->section[section].pass &&
-	    !(load && reader->section[hawser__section_find("load.static")].pass))
-		return 1;
-	for (int i = 0; hawser_scene_key(i); i++)
-		if (written(reader, i) && (load ? hawser__child_of(hawser_scene_key(i)->path, path)
-		                                : within(hawser_scene_key(i)->path, path)))
-			return 1;
-	return 0;
+	snprintf(what, sizeof what, "%s.%s", section, leaf);
+	snprintf(path, sizeof path, "span.%s", what);
+	return hawser__tree_missing(of->reader, hawser__tree_at(of->root, section), what, path);
 }
 
-/* The place to report if a key of a section is missing: the section, the override that created it,
- * or the whole scene. */
-static const struct hawser__mark *near(const struct hawser__reader *reader, int section)
-{
-	size_t count;
-	const char *path = hawser__sections(&count)[section].path;
-
-	if (reader->section[section].pass)
-		return &reader->section[section];
-	for (int i = 0; hawser_scene_key(i); i++)
-		if (written(reader, i) && within(hawser_scene_key(i)->path, path))
-			return &reader->key[i];
-	return &reader->root;
-}
-
-/* "cable.EA is missing: give a number in N (axial stiffness ...)" */
-static enum hawser_status missing(struct hawser__reader *reader, int section,
-                                  const struct hawser_scene_key *key)
-{
-	const char *sort = strncmp(key->type, "numbers", 7) ? "a number" : "a list of numbers";
-	int pure = !strcmp(key->unit, "1");
-
-	if (key->words)
-		return hawser__reader_fail(reader, near(reader, section),
-		                           "%s is missing and has no default: give one of %s (%s)",
-		                           key->path, key->words, key->doc);
-	return hawser__reader_fail(reader, near(reader, section),
-	                           "%s is missing and has no default: give %s%s%s (%s)", key->path,
-	                           sort, pure ? "" : " in ", pure ? "" : key->unit, key->doc);
-}
-
-/* 1 if a section is required: those of a cable are not if a beam is given. */
-static int needs(const struct hawser__reader *reader, int section)
-{
-	size_t count;
-
-	return hawser__sections(&count)[section].required && !reader->scene->beam.form &&
-	       !present(reader, hawser__section_find("beam"));
-}
-
-/* Fail if no member of a group is given although its section is required or present. */
-static enum hawser_status chosen(struct hawser__reader *reader, enum hawser__group group)
-{
-	const struct hawser__choice *choice = hawser__choice(group);
-	int section = hawser__section_find(choice->section);
-	int needed = needs(reader, section) || present(reader, section);
-
-	if (group == HAWSER__WEIGHT)
-		needed = reader->scene->beam.form == HAWSER_BEAM_EI;
-	if (group == HAWSER__DAMPING && written(reader, hawser__key_find("damping.drag")))
-		needed = 0;
-
-	if (!needed || hawser__chosen(reader->scene, group))
-		return HAWSER_OK;
-	return hawser__reader_fail(reader, near(reader, section), "%s is missing: give %s",
-	                           choice->what, choice->rule);
-}
-
-/* 1 if a key is required: it has no default, its section is present, and it does not belong to
- * another choice. */
-static int required(const struct hawser__reader *reader, int index, int section)
-{
-	const struct hawser__row *row = &hawser__rows()[index];
-
-	if (hawser_scene_key(index)->fallback)
-		return 0;
-	if (row->group)
-		return hawser__chosen(reader->scene, row->group) == row->member &&
-		       present(reader, section);
-	if (reader->scene->beam.form)
-		return hawser__applies(reader->scene, index);
-	return needs(reader, section) || present(reader, section);
-}
-
-/* Check that all required keys are given. Of the members of a group (tension.H, T0, ...) only the
- * chosen one is required. The two factors of Rayleigh damping are one choice, so that both are
- * required. */
-static enum hawser_status complete(struct hawser__reader *reader)
-{
-	const struct hawser_scene_key *key;
-	size_t sections;
-	const struct hawser__section *section = hawser__sections(&sections);
-
-	for (int s = 0; s < (int)sections; s++)
-		for (int i = 0; (key = hawser_scene_key(i)); i++)
-			if (hawser__child_of(key->path, section[s].path) && !written(reader, i) &&
-			    required(reader, i, s))
-				return missing(reader, s, key);
-	return HAWSER_OK;
-}
-
-static enum hawser_status branch(struct hawser__reader *reader)
-{
-	int index = hawser__key_find("tension.branch");
-	const char *given = "";
-
-	if (!written(reader, index) || hawser__applies(reader->scene, index))
-		return HAWSER_OK;
-	for (int i = 0; hawser_scene_key(i); i++)
-		if (hawser__rows()[i].group == HAWSER__TENSION && written(reader, i))
-			given = hawser_scene_key(i)->path;
-	return hawser__reader_fail(reader, &reader->key[index],
-	                           "tension.branch contradicts %s, which has one equilibrium only: "
-	                           "remove tension.branch, or give T0 or T1", given);
-}
-
-/* If a beam is given, fail on keys of a cable and on keys of another form of beam. */
-static enum hawser_status beam(struct hawser__reader *reader)
+/* What the form of a beam needs, and what belongs to another one. */
+static enum hawser_status beam(const struct checked *of)
 {
 	static const char *const form[] = {"", "mu", "theta", "EI"};
-	size_t sections;
-	const struct hawser__section *section = hawser__sections(&sections);
+	const struct hawser_scene *scene = of->scene;
 
-	if (!present(reader, hawser__section_find("beam")))
+	for (int i = 0; scene->beam.form && hawser_scene_key(i); i++) {
+		const char *path = hawser_scene_key(i)->path;
+
+		if (!hawser__child_of(path, "beam"))
+			continue;
+		if (given(of, path) && !hawser__applies(scene, i))
+			return hawser__reader_fail(of->reader, place(of, path), "%s contradicts beam.%s: %s", path,
+			                           form[scene->beam.form], scene->beam.form == HAWSER_BEAM_EI
+			                           ? "a beam in SI has rhoA, L, tension_end, drag, gyration, "
+			                           "speed and gravity or inclination"
+			                           : "a scaled beam has rho, c, slenderness and v");
+		if (!given(of, path) && hawser__applies(scene, i) && !hawser_scene_key(i)->fallback)
+			return missing(of, "beam", hawser__leaf(path));
+	}
+	if (scene->beam.form != HAWSER_BEAM_EI || scene->beam.weight)
 		return HAWSER_OK;
-	for (int s = 0; s < (int)sections; s++)
-		if (strcmp(section[s].path, "beam") != 0 && present(reader, s))
-			return hawser__reader_fail(reader, near(reader, s),
-			                           "%s contradicts beam: a scene is of a cable or of a beam, "
-			                           "remove one of them", section[s].path);
-	for (int i = 0; reader->scene->beam.form && hawser_scene_key(i); i++)
-		if (written(reader, i) && !hawser__applies(reader->scene, i))
-			return hawser__reader_fail(reader, &reader->key[i],
-			                           "%s contradicts beam.%s: %s",
-			                           hawser_scene_key(i)->path, form[reader->scene->beam.form],
-			                           reader->scene->beam.form == HAWSER_BEAM_EI
-			                                   ? "a beam in SI has rhoA, L, tension_end, drag, "
-			                                     "gyration, speed and gravity or inclination"
-			                                   : "a scaled beam has rho, c, slenderness and v");
-	return HAWSER_OK;
+	return hawser__reader_fail(of->reader, place(of, "beam"), "the direction of the weight is "
+	                           "missing: give exactly one of gravity and inclination");
 }
 
 /* Fail if a string has rotary inertia: without bending rigidity no restoring moment acts on it, and
  * no speed is stable. */
-static enum hawser_status string(struct hawser__reader *reader)
+static enum hawser_status string(const struct checked *of)
 {
-	const struct hawser_scene *scene = reader->scene;
+	const struct hawser_scene *scene = of->scene;
 	int theta = scene->beam.form == HAWSER_BEAM_THETA;
-	int index = hawser__key_find(theta ? "beam.slenderness" : "beam.gyration");
+	const char *inertia = theta ? "beam.slenderness" : "beam.gyration";
 
 	if (!(theta && scene->beam.theta == 0.0 && scene->beam.slenderness > 0.0) &&
 	    !(scene->beam.form == HAWSER_BEAM_EI && scene->beam.EI == 0.0 && scene->beam.gyration > 0.0))
 		return HAWSER_OK;
-	return hawser__reader_fail(reader, &reader->key[index],
+	return hawser__reader_fail(of->reader, place(of, inertia),
 	                           "a string has no rotary inertia: remove %s, or give a bending rigidity",
-	                           theta ? "beam.slenderness" : "beam.gyration");
+	                           inertia);
 }
 
-static enum hawser_status braking(struct hawser__reader *reader)
+/* tension.branch belongs to T0 and T1; an override by another tension takes it out. */
+static enum hawser_status branch(const struct checked *of)
 {
-	const struct hawser_scene *scene = reader->scene;
-	int final = hawser__key_find("travel.final"), braking = hawser__key_find("travel.braking");
+	static const char *const quantity[] = {"", "tension.H", "tension.T0", "tension.T1",
+	                                       "tension.length0", "tension.sag"};
+	struct hawser_scene *scene = of->scene;
+	int index = hawser__key_find("tension.branch");
 
-	if (written(reader, final) && !(scene->travel.braking > 0.0))
-		return hawser__reader_fail(reader, &reader->key[final],
+	if (!scene->written[index] || hawser__applies(scene, index))
+		return HAWSER_OK;
+	if (place(of, "tension.branch")->pass >= place(of, quantity[scene->tension.given])->pass)
+		return hawser__reader_fail(of->reader, place(of, "tension.branch"),
+		                           "tension.branch contradicts %s, which has one equilibrium only: "
+		                           "remove tension.branch, or give T0 or T1",
+		                           quantity[scene->tension.given]);
+	scene->tension.branch = HAWSER_BRANCH_TAUT;
+	scene->written[index] = 0;
+	return HAWSER_OK;
+}
+
+static enum hawser_status braking(const struct checked *of)
+{
+	const struct hawser_scene *scene = of->scene;
+
+	if (given(of, "travel.final") && !(scene->travel.braking > 0.0))
+		return hawser__reader_fail(of->reader, place(of, "travel.final"),
 		                           "travel.final is the speed after braking: give the time that "
 		                           "braking takes with travel.braking, or remove travel.final");
 	if (scene->travel.braking > 0.0 && scene->travel.fluctuation > 0.0)
-		return hawser__reader_fail(reader, &reader->key[braking],
+		return hawser__reader_fail(of->reader, place(of, "travel.braking"),
 		                           "travel.braking contradicts travel.fluctuation: a speed either "
 		                           "repeats itself or changes once and for all");
 	return HAWSER_OK;
 }
 
-static int gives(const struct hawser__reader *reader, const char *section, const char *leaf)
+/* An end that is given has springs, or a motion, to which phase and harmonic belong. */
+static enum hawser_status end(const struct checked *of, const char *name)
 {
-	char path[64];
+	const struct hawser__tree *tree = hawser__tree_at(of->root, name);
 
-	snprintf(path, sizeof path, "%s.%s", section, leaf);
-	return written(reader, hawser__key_find(path));
-}
-
-/* An end that is given has springs, or a motion, to which phase and harmonic belong. *moving and
- * *elastic are set if it has. */
-static enum hawser_status end_given(struct hawser__reader *reader, const char *name, int *moving,
-                                    int *elastic)
-{
-	int section = hawser__section_find(name), moves = gives(reader, name, "motion");
-	int sprung = gives(reader, name, "stiffness");
-	char path[64];
-
-	*moving |= moves;
-	*elastic |= sprung;
-	if (!present(reader, section) || moves || (sprung && !gives(reader, name, "phase") &&
-	                                           !gives(reader, name, "harmonic")))
+	if (!tree || hawser__tree_find(tree, "motion") ||
+	    (hawser__tree_find(tree, "stiffness") && !hawser__tree_find(tree, "phase") &&
+	     !hawser__tree_find(tree, "harmonic")))
 		return HAWSER_OK;
-	snprintf(path, sizeof path, "%s.%s", name, gives(reader, name, "mass") ? "stiffness" : "motion");
-	return missing(reader, section, hawser_scene_key(hawser__key_find(path)));
+	return missing(of, name, hawser__tree_find(tree, "mass") ? "stiffness" : "motion");
 }
 
-/* Fail if the ends of a cable move, or are on springs, for which this is not modelled. */
-static enum hawser_status supports(struct hawser__reader *reader)
+static enum hawser_status supports(const struct checked *of)
 {
-	int section = hawser__section_find("support"), moving = 0, elastic = 0;
-	enum hawser_status status = end_given(reader, "support.A", &moving, &elastic);
+	enum hawser_status status = end(of, "support.A");
 
 	if (!status)
-		status = end_given(reader, "support.B", &moving, &elastic);
-	if (status || !(moving || elastic))
+		status = end(of, "support.B");
+	if (status || !of->scene->travel.present ||
+	    !(of->scene->support[0].present || of->scene->support[1].present))
 		return status;
-	if (reader->scene->travel.present)
-		return hawser__reader_fail(reader, near(reader, section), "support contradicts travel: moving "
-		                           "or elastic supports of a travelling cable are not modelled, remove "
-		                           "one of them");
-	return HAWSER_OK;
+	return hawser__reader_fail(of->reader, place(of, "support"), "support contradicts travel: "
+	                           "moving or elastic supports of a travelling cable are not modelled, "
+	                           "remove one of them");
 }
 
 /* Fail if the cable has bending stiffness where this is not modelled, or held ends without it. */
-static enum hawser_status bending(struct hawser__reader *reader)
+static enum hawser_status bending(const struct checked *of)
 {
-	const struct hawser_scene *scene = reader->scene;
-	const struct hawser__mark *at = &reader->key[hawser__key_find("cable.EI")];
-	int ends = hawser__section_find("ends");
-	const char *other = scene->travel.present ? "travel"
-	                    : gives(reader, "support.A", "stiffness") ? "support.A.stiffness"
-	                    : gives(reader, "support.B", "stiffness") ? "support.B.stiffness" : NULL;
+	static const char *const others[] = {"travel", "support.A.stiffness", "support.B.stiffness"};
+	size_t i = 0;
 
-	if (!(scene->cable.EI > 0.0))
-		return present(reader, ends)
-		       ? hawser__reader_fail(reader, near(reader, ends), "ends contradicts cable.EI = 0: a "
+	if (!(of->scene->cable.EI > 0.0))
+		return given(of, "ends")
+		       ? hawser__reader_fail(of->reader, place(of, "ends"), "ends contradicts cable.EI = 0: a "
 		                             "cable without bending stiffness turns freely at its ends; give "
 		                             "cable.EI, or remove ends")
 		       : HAWSER_OK;
-	if (!other)
+	while (i < sizeof others/sizeof *others && !given(of, others[i]))
+		i++;
+	if (i == sizeof others/sizeof *others)
 		return HAWSER_OK;
-	return hawser__reader_fail(reader, at, "cable.EI contradicts %s: bending stiffness of such a "
-	                           "cable is not modelled, remove one of them", other);
+	return hawser__reader_fail(of->reader, place(of, "cable.EI"), "cable.EI contradicts %s: bending "
+	                           "stiffness of such a cable is not modelled, remove one of them",
+	                           others[i]);
 }
 
-enum hawser_status hawser__check(struct hawser__reader *reader)
+static enum hawser_status damping(const struct checked *of)
 {
-	enum hawser_status status = beam(reader);
+	if (!given(of, "damping") || of->scene->damping.kind || given(of, "damping.drag"))
+		return HAWSER_OK;
+	return hawser__reader_fail(of->reader, place(of, "damping"), "the kind of damping is missing: give "
+	                           "exactly one of alpha, rayleigh, ratio");
+}
 
-	if (status == HAWSER_OK)
-		status = chosen(reader, HAWSER__BEAM);
-	if (status == HAWSER_OK)
-		status = chosen(reader, HAWSER__WEIGHT);
-	if (status == HAWSER_OK)
-		status = string(reader);
-	if (status == HAWSER_OK)
-		status = chosen(reader, HAWSER__TENSION);
+/* 1 if an attachment has no effect. */
+static int idle(const struct hawser_attachment *a)
+{
+	double sum = a->mass + a->absorber_mass;
 
-	reader->scene->travel.present = present(reader, hawser__section_find("travel"));
-	reader->scene->support[0].present = present(reader, hawser__section_find("support.A"));
-	reader->scene->support[1].present = present(reader, hawser__section_find("support.B"));
-	reader->scene->load.present = present(reader, hawser__section_find("load"));
-	reader->scene->static_load.present = present(reader, hawser__section_find("load.static"));
-	reader->scene->temperature.present = present(reader, hawser__section_find("temperature"));
-	if (status == HAWSER_OK)
-		status = chosen(reader, HAWSER__DAMPING);
-	if (status == HAWSER_OK)
-		status = complete(reader);
-	if (status == HAWSER_OK)
-		status = branch(reader);
-	if (status == HAWSER_OK)
-		status = braking(reader);
-	if (status == HAWSER_OK)
-		status = supports(reader);
-	if (status == HAWSER_OK)
-		status = bending(reader);
-	if (status == HAWSER_OK)
-		status = hawser__items_check(reader);
+	for (int c = 0; c < 3; c++)
+		sum += a->spring[c] + a->damper[c] + fabs(a->force[c]);
+	return sum == 0.0;
+}
+
+static enum hawser_status attachments(const struct checked *of)
+{
+	const struct hawser_scene *scene = of->scene;
+	const struct hawser_attachment *a = scene->attach;
+	const struct hawser__tree *one = hawser__tree_find(of->root, "attach");
+
+	if (!one || !scene->attachments)
+		return HAWSER_OK;
+	if (scene->travel.present)
+		return hawser__reader_fail(of->reader, &one->at, "attach contradicts travel: attachments "
+		                           "are at rest, and the cable would move past them; remove one of "
+		                           "them");
+	one = one->child;
+	for (int i = 0; i < scene->attachments; i++, one = one->next) {
+		const struct hawser__mark *here = &one->at;
+
+		if (a[i].absorber_mass > 0.0 && a[i].absorber_cubic > 0.0 && a[i].absorber_stiffness == 0.0)
+			return hawser__reader_fail(of->reader, here, "attach[%d] has an absorber whose cubic "
+			                           "spring alone does not hold it at rest: give an "
+			                           "absorber_stiffness besides, small against absorber_cubic "
+			                           "times the square of the stroke", i);
+		if ((a[i].absorber_mass > 0.0) != (a[i].absorber_stiffness > 0.0) ||
+		    ((a[i].absorber_damping > 0.0 || a[i].absorber_cubic > 0.0) && !(a[i].absorber_mass > 0.0)))
+			return hawser__reader_fail(of->reader, here, "attach[%d] has an incomplete absorber: give "
+			                           "both absorber_mass and absorber_stiffness, or none", i);
+		if (idle(&a[i]))
+			return hawser__reader_fail(of->reader, here, "attach[%d] has no effect: give it a mass, a "
+			                           "force, a spring, a damper or an absorber", i);
+		for (int j = 0; j < i; j++)
+			if (a[i].by_length == a[j].by_length && a[i].at == a[j].at)
+				return hawser__reader_fail(of->reader, here, "attach[%d] and attach[%d] "
+				                           "are at the same point: make one of them", j, i);
+	}
+	return HAWSER_OK;
+}
+
+static int any(const double *vector)
+{
+	return vector[0] != 0.0 || vector[1] != 0.0 || vector[2] != 0.0;
+}
+
+static enum hawser_status piece(struct hawser__reader *reader, const struct hawser_load_piece *one,
+                                int i, const struct hawser__mark *here)
+{
+	if (any(one->force) && any(one->per_length))
+		return hawser__reader_fail(reader, here, "loads[%d] has both per_length and force: make two "
+		                           "loads of them", i);
+	if (!any(one->force) && !any(one->per_length))
+		return hawser__reader_fail(reader, here, "loads[%d] has no effect: give it a per_length, or "
+		                           "a force and at", i);
+	if (any(one->force) && one->at == 0.0)
+		return hawser__reader_fail(reader, here, "loads[%d] is a force without a point: give at, such "
+		                           "as at: 30 %% or at: 12 m", i);
+	if (any(one->force) && (one->from != 0.0 || one->to != 1.0 || one->to_length || one->wave != 0.0))
+		return hawser__reader_fail(reader, here, "loads[%d]: from, to and wave are of a per_length: a "
+		                           "force acts at one point, at", i);
+	if (any(one->per_length) && one->at != 0.0)
+		return hawser__reader_fail(reader, here, "loads[%d]: at is the point of a force: a per_length "
+		                           "acts from and to", i);
+	if (any(one->per_length) && one->from_length == one->to_length && one->from >= one->to)
+		return hawser__reader_fail(reader, here, "loads[%d] acts from %g to %g: give the end nearer "
+		                           "to A first", i, one->from, one->to);
+	return HAWSER_OK;
+}
+
+static enum hawser_status loads(const struct checked *of)
+{
+	const struct hawser__tree *one = hawser__tree_find(of->root, "loads");
+	enum hawser_status status = HAWSER_OK;
+
+	one = one ? one->child : NULL;
+	for (int i = 0; i < of->scene->loads && !status; i++, one = one->next)
+		status = piece(of->reader, &of->scene->piece[i], i, &one->at);
+	return status;
+}
+
+static enum hawser_status cases(const struct checked *of)
+{
+	struct hawser_scene *scene = of->scene;
+
+	for (int i = 0; i < scene->cases; i++) {
+		struct hawser_case *c = &scene->load_case[i];
+
+		if (!c->heated || !isnan(c->expansion))
+			continue;
+		if (!scene->temperature.present)
+			return hawser__reader_fail(of->reader, place(of, "cases"), "cases[%d] (%s) has no "
+			                           "temperature.expansion, and neither has the scene: give it "
+			                           "in 1/K in one of them", i, c->name);
+		c->expansion = scene->temperature.expansion;
+	}
+	return HAWSER_OK;
+}
+
+enum hawser_status hawser__check(struct hawser__reader *reader, struct hawser_scene *scene,
+                                 const struct hawser__tree *root)
+{
+	static enum hawser_status (*const rule[])(const struct checked *) = {
+		beam, string, damping, branch, braking, supports, bending, attachments, loads, cases};
+	const struct checked of = {reader, scene, root};
+	const struct hawser__tree *load = hawser__tree_find(root, "load");
+	enum hawser_status status = HAWSER_OK;
+
+	scene->travel.present = given(&of, "travel");
+	scene->support[0].present = given(&of, "support.A");
+	scene->support[1].present = given(&of, "support.B");
+	scene->static_load.present = given(&of, "load.static");
+	scene->temperature.present = given(&of, "temperature");
+	scene->load.present = load && (load->children != 1 || !scene->static_load.present);
+	for (size_t i = 0; i < sizeof rule/sizeof *rule && !status; i++)
+		status = rule[i](&of);
 	return status;
 }

@@ -1,15 +1,10 @@
 noinst_LTLIBRARIES += %D%/libscene.la
 %C%_libscene_la_SOURCES = \
-	%D%/cases.c \
 	%D%/check.c \
 	%D%/document.c \
 	%D%/events.c \
-	%D%/items.c \
 	%D%/keys.c \
 	%D%/keys.h \
-	%D%/lists.c \
-	%D%/override.c \
-	%D%/parse.c \
 	%D%/paths.c \
 	%D%/plausible.c \
 	%D%/plausible.h \
@@ -19,10 +14,10 @@ noinst_LTLIBRARIES += %D%/libscene.la
 	%D%/page/schema.h \
 	%D%/page/schema_span.c \
 	%D%/page/schema_value.c \
+	%D%/span_read.c \
+	%D%/span_rows.c \
 	%D%/state_file.c \
 	%D%/state_file.h \
-	%D%/suggest.c \
-	%D%/suggest.h \
 	%D%/tree.c \
 	%D%/tree.h \
 	%D%/tree_keys.c \
@@ -34,7 +29,6 @@ noinst_LTLIBRARIES += %D%/libscene.la
 	%D%/units.c \
 	%D%/units_common.c \
 	%D%/units.h \
-	%D%/value.c \
 	%D%/write.c
 
 # Writes hawser-scene(5) from the table of keys; man/local.mk runs it.

@@ -14,7 +14,7 @@ const char *hawser__leaf(const char *path)
 	return dot ? dot + 1 : path;
 }
 
-size_t hawser__parent_length(const char *path)
+static size_t parent_length(const char *path)
 {
 	const char *dot = strrchr(path, '.');
 
@@ -23,7 +23,7 @@ size_t hawser__parent_length(const char *path)
 
 int hawser__child_of(const char *path, const char *section)
 {
-	size_t length = hawser__parent_length(path);
+	size_t length = parent_length(path);
 
 	return length == strlen(section) && !strncmp(path, section, length);
 }

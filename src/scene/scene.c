@@ -1,53 +1,14 @@
-/* scene/scene.c - read a scene, and access its values by key.
+/* scene/scene.c - open a scene, and access its values by key.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "core/report.h"
-#include "scene/reader.h"
-#include "scene/suggest.h"
-
-enum { SIZE_LIMIT = 1 << 20 };
-
-static enum hawser_status parse(struct hawser__reader *reader, const struct hawser_document *from,
-                                const char *const *set, size_t nset)
-{
-	enum hawser_status status = hawser__parse_file(reader, from);
-
-	for (size_t i = 0; i < nset && status == HAWSER_OK; i++)
-		status = hawser__parse_override(reader, set[i]);
-	if (status == HAWSER_OK)
-		status = hawser__check(reader);
-	if (status == HAWSER_OK)
-		status = hawser__parse_defaults(reader);
-	return status;
-}
-
-enum hawser_status hawser_scene_of(struct hawser_scene *scene, const struct hawser_document *from,
-                                   const char *const *set, size_t nset,
-                                   struct hawser_report *report)
-{
-	struct hawser__reader reader = {.scene = scene, .report = report, .name = from->name,
-	                                .kind = from->kind};
-	enum hawser_status status;
-
-	memset(scene, 0, sizeof *scene);
-	status = from->length <= SIZE_LIMIT ? parse(&reader, from, set, nset)
-	         : hawser__fail(report, HAWSER_ERR_SCENE, "scene",
-	                        "%s: larger than 1 MiB, so this is not a scene", from->name);
-	if (status == HAWSER_OK) {
-		scene->name = strdup(from->name);
-		if (!scene->name)
-			status = hawser__no_memory(report, "scene");
-	}
-	if (status != HAWSER_OK)
-		hawser_scene_clear(scene);
-	hawser__units_clear(&reader.units);
-	return status;
-}
+#include "scene/keys.h"
 
 /* `status`: whether the document could be read. */
 static enum hawser_status once(struct hawser_scene *scene, enum hawser_status status,
@@ -79,12 +40,6 @@ enum hawser_status hawser_scene_open(struct hawser_scene *scene, const char *pat
 	return once(scene, hawser_document_open(&from, path, report), &from, set, nset, report);
 }
 
-static int index_of(const struct hawser_scene *scene, int *item, const char *path)
-{
-	*item = 0;
-	return hawser__list_find(path) >= 0 ? hawser__item_key(item, scene, path) : hawser__key_find(path);
-}
-
 /* Split "load.extent[1]" into the index of its key and the element 1; without an element it is -1.
  * *item is the number of the item of a list, -1 if it does not exist; 0 for other keys. */
 static int locate(const struct hawser_scene *scene, const char *path, int *element, int *item)
@@ -99,11 +54,11 @@ static int locate(const struct hawser_scene *scene, const char *path, int *eleme
 	strcpy(name, path);
 	if (!hawser__path_plain(name))
 		return -1;
-	index = index_of(scene, item, name);
+	index = hawser__item_key(item, scene, name);
 	if (index >= 0)
 		return index;
 	*element = hawser__path_element(name);
-	return *element < 0 ? -1 : index_of(scene, item, name);
+	return *element < 0 ? -1 : hawser__item_key(item, scene, name);
 }
 
 static enum hawser_status absent(const char *path, struct hawser_report *report)
@@ -112,19 +67,33 @@ static enum hawser_status absent(const char *path, struct hawser_report *report)
 	                    "this scene does not give %.60s: add it to the scene, or with --set", path);
 }
 
+static enum hawser_status no_key(const char *path, struct hawser_report *report)
+{
+	char of[HAWSER__TEXT_ROOM], keys[HAWSER__TREE_LIST_SIZE], hint[HAWSER__TEXT_ROOM];
+	int nested = strchr(path, '.') != NULL, inner;
+
+	snprintf(of, sizeof of, "span%s%.200s", nested ? "." : "", nested ? path : "");
+	if (nested)
+		*strrchr(of, '.') = '\0';
+	hawser__tree_key_list(keys, sizeof keys, of);
+	hawser__tree_suggest(hint, hawser__leaf(path), of, keys);
+	inner = nested && *keys;
+	if (!inner)
+		hawser__tree_key_list(keys, sizeof keys, "span");
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hawser_scene_get",
+	                    "there is no key %.60s: %s%s takes %s", path, hint, inner ? of + 5 : "a scene",
+	                    keys);
+}
+
 enum hawser_status hawser_scene_get(const struct hawser_scene *scene, double *value,
                                     const char *path, struct hawser_report *report)
 {
 	int element, item, index = locate(scene, path, &element, &item);
-	char hint[256];
 	int count;
 
-	if (index < 0) {
-		hawser__suggest(hint, sizeof hint, path);
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hawser_scene_get",
-		                    "there is no key %.60s: %s", path, hint);
-	}
-	if (hawser__is_word(scene, index) || hawser__rows()[index].type == HAWSER__NAME)
+	if (index < 0)
+		return no_key(path, report);
+	if (hawser__is_word(scene, index) || hawser__row(index)->type == HAWSER__TREE_TEXT)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hawser_scene_get",
 		                    "%s is a word, not a number", path);
 	count = hawser__count(scene, index);
@@ -148,7 +117,7 @@ static enum hawser_status out_of_range(const char *path, double value, int index
 	return hawser__fail(report, HAWSER_ERR_SCENE, "scene",
 	                    "%s = %.9g%s%s is out of range: it must be %s%s", path, value,
 	                    pure ? "" : " ", pure ? "" : key->unit,
-	                    hawser__rows()[index].type == HAWSER__INTEGER ? "a whole number, " : "",
+	                    hawser__row(index)->type == HAWSER__TREE_INTEGER ? "a whole number, " : "",
 	                    key->range);
 }
 
@@ -158,25 +127,26 @@ enum hawser_status hawser_scene_set(struct hawser_scene *scene, const char *path
 	double before, pair[2];
 	enum hawser_status status = hawser_scene_get(scene, &before, path, report);
 	int element, item, index = locate(scene, path, &element, &item), whole;
-	const struct hawser__row *row;
+	const struct hawser__tree_key *row;
 	char *at;
 
 	if (status)
 		return status;
-	row = &hawser__rows()[index];
+	row = hawser__row(index);
 	at = hawser__field(scene, index, item);
-	memcpy(&whole, at + (row->type == HAWSER__PLACE ? sizeof(double) : 0), sizeof whole);
-	if (!hawser__in_range(index, value) ||
-	    (row->type == HAWSER__PLACE && !hawser__place_in(index, value, whole)) ||
-	    (row->type == HAWSER__INTEGER && value != nearbyint(value)))
+	memcpy(&whole, at + (row->type == HAWSER__TREE_POSITION ? sizeof(double) : 0), sizeof whole);
+	if (!hawser__tree_in_range(row->range, value) ||
+	    (row->type == HAWSER__TREE_POSITION && !hawser__tree_between(row->range, value, whole)) ||
+	    (row->type == HAWSER__TREE_INTEGER &&
+	     (value != nearbyint(value) || value < row->least || value > row->most)))
 		return out_of_range(path, value, index, report);
-	memcpy(pair, at, row->range == HAWSER__INCREASING ? sizeof pair : 0);
-	if (row->range == HAWSER__INCREASING) {
+	memcpy(pair, at, row->range == HAWSER__TREE_INCREASING ? sizeof pair : 0);
+	if (row->range == HAWSER__TREE_INCREASING) {
 		pair[element] = value;
 		if (!(pair[0] < pair[1]))
 			return out_of_range(path, value, index, report);
 	}
-	if (row->type == HAWSER__INTEGER) {
+	if (row->type == HAWSER__TREE_INTEGER) {
 		whole = (int)value;
 		memcpy(at, &whole, sizeof whole);
 	} else {
@@ -198,7 +168,7 @@ enum hawser_status hawser_scene_word(const struct hawser_scene *scene, char *wor
 		                    "%.60s is not a key whose value is a word", path);
 	if (!hawser__applies(scene, index))
 		return absent(path, report);
-	memcpy(&choice, (const char *)scene + hawser__rows()[index].offset, sizeof choice);
+	memcpy(&choice, (const char *)scene + hawser__row(index)->at, sizeof choice);
 	hawser__word(word, HAWSER_WORD_SIZE, hawser_scene_key(index)->words, choice);
 	return HAWSER_OK;
 }

@@ -34,6 +34,21 @@ struct hawser__tree *hawser__tree_find(const struct hawser__tree *tree, const ch
 	return child;
 }
 
+const struct hawser__tree *hawser__tree_at(const struct hawser__tree *tree, const char *path)
+{
+	while (tree && *path) {
+		size_t length = strcspn(path, ".");
+		const struct hawser__tree *child = tree->child;
+
+		while (child && (!child->name || strncmp(child->name, path, length) != 0 ||
+		                 child->name[length]))
+			child = child->next;
+		tree = child;
+		path += length + (path[length] == '.');
+	}
+	return tree;
+}
+
 void hawser__tree_append(struct hawser__tree *parent, struct hawser__tree *child)
 {
 	if (parent->last)
@@ -277,7 +292,7 @@ enum hawser_status hawser__tree_scene(void *scene, const struct hawser__tree_for
                                       const struct hawser_document *from, const char *const *set,
                                       size_t nset, struct hawser_report *report)
 {
-	struct hawser__reader reader = {.report = report, .name = from->name};
+	struct hawser__reader reader = {.report = report, .name = from->name, .kind = from->kind};
 	struct hawser__tree *tree = NULL;
 	char **name = (char **)(void *)((char *)scene + form->name);
 	enum hawser_status status;

@@ -1,5 +1,4 @@
-/* scene/tree.h - a scene as a tree of values with their places, and how scenes whose names are the
- * user's (nets, ropeways) are read from it. Those of spans are read by parse.c.
+/* scene/tree.h - a scene as a tree of values with their places, and how scenes are read from it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_SCENE_TREE_H
 #define HAWSER_SCENE_TREE_H
@@ -23,7 +22,8 @@ struct hawser__tree_words {
 	const char *table; /* of its keys: "net" */
 	const char *scene; /* "a scene of kind net is a mapping with ..." */
 	const char *set;   /* "cables.c1.EA=100 MN" */
-	char item;         /* of a list, without a name: this letter and their number, c1 */
+	char item;         /* of a list, without a name: this letter and their number, c1; 0: they have
+	                    * no names then */
 };
 
 /* How scenes of a kind are read from their tree. */
@@ -54,8 +54,9 @@ void hawser__tree_append(struct hawser__tree *parent, struct hawser__tree *child
 enum hawser_status hawser__tree_set(struct hawser__tree *root, struct hawser__reader *reader,
                                     const char *set, const struct hawser__tree_words *words)
 	HAWSER_MUST_CHECK;
-/* Entry of a mapping, or NULL. */
+/* Entry of a mapping, or NULL; by a path "travel.final" in nested ones. */
 struct hawser__tree *hawser__tree_find(const struct hawser__tree *tree, const char *name);
+const struct hawser__tree *hawser__tree_at(const struct hawser__tree *tree, const char *path);
 /* A name of the outermost mapping, or this value of it, that tells the kind, in the order in which they
  * are looked for; 0 beyond the last. */
 struct hawser__kind_sign {
@@ -66,8 +67,25 @@ int hawser__kind_sign(struct hawser__kind_sign *sign, int index);
 
 /* --- tree_value.c: values of a tree. `what` names the value in messages. --- */
 
-enum hawser__tree_range { HAWSER__TREE_ANY, HAWSER__TREE_POSITIVE, HAWSER__TREE_NOT_NEGATIVE,
-                          HAWSER__TREE_POSITIVE_OR_INF };
+enum hawser__tree_range {
+	HAWSER__TREE_ANY, /* finite */
+	HAWSER__TREE_POSITIVE, HAWSER__TREE_NOT_NEGATIVE, HAWSER__TREE_POSITIVE_OR_INF,
+	HAWSER__TREE_NOT_NEGATIVE_OR_INF,
+	HAWSER__TREE_RIGHT_ANGLE, /* [-pi/2, pi/2] */
+	HAWSER__TREE_OPEN_UNIT,   /* (0, 1) */
+	HAWSER__TREE_INCREASING,  /* a pair in [0, 1], the second larger than the first */
+	HAWSER__TREE_CHANGE,      /* of temperature, in K */
+	HAWSER__TREE_WITHIN,      /* a position: [0, 1], or a length >= 0 */
+	HAWSER__TREE_INSIDE,      /* a position: (0, 1), or a length > 0 */
+	HAWSER__TREE_RANGES
+};
+struct hawser__tree_limits {
+	const char *text; /* "> 0" */
+	double least, most;
+	int above, below; /* 1: without the least value, without the largest one */
+};
+const struct hawser__tree_limits *hawser__tree_limits(enum hawser__tree_range range);
+int hawser__tree_in_range(enum hawser__tree_range range, double value);
 enum { HAWSER__TREE_NAME = 32 }; /* size of a name, with the NUL at its end */
 
 /* tree_keys.c: a tree must be a mapping whose keys are those of the mapping `of` in the table of
@@ -96,6 +114,9 @@ enum hawser_status hawser__tree_fill(struct hawser__reader *reader, void *to,
 enum hawser_status hawser__tree_value(struct hawser__reader *reader, void *to,
                                       const struct hawser__tree *tree, const char *what,
                                       const char *path) HAWSER_MUST_CHECK;
+/* Fail for a value of this path that is not in the mapping `tree`. */
+enum hawser_status hawser__tree_missing(struct hawser__reader *reader, const struct hawser__tree *tree,
+                                        const char *what, const char *path) HAWSER_MUST_CHECK;
 /* A list of mappings, of at most so many (0: any number; it may be empty if `least` is 0): zeroed room
  * for its items of this size, NULL with *status after a failure. `such` is an example of an item. */
 void *hawser__tree_items(struct hawser__reader *reader, enum hawser_status *status,
@@ -117,6 +138,11 @@ enum hawser_status hawser__tree_name(struct hawser__reader *reader, char name[HA
 enum hawser_status hawser__tree_text(struct hawser__reader *reader, const char **text,
                                      const struct hawser__tree *tree, const char *what)
 	HAWSER_MUST_CHECK;
+/* A position on a cable: a fraction, or a length. */
+enum hawser_status hawser__tree_position(struct hawser__reader *reader, double *value, int *by_length,
+                                         const struct hawser__tree *tree, const char *what,
+                                         enum hawser__tree_range range) HAWSER_MUST_CHECK;
+int hawser__tree_between(enum hawser__tree_range range, double value, int by_length);
 /* The index of a scalar in words [count]. */
 enum hawser_status hawser__tree_word(struct hawser__reader *reader, int *index,
                                      const struct hawser__tree *tree, const char *what,

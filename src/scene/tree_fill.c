@@ -17,17 +17,6 @@
 #include "core/report.h"
 #include "scene/tree_keys.h"
 
-/* The next row of this path after `row` (NULL: the first one), or NULL. */
-static const struct hawser__tree_key *next(const struct hawser__tree_key *row, const char *path)
-{
-	const struct hawser__tree_table *table = hawser__tree_table(path);
-
-	for (row = row ? row + 1 : table->row; row < table->row + table->rows; row++)
-		if (!strcmp(row->path, path))
-			return row;
-	return NULL;
-}
-
 /* The number of a text among words "a|b", or -1. */
 static int word_of(const char *text, const char *words)
 {
@@ -44,9 +33,7 @@ static int word_of(const char *text, const char *words)
 static int fits(const struct hawser__tree_key *row, const struct hawser__tree *tree)
 {
 	switch (row->type) {
-	case HAWSER__TREE_NUMBER:
-		return row->count ? tree->kind == HAWSER__SEQUENCE && tree->children == row->count
-		                  : tree->kind == HAWSER__SCALAR;
+	case HAWSER__TREE_LIMIT:
 	case HAWSER__TREE_WORD:
 		return tree->text && word_of(tree->text, row->unit) >= 0;
 	case HAWSER__TREE_MAPPING:
@@ -54,7 +41,19 @@ static int fits(const struct hawser__tree_key *row, const struct hawser__tree *t
 	case HAWSER__TREE_LIST:
 		return tree->kind == HAWSER__SEQUENCE;
 	default:
-		return tree->kind == HAWSER__SCALAR;
+		return row->count ? tree->kind == HAWSER__SEQUENCE && tree->children == row->count
+		                  : tree->text && *tree->text;
+	}
+}
+
+/* "a, b or c" of "a|b|c". */
+static void append_words(char *text, size_t size, const char *between, const char *words)
+{
+	for (; *words; between = strchr(words, '|') ? ", " : " or ") {
+		size_t length = strcspn(words, "|");
+
+		hawser__append(text, size, between, "%.*s", (int)length, words);
+		words += length + (words[length] == '|');
 	}
 }
 
@@ -62,47 +61,69 @@ static int fits(const struct hawser__tree_key *row, const struct hawser__tree *t
 static void forms_of(char *text, size_t size, const char *path)
 {
 	*text = '\0';
-	for (const struct hawser__tree_key *row = next(NULL, path), *after; row; row = after) {
+	for (const struct hawser__tree_key *row = hawser__tree_next(NULL, path), *after; row; row = after) {
+		static const char *const sort[] = {"a number", "a whole number", NULL, "a name", NULL,
+		                                   "a fraction of the length such as 40 %, or a length such as "
+		                                   "12 m", "a mapping", "a list"};
 		const char *between;
 
-		after = next(row, path);
+		after = hawser__tree_next(row, path);
 		between = after ? ", " : ", or ";
-		if (row->count && row->type != HAWSER__TREE_WORD)
+		if (sort[row->type] && !row->count)
+			hawser__append(text, size, between, "%s", sort[row->type]);
+		else if (row->count)
 			hawser__append(text, size, between, "a list of %d numbers", row->count);
 		else
-			hawser__append(text, size, between, "%s",
-			               row->type == HAWSER__TREE_WORD ? row->unit
-			               : row->type == HAWSER__TREE_MAPPING ? "a mapping"
-			               : row->type == HAWSER__TREE_LIST ? "a list"
-			               : row->type == HAWSER__TREE_TEXT ? "a name" : "a number");
-		if (row->type == HAWSER__TREE_NUMBER && strcmp(row->unit, "1") != 0)
+			append_words(text, size, between, row->unit);
+		if (row->type == HAWSER__TREE_NUMBER && row->unit && strcmp(row->unit, "1") != 0)
 			hawser__append(text, size, " ", "in %s", row->unit);
+		if (row->type != HAWSER__TREE_MAPPING || after || row != hawser__tree_next(NULL, path))
+			continue;
+		hawser__append(text, size, " ", "with the keys ");
+		hawser__tree_key_list(text + strlen(text), size - strlen(text), path);
 	}
+}
+
+/* Fail for a value that has none of the forms of its path. */
+static enum hawser_status formless(struct hawser__reader *reader, const struct hawser__tree *tree,
+                                   const char *what, const char *path)
+{
+	const struct hawser__tree_key *row = hawser__tree_next(NULL, path);
+	const struct hawser__mark *at = &tree->value;
+	char forms[HAWSER__TREE_LIST_SIZE], shown[HAWSER__SHOWN];
+
+	forms_of(forms, sizeof forms, path);
+	if (tree->kind == HAWSER__MAPPING)
+		return hawser__reader_fail(reader, at, "%s is a mapping, but must be %s", what, forms);
+	if (tree->kind == HAWSER__SEQUENCE && row->count)
+		return hawser__reader_fail(reader, at, "%s has %d value%s, but must be %s (%s)", what,
+		                           tree->children, tree->children == 1 ? "" : "s", forms, row->doc);
+	if (tree->kind == HAWSER__SEQUENCE)
+		return hawser__reader_fail(reader, at, "%s is a list, but must be %s", what, forms);
+	if (!*tree->text)
+		return hawser__reader_fail(reader, at, "%s has no value: give %s", what, forms);
+	return hawser__reader_fail(reader, at, "%s: \"%s\" must be %s", what,
+	                           hawser__shown(shown, tree->text), forms);
 }
 
 /* The form of a value of this path. */
 static enum hawser_status form_of(struct hawser__reader *reader, const struct hawser__tree_key **form,
                                   const struct hawser__tree *tree, const char *what, const char *path)
 {
-	const struct hawser__tree_key *scalar = NULL;
-	char forms[HAWSER__TEXT_ROOM], shown[HAWSER__SHOWN];
-	int words = 0, rows = 0;
+	int words = 0, letters = tree->text && isalpha((unsigned char)*tree->text);
 
-	for (*form = next(NULL, path); *form && !fits(*form, tree); *form = next(*form, path)) {
-		rows++;
-		words |= (*form)->type == HAWSER__TREE_WORD;
+	*form = NULL;
+	for (const struct hawser__tree_key *row = hawser__tree_next(NULL, path); row;
+	     row = hawser__tree_next(row, path)) {
+		int is_words = row->type == HAWSER__TREE_WORD || row->type == HAWSER__TREE_LIMIT;
+
+		words |= is_words;
+		if (fits(row, tree) && (is_words || !*form))
+			*form = row;
 	}
-	scalar = *form;
-	if (scalar && !(words && scalar->type == HAWSER__TREE_NUMBER && tree->text &&
-	                isalpha((unsigned char)*tree->text)))
-		return HAWSER_OK;
-	*form = next(NULL, path);
-	if (rows == 1 && !scalar) /* what reads this form says what is wrong */
-		return HAWSER_OK;
-	forms_of(forms, sizeof forms, path);
-	return hawser__reader_fail(reader, &tree->at, "%s%s%s%s must be %s", what, tree->text ? ": \"" : "",
-	                           tree->text ? hawser__shown(shown, tree->text) : "",
-	                           tree->text ? "\"" : "", forms);
+	if (*form && words && letters && (*form)->type <= HAWSER__TREE_INTEGER)
+		*form = NULL; /* a word that is none of those */
+	return *form ? HAWSER_OK : formless(reader, tree, what, path);
 }
 
 static enum hawser_status whole(struct hawser__reader *reader, int *value,
@@ -114,7 +135,7 @@ static enum hawser_status whole(struct hawser__reader *reader, int *value,
 	                                                HAWSER__TREE_ANY);
 
 	if (!status && (number != floor(number) || number < row->least || number > row->most))
-		return hawser__reader_fail(reader, &tree->at, "%s: %.9g is not a whole number from %.0f to "
+		return hawser__reader_fail(reader, &tree->value, "%s: %.9g is not a whole number from %.0f to "
 		                           "%.0f", what, number, row->least, row->most);
 	*value = (int)number;
 	return status;
@@ -127,44 +148,26 @@ static enum hawser_status numbers(struct hawser__reader *reader, double *value,
 {
 	const struct hawser__tree *child = tree->child;
 	enum hawser_status status = HAWSER_OK;
-	char shown[HAWSER__SHOWN];
+	char shown[HAWSER__SHOWN], element[HAWSER__TEXT_ROOM];
 
 	if (!row->count) {
 		status = hawser__tree_number(reader, value, tree, what, row->unit, row->range);
 		for (int k = 1; k < row->copies; k++)
 			value[k] = value[0];
 		if (!status && row->most > 0.0 && *value > row->most)
-			status = hawser__reader_fail(reader, &tree->at, "%s: \"%s\" is out of range: it must be "
+			status = hawser__reader_fail(reader, &tree->value, "%s: \"%s\" is out of range: it must be "
 			                             "from 0 to %g (%s)", what, hawser__shown(shown, tree->text),
 			                             row->most, row->doc);
 		return status;
 	}
-	if (tree->kind != HAWSER__SEQUENCE || tree->children != row->count)
-		return hawser__reader_fail(reader, &tree->at, "%s must be a list of %d numbers%s%s, %s%.*s",
-		                           what, row->count, strcmp(row->unit, "1") ? " in " : "",
-		                           strcmp(row->unit, "1") ? row->unit : "",
-		                           strpbrk(row->doc, "[2") ? "" : row->count == 2 ? "along x and y: "
-		                           : "along x, y and z: ", (int)strcspn(row->doc, ":;"), row->doc);
-	for (int k = 0; k < row->count && !status; k++, child = child->next)
-		status = hawser__tree_number(reader, &value[k], child, what, row->unit, row->range);
-	return status;
-}
-
-static enum hawser_status word(struct hawser__reader *reader, int *value,
-                               const struct hawser__tree *tree, const char *what, const char *words)
-{
-	enum { MOST = 8 };
-	char copy[HAWSER__TEXT_ROOM], *list[MOST];
-	int count = 0;
-
-	snprintf(copy, sizeof copy, "%s", words);
-	for (char *at = copy; at && count < MOST; count++) {
-		list[count] = at;
-		at = strchr(at, '|');
-		if (at)
-			*at++ = '\0';
+	for (int k = 0; k < row->count && !status; k++, child = child->next) {
+		snprintf(element, sizeof element, "%.200s[%d]", what, k);
+		status = hawser__tree_number(reader, &value[k], child, element, row->unit, row->range);
 	}
-	return hawser__tree_word(reader, value, tree, what, (const char *const *)list, count);
+	if (!status && row->range == HAWSER__TREE_INCREASING && value[1] <= value[0])
+		status = hawser__reader_fail(reader, &tree->value, "%s: [%g, %g] does not increase: give the "
+		                             "smaller number first", what, value[0], value[1]);
+	return status;
 }
 
 static enum hawser_status take(struct hawser__reader *reader, void *to, const struct hawser__tree *tree,
@@ -179,7 +182,15 @@ static enum hawser_status take(struct hawser__reader *reader, void *to, const st
 	switch (row->type) {
 	case HAWSER__TREE_NUMBER: return numbers(reader, at, tree, what, row);
 	case HAWSER__TREE_INTEGER: return whole(reader, at, tree, what, row);
-	case HAWSER__TREE_WORD: return word(reader, at, tree, what, row->unit);
+	case HAWSER__TREE_WORD:
+		*(int *)at = word_of(tree->text, row->unit);
+		return HAWSER_OK;
+	case HAWSER__TREE_LIMIT:
+		*(double *)at = word_of(tree->text, row->unit) ? INFINITY : 0.0;
+		return HAWSER_OK;
+	case HAWSER__TREE_POSITION:
+		return hawser__tree_position(reader, at, (int *)(void *)((double *)at + 1), tree, what,
+		                             row->range);
 	case HAWSER__TREE_MAPPING:
 		return row->at == HAWSER__TREE_NOWHERE ? HAWSER_OK
 			: hawser__tree_fill(reader, to, tree, what, row->path);
@@ -202,32 +213,39 @@ enum hawser_status hawser__tree_value(struct hawser__reader *reader, void *to,
 	return status ? status : take(reader, to, tree, what, form);
 }
 
-/* Store a default "0", "[1, 0, 0]", ".inf", "pi" or a word; words about a default are none. */
+int hawser__tree_default(double *value, int most, const char *given)
+{
+	char *end = (char *)(uintptr_t)given;
+	int count = 0;
+
+	for (end += *end == '['; count < most; end += strspn(end, ", ")) {
+		char *begin = end;
+
+		if (!strncmp(begin, ".inf", 4) || !strcmp(begin, "pi")) {
+			value[count++] = *begin == '.' ? INFINITY : acos(-1.0);
+			end = begin + (*begin == '.' ? 4 : 2);
+			continue;
+		}
+		value[count++] = strtod(begin, &end);
+		if (end == begin)
+			return 0;
+	}
+	return *end && strcmp(end, "]") ? 0 : count;
+}
+
+/* Store a default; words about a default are none. */
 static void preset(void *to, const struct hawser__tree_key *row)
 {
 	void *at = (char *)to + row->at;
 	double value[4] = {0.0};
-	char *end = (char *)(uintptr_t)row->given;
-	int count = 0, most = row->count ? row->count : 1;
+	int most = row->count ? row->count : 1;
 
-	if (!end || row->at == HAWSER__TREE_NOWHERE || row->at == HAWSER__TREE_CHECKED)
+	if (!row->given || row->at == HAWSER__TREE_NOWHERE || row->at == HAWSER__TREE_CHECKED)
 		return;
-	if (row->type == HAWSER__TREE_WORD && word_of(end, row->unit) >= 0)
-		*(int *)at = word_of(end, row->unit);
-	if (row->type > HAWSER__TREE_INTEGER)
-		return;
-	if (!strcmp(end, ".inf") || !strcmp(end, "pi")) {
-		*(double *)at = *end == '.' ? INFINITY : acos(-1.0);
-		return;
-	}
-	for (end += *end == '['; count < most; end += strspn(end, ", ")) {
-		char *begin = end;
-
-		value[count++] = strtod(begin, &end);
-		if (end == begin)
-			return;
-	}
-	if (*end && strcmp(end, "]") != 0)
+	if (row->type == HAWSER__TREE_WORD && word_of(row->given, row->unit) >= 0)
+		*(int *)at = word_of(row->given, row->unit);
+	if ((row->type > HAWSER__TREE_INTEGER && row->type != HAWSER__TREE_POSITION) ||
+	    !hawser__tree_default(value, most, row->given))
 		return;
 	if (row->type == HAWSER__TREE_INTEGER)
 		*(int *)at = (int)value[0];
@@ -235,81 +253,110 @@ static void preset(void *to, const struct hawser__tree_key *row)
 		memcpy(at, value, (size_t)most*sizeof *value);
 }
 
-static enum hawser_status missing(struct hawser__reader *reader, const struct hawser__tree *tree,
-                                  const char *what, const struct hawser__tree_key *row)
+enum hawser_status hawser__tree_missing(struct hawser__reader *reader, const struct hawser__tree *tree,
+                                        const char *what, const char *path)
 {
-	const char *unit = row->type == HAWSER__TREE_NUMBER && strcmp(row->unit, "1") ? row->unit : "";
-	char keys[HAWSER__TREE_LIST_SIZE] = "";
+	const struct hawser__tree_key *row = hawser__tree_next(NULL, path);
+	char forms[HAWSER__TREE_LIST_SIZE];
 
-	if (row->type == HAWSER__TREE_MAPPING)
-		hawser__tree_key_list(keys, sizeof keys, row->path);
-	return hawser__reader_fail(reader, &tree->at, "%s is missing: give it%s%s%s%s (%s)", what,
-	                           *unit ? " in " : "", unit, *keys ? ", with the keys " : "", keys,
-	                           row->doc);
+	forms_of(forms, sizeof forms, path);
+	return hawser__reader_fail(reader, &tree->at, "%s is missing: give %s (%s)", what, forms, row->doc);
 }
 
-/* One of those of a mapping that exclude each other, of which `first` is the first one. */
-static enum hawser_status choose(struct hawser__reader *reader, void *to,
-                                 const struct hawser__tree *tree, const char *section,
-                                 const struct hawser__tree_key *first, const char *of)
+/* The next row of the mapping `of` with the same choice, or NULL. */
+static const struct hawser__tree_key *rival_of(const struct hawser__tree_key *row, const char *of)
 {
 	const struct hawser__tree_table *table = hawser__tree_table(of);
+	size_t pick = row->pick;
+
+	for (row++; row < table->row + table->rows; row++)
+		if (row->pick == pick && hawser__tree_key_of(row->path, of))
+			return row;
+	return NULL;
+}
+
+static enum hawser_status contradict(struct hawser__reader *reader, const struct hawser__tree *a,
+                                     const struct hawser__tree *b, const char *section,
+                                     const char *keys)
+{
+	int later = a->at.line != b->at.line ? a->at.line > b->at.line : a->at.column > b->at.column;
+	const struct hawser__tree *last = later ? a : b, *first = later ? b : a;
+	char where[48];
+
+	return hawser__reader_fail(reader, &last->at, "%s.%s contradicts %s.%s %s: give one of %s", section,
+	                           last->name, section, first->name,
+	                           hawser__mark_text(where, sizeof where, &first->at), keys);
+}
+
+/* One of those of a mapping that exclude each other, of which `first` is the first one. `late`: only
+ * see whether one is given. */
+static enum hawser_status choose(struct hawser__reader *reader, void *to,
+                                 const struct hawser__tree *tree, const char *section,
+                                 const struct hawser__tree_key *first, const char *of, int late)
+{
 	const struct hawser__tree *found = NULL, *other = NULL;
+	const char *path = NULL;
 	char keys[HAWSER__TEXT_ROOM] = "", units[HAWSER__TEXT_ROOM] = "", what[HAWSER__TEXT_ROOM];
 	int number = 0;
 
 	for (const struct hawser__tree_key *row = first, *after; row; row = after, number++) {
 		const char *key = hawser__tree_key_of(row->path, of);
 		const struct hawser__tree *one = hawser__tree_find(tree, key);
-		size_t used = strlen(keys), long_ = strlen(units);
-		const char *comma;
+		const char *unit = row->unit && strcmp(row->unit, "1") ? row->unit : "";
 
-		for (after = row + 1; after < table->row + table->rows &&
-		     !(after->pick == first->pick && hawser__tree_key_of(after->path, of)); after++)
-			continue;
-		if (after == table->row + table->rows)
-			after = NULL;
-		comma = row == first ? "" : after ? ", " : " and ";
-		snprintf(keys + used, sizeof keys - used, "%s%s", comma, key);
-		snprintf(units + long_, sizeof units - long_, "%s%s%s%s%s", comma, key,
-		         *row->unit ? " (" : "", row->unit, *row->unit ? ")" : "");
-		if (!one)
-			continue;
-		if (found && !other)
+		after = rival_of(row, of);
+		hawser__append(keys, sizeof keys, after ? ", " : " and ", "%s", key);
+		hawser__append(units, sizeof units, after ? ", " : " and ", "%s%s%s%s", key,
+		               *unit ? " (" : "", unit, *unit ? ")" : "");
+		if (one && found)
 			other = one;
-		if (found)
+		if (!one || found)
 			continue;
 		found = one;
-		*(int *)(void *)((char *)to + first->pick) = number;
+		path = row->path;
+		*(int *)(void *)((char *)to + first->pick) = row->member ? row->member : number;
 	}
 	if (other)
-		return hawser__reader_fail(reader, &other->at, "%s has %s and %s: give one of %s", section,
-		                           found->name, other->name, keys);
-	if (!found)
+		return contradict(reader, found, other, section, keys);
+	if (!found && late && first->need != HAWSER__TREE_AT_MOST_ONE)
 		return hawser__reader_fail(reader, &tree->at, "%s needs one of %s", section, units);
+	if (!found || late)
+		return HAWSER_OK;
 	snprintf(what, sizeof what, "%.150s.%.60s", section, found->name);
-	{
-		char path[HAWSER__TEXT_ROOM];
-
-		snprintf(path, sizeof path, "%.150s.%.60s", of, found->name);
-		return hawser__tree_value(reader, to, found, what, path);
-	}
+	return hawser__tree_value(reader, to, found, what, path);
 }
 
-/* The value of a key that has a place. */
+/* A value must be given: `tree` is its mapping. */
+static int needed(const struct hawser__tree_key *row, const struct hawser__tree *tree, const char *of)
+{
+	if (row->need != HAWSER__TREE_TOGETHER)
+		return row->need == HAWSER__TREE_REQUIRED;
+	for (const struct hawser__tree *one = tree->child; one; one = one->next) {
+		char path[HAWSER__TEXT_ROOM];
+
+		snprintf(path, sizeof path, "%.150s.%.60s", of, one->name);
+		if (hawser__tree_next(NULL, path)->type != HAWSER__TREE_MAPPING)
+			return 1;
+	}
+	return !tree->child;
+}
+
+/* The value of a key that has a place. `late`: only see whether it is given. */
 static enum hawser_status key_of(struct hawser__reader *reader, void *to,
                                  const struct hawser__tree *tree, const char *section,
-                                 const struct hawser__tree_key *row, const char *key)
+                                 const struct hawser__tree_key *row, const char *of, int late)
 {
+	const char *key = hawser__tree_key_of(row->path, of);
 	const struct hawser__tree *one = tree ? hawser__tree_find(tree, key) : NULL;
 	char what[HAWSER__TEXT_ROOM];
 
 	snprintf(what, sizeof what, "%.150s%s%.60s", section, *section ? "." : "", key);
+	if (late)
+		return tree && !one && needed(row, tree, of)
+		       ? hawser__tree_missing(reader, tree, what, row->path) : HAWSER_OK;
 	if (one)
 		return hawser__tree_value(reader, to, one, what, row->path);
-	if (tree && row->need == HAWSER__TREE_REQUIRED)
-		return missing(reader, tree, what, row);
-	for (; row; row = next(row, row->path))
+	for (; row; row = hawser__tree_next(row, row->path))
 		if (row->type != HAWSER__TREE_MAPPING)
 			preset(to, row);
 		else if (row->at != HAWSER__TREE_NOWHERE)
@@ -323,34 +370,47 @@ static int placed(const struct hawser__tree_key *row)
 	const char *path = row->path;
 
 	while (row && row->at == HAWSER__TREE_NOWHERE)
-		row = next(row, path);
+		row = hawser__tree_next(row, path);
 	return row != NULL;
 }
 
-enum hawser_status hawser__tree_fill(struct hawser__reader *reader, void *to,
-                                     const struct hawser__tree *tree, const char *section,
-                                     const char *of)
+/* The keys directly in a mapping. */
+static enum hawser_status keys_of(struct hawser__reader *reader, void *to,
+                                  const struct hawser__tree *tree, const char *section,
+                                  const char *of, int late)
 {
 	const struct hawser__tree_table *table = hawser__tree_table(of);
 	size_t chosen = HAWSER__TREE_NOWHERE;
 	enum hawser_status status = HAWSER_OK;
 
-	if (tree)
-		status = hawser__tree_keys(reader, tree, *section ? section : "the scene", of);
 	for (int i = 0; i < table->rows && !status; i++) {
 		const struct hawser__tree_key *row = &table->row[i];
 		const char *key = hawser__tree_key_of(row->path, of);
 
-		if (!key || *key == '*' || next(NULL, row->path) != row || !placed(row))
+		if (!key || *key == '*' || hawser__tree_next(NULL, row->path) != row || !placed(row))
 			continue;
 		if (row->pick == HAWSER__TREE_NOWHERE)
-			status = key_of(reader, to, tree, section, row, key);
+			status = key_of(reader, to, tree, section, row, of, late);
 		else if (tree && row->pick != chosen)
-			status = choose(reader, to, tree, section, row, of);
+			status = choose(reader, to, tree, section, row, of, late);
 		if (row->pick != HAWSER__TREE_NOWHERE)
 			chosen = row->pick;
 	}
 	return status;
+}
+
+/* What is wrong comes before what is missing. */
+enum hawser_status hawser__tree_fill(struct hawser__reader *reader, void *to,
+                                     const struct hawser__tree *tree, const char *section,
+                                     const char *of)
+{
+	enum hawser_status status = HAWSER_OK;
+
+	if (tree)
+		status = hawser__tree_keys(reader, tree, *section ? section : "the scene", of);
+	if (!status)
+		status = keys_of(reader, to, tree, section, of, 0);
+	return status ? status : keys_of(reader, to, tree, section, of, 1);
 }
 
 void *hawser__tree_items(struct hawser__reader *reader, enum hawser_status *status,

@@ -10,12 +10,13 @@
 #include "scene/tree_keys.h"
 
 #define TABLE(name, NAME) &hawser__tree_of_##name,
-static const struct hawser__tree_table *const tables[] = {HAWSER_SCENE_KINDS(TABLE) TABLE(mesh, )};
+static const struct hawser__tree_table *const tables[] = {TABLE(span, ) HAWSER_SCENE_KINDS(TABLE)
+                                                          TABLE(mesh, )};
 enum { TABLES = sizeof tables/sizeof *tables };
 
 const struct hawser__tree_table *hawser__tree_kind(enum hawser_kind kind)
 {
-	return kind > HAWSER_KIND_SPAN && kind < HAWSER_KIND_MODEL ? tables[kind - 1] : NULL;
+	return kind >= HAWSER_KIND_SPAN && kind < HAWSER_KIND_MODEL ? tables[kind] : NULL;
 }
 
 const struct hawser__tree_table *hawser__tree_table(const char *of)
@@ -37,6 +38,16 @@ const struct hawser__tree_key *hawser__tree_row(int index)
 	return i < TABLES && index >= 0 ? &tables[i]->row[index] : NULL;
 }
 
+const struct hawser__tree_key *hawser__tree_next(const struct hawser__tree_key *row, const char *path)
+{
+	const struct hawser__tree_table *table = hawser__tree_table(path);
+
+	for (row = row ? row + 1 : table->row; row < table->row + table->rows; row++)
+		if (!strcmp(row->path, path))
+			return row;
+	return NULL;
+}
+
 const char *hawser__tree_key_of(const char *path, const char *of)
 {
 	size_t length = strlen(of);
@@ -49,17 +60,15 @@ const char *hawser__tree_key_of(const char *path, const char *of)
 void hawser__tree_key_list(char *text, size_t size, const char *of)
 {
 	const struct hawser__tree_table *table = hawser__tree_table(of);
-	const char *before = "", *key;
+	const char *key;
 
 	*text = '\0';
 	for (int i = 0; table && i < table->rows; i++) {
 		const struct hawser__tree_key *row = &table->row[i];
 
 		key = hawser__tree_key_of(row->path, of);
-		/* another form of the same value */
-		if (!key || row->need == HAWSER__TREE_MESH || !strcmp(row->path, before))
+		if (!key || row->need == HAWSER__TREE_MESH || hawser__tree_next(NULL, row->path) != row)
 			continue;
-		before = row->path;
 		hawser__append(text, size, ", ", "%s", key);
 	}
 }
@@ -85,6 +94,45 @@ void hawser__tree_nearest(char best[HAWSER__TEXT_ROOM], const char *name, const 
 	}
 }
 
+/* The mapping of a path, "cable" of "span.cable.EA", into section [size]. */
+static const char *section_of(char *section, size_t size, const char *path)
+{
+	const char *begin = path + strcspn(path, ".") + 1, *end = strrchr(path, '.');
+
+	snprintf(section, size, "%.*s", end > begin ? (int)(end - begin) : 0, begin);
+	return section;
+}
+
+const char *hawser__tree_suggest(char hint[HAWSER__TEXT_ROOM], const char *name, const char *of,
+                                 const char *keys)
+{
+	const struct hawser__tree_table *table = hawser__tree_table(of);
+	const struct hawser__tree_key *near = NULL;
+	const char *leaf = strrchr(name, '.') ? strrchr(name, '.') + 1 : name;
+	int least = 2*hawser__edit_limit(strlen(leaf)) + 2;
+	char best[HAWSER__TEXT_ROOM], section[HAWSER__TEXT_ROOM];
+
+	*hint = '\0';
+	hawser__tree_nearest(best, name, leaf == name ? keys : "");
+	if (*best)
+		snprintf(hint, HAWSER__TEXT_ROOM, "did you mean %.200s? ", best);
+	for (int i = 0; !*best && table && i < table->rows; i++) {
+		const struct hawser__tree_key *row = &table->row[i];
+		const char *own = strrchr(row->path, '.') + 1;
+		int cost = 2*hawser__edit_distance(leaf, own) + (strncmp(row->path, of, strlen(of)) != 0);
+
+		if (cost >= least || strpbrk(own, "[*") || row->need == HAWSER__TREE_MESH)
+			continue;
+		least = cost;
+		near = row;
+	}
+	if (near)
+		snprintf(hint, HAWSER__TEXT_ROOM, "did you mean %.60s %s%.60s? ", strrchr(near->path, '.') + 1,
+		         *section_of(section, sizeof section, near->path) ? "under " : "at the top level",
+		         section);
+	return hint;
+}
+
 static int among(const char *name, const char *keys)
 {
 	size_t own = strlen(name);
@@ -103,22 +151,24 @@ static int among(const char *name, const char *keys)
 enum hawser_status hawser__tree_keys(struct hawser__reader *reader, const struct hawser__tree *tree,
                                      const char *what, const char *of)
 {
-	char shown[HAWSER__SHOWN], best[HAWSER__TEXT_ROOM], keys[HAWSER__TREE_LIST_SIZE];
+	char path[2*HAWSER__TEXT_ROOM], shown[HAWSER__SHOWN], hint[HAWSER__TEXT_ROOM];
+	char keys[HAWSER__TREE_LIST_SIZE];
 
 	if (strchr(of, ',')) /* a list */
 		snprintf(keys, sizeof keys, "%s", of);
 	else
 		hawser__tree_key_list(keys, sizeof keys, of);
 	if (tree->kind != HAWSER__MAPPING)
-		return hawser__reader_fail(reader, &tree->at, "%s must be a mapping with the keys %s", what,
+		return hawser__reader_fail(reader, &tree->value, "%s must be a mapping with the keys %s", what,
 		                           keys);
 	for (const struct hawser__tree *child = tree->child; child; child = child->next) {
 		if (among(child->name, keys))
 			continue;
-		hawser__tree_nearest(best, child->name, keys);
-		return hawser__reader_fail(reader, &child->at, "unknown key %s: %s%s%s%s takes %s",
-		                           hawser__shown(shown, child->name), *best ? "did you mean " : "",
-		                           best, *best ? "? " : "", what, keys);
+		snprintf(path, sizeof path, "%s%s%s", strcmp(what, "the scene") ? what : "",
+		         strcmp(what, "the scene") ? "." : "", *child->name ? child->name : "\"\"");
+		return hawser__reader_fail(reader, &child->at, "unknown key %s: %s%s takes %s",
+		                           hawser__shown(shown, path),
+		                           hawser__tree_suggest(hint, child->name, of, keys), what, keys);
 	}
 	return HAWSER_OK;
 }

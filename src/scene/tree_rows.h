@@ -18,15 +18,24 @@
 #define POSITIVE HAWSER__TREE_POSITIVE
 #define POSITIVE_OR_INF HAWSER__TREE_POSITIVE_OR_INF
 #define NOT_NEGATIVE HAWSER__TREE_NOT_NEGATIVE
+#define NOT_NEGATIVE_OR_INF HAWSER__TREE_NOT_NEGATIVE_OR_INF
+#define RIGHT_ANGLE HAWSER__TREE_RIGHT_ANGLE
+#define OPEN_UNIT HAWSER__TREE_OPEN_UNIT
+#define INCREASING HAWSER__TREE_INCREASING
+#define CHANGE HAWSER__TREE_CHANGE
+#define WITHIN HAWSER__TREE_WITHIN
+#define INSIDE HAWSER__TREE_INSIDE
 #define OPTIONAL HAWSER__TREE_OPTIONAL
 #define REQUIRED HAWSER__TREE_REQUIRED
 #define ONE_OF HAWSER__TREE_ONE_OF
+#define AT_MOST_ONE HAWSER__TREE_AT_MOST_ONE
+#define TOGETHER HAWSER__TREE_TOGETHER
 #define MESH HAWSER__TREE_MESH
 #define NOWHERE HAWSER__TREE_NOWHERE
 #define CHECKED HAWSER__TREE_CHECKED
 
 #define ROW(path, type, count, unit, range, least, most, need, at, copies, pick, given, doc) \
-	{path, HAWSER__TREE_##type, count, unit, range, least, most, need, at, copies, pick, given, doc},
+	{path, HAWSER__TREE_##type, count, unit, range, least, most, need, at, copies, pick, 0, given, doc},
 #define NUMBER(path, need, unit, range, at, given, doc) \
 	ROW(path, NUMBER, 0, unit, range, 0, 0, need, at, 1, NOWHERE, given, doc)
 /* At most this; the line says why. */
@@ -47,6 +56,11 @@
 	ROW(path, WORD, 0, words, ANY, 0, 0, need, at, 1, NOWHERE, given, doc)
 #define TEXT(path, need, at, given, doc) \
 	ROW(path, TEXT, 0, "", ANY, 0, 0, need, at, 1, NOWHERE, given, doc)
+/* Words for 0 and infinity, another form of a number; a position on the cable. */
+#define LIMIT(path, words, at, given, doc) \
+	ROW(path, LIMIT, 0, words, ANY, 0, 0, OPTIONAL, at, 1, NOWHERE, given, doc)
+#define POSITION(path, need, range, at, given, doc) \
+	ROW(path, POSITION, 0, "1", range, 0, 0, need, at, 1, NOWHERE, given, doc)
 /* A mapping whose keys are of the same structure, and one of another. */
 #define SECTION(path, need, doc) ROW(path, MAPPING, 0, "", ANY, 0, 0, need, 0, 1, NOWHERE, NULL, doc)
 #define MAPPING(path, need, doc) \

@@ -34,15 +34,9 @@ static struct hawser__tree *step_into(const struct hawser__tree *tree, const cha
 	return NULL;
 }
 
-/* The first row of this path, or NULL. */
 static const struct hawser__tree_key *row_of(const char *path)
 {
-	const struct hawser__tree_table *table = hawser__tree_table(path);
-
-	for (int i = 0; table && i < table->rows; i++)
-		if (!strcmp(table->row[i].path, path))
-			return &table->row[i];
-	return NULL;
+	return hawser__tree_table(path) ? hawser__tree_next(NULL, path) : NULL;
 }
 
 /* Add to the path of a tree in the table what the part `name` of an override is there. */
@@ -62,12 +56,29 @@ static void descend(char path[HAWSER__TEXT_ROOM], const struct hawser__tree *tre
 /* Is a value of this path a mapping, or may it be one? */
 static int may_be_mapping(const char *path)
 {
-	const struct hawser__tree_table *table = hawser__tree_table(path);
+	const struct hawser__tree_key *row = row_of(path);
 
-	for (int i = 0; table && i < table->rows; i++)
-		if (!strcmp(table->row[i].path, path) && table->row[i].type == HAWSER__TREE_MAPPING)
-			return 1;
-	return 0;
+	while (row && row->type != HAWSER__TREE_MAPPING)
+		row = hawser__tree_next(row, path);
+	return row != NULL;
+}
+
+/* The default of a list of numbers, such as "[0, 0, 0]", at the place `name`, of which an override
+ * sets one; NULL: there is none. */
+static struct hawser__tree *add_default(struct hawser__tree *tree, const char *name,
+                                        const struct hawser__tree_key *row)
+{
+	struct hawser__tree *fresh = NULL;
+	double unused[4];
+
+	if (!row || !row->count || !row->given || !hawser__tree_default(unused, row->count, row->given))
+		return NULL;
+	if (!hawser__tree_parse(&fresh, row->given, strlen(row->given)) || !(fresh->name = strdup(name))) {
+		hawser__tree_clear(fresh);
+		return NULL;
+	}
+	hawser__tree_append(tree, fresh);
+	return fresh;
 }
 
 static struct hawser__tree *add(struct hawser__tree *tree, const char *name,
@@ -104,11 +115,13 @@ static void take_out(struct hawser__tree *tree, struct hawser__tree *child)
 	hawser__tree_clear(child);
 }
 
-/* Take out the keys of a mapping that exclude the one of this row. */
+/* Take out the keys of a mapping that exclude the one of this row (NULL: there is none). */
 static void displace(struct hawser__tree *tree, const struct hawser__tree_key *row)
 {
-	size_t length = (size_t)(strrchr(row->path, '.') - row->path);
+	size_t length = row ? (size_t)(strrchr(row->path, '.') - row->path) : 0;
 
+	if (!row || (row->need != HAWSER__TREE_ONE_OF && row->need != HAWSER__TREE_AT_MOST_ONE))
+		return;
 	for (struct hawser__tree *one = tree->child, *after; one; one = after) {
 		char path[HAWSER__TEXT_ROOM];
 		const struct hawser__tree_key *other;
@@ -116,7 +129,8 @@ static void displace(struct hawser__tree *tree, const struct hawser__tree_key *r
 		after = one->next;
 		snprintf(path, sizeof path, "%.*s.%.100s", (int)length, row->path, one->name);
 		other = row_of(path);
-		if (other && other->need == HAWSER__TREE_ONE_OF && strcmp(path, row->path) != 0)
+		if (other && other->need == row->need && other->pick == row->pick &&
+		    strcmp(path, row->path) != 0)
 			take_out(tree, one);
 	}
 }
@@ -125,7 +139,7 @@ static enum hawser_status unknown(struct hawser__reader *reader, const struct ha
                                   const struct hawser__tree *tree, const char *name, const char *path,
                                   const struct hawser__tree_words *words)
 {
-	char keys[HAWSER__TREE_LIST_SIZE] = "", best[HAWSER__TEXT_ROOM], shown[HAWSER__SHOWN];
+	char keys[HAWSER__TREE_LIST_SIZE] = "", hint[HAWSER__TEXT_ROOM], shown[HAWSER__SHOWN];
 
 	if (tree->kind == HAWSER__MAPPING)
 		hawser__tree_key_list(keys, sizeof keys, path);
@@ -136,10 +150,15 @@ static enum hawser_status unknown(struct hawser__reader *reader, const struct ha
 		if (own)
 			hawser__append(keys, sizeof keys, ", ", "%s", own);
 	}
-	hawser__tree_nearest(best, name, keys);
-	return hawser__reader_fail(reader, at, "the scene has no place %s here: %s%s%swrite names and "
-	                           "numbers joined by dots, such as %s", hawser__shown(shown, name),
-	                           *best ? "did you mean " : "", best, *best ? "? " : "", words->set);
+	if (tree->kind == HAWSER__SEQUENCE)
+		return hawser__reader_fail(reader, at, "%s has %d item%s, numbered from 0, and none has the "
+		                           "number or name %s%s%s", strchr(path, '.') + 1, tree->children,
+		                           tree->children == 1 ? "" : "s", hawser__shown(shown, name),
+		                           *keys ? ": its names are " : "", keys);
+	return hawser__reader_fail(reader, at, "the scene has no place %s here: %swrite names and "
+	                           "numbers joined by dots, such as %s",
+	                           *name ? hawser__shown(shown, name) : "\"\"",
+	                           hawser__tree_suggest(hint, name, path, keys), words->set);
 }
 
 /* Put the tree `fresh`, which is used up, in the place of `name` in a tree. NULL: take out what is
@@ -162,8 +181,7 @@ static enum hawser_status put(struct hawser__tree *tree, struct hawser__reader *
 		hawser__tree_clear(fresh);
 		return hawser__no_memory(reader->report, "scene");
 	}
-	if (row && row->need == HAWSER__TREE_ONE_OF && strrchr(row->path, '.'))
-		displace(tree, row);
+	displace(tree, row);
 	hawser__tree_clear(old->child);
 	free(old->text);
 	old->kind = fresh->kind;
@@ -171,7 +189,7 @@ static enum hawser_status put(struct hawser__tree *tree, struct hawser__reader *
 	old->child = fresh->child;
 	old->last = fresh->last;
 	old->children = fresh->children;
-	old->at = fresh->at;
+	old->at = old->value = fresh->at;
 	free(fresh);
 	return HAWSER_OK;
 }
@@ -204,7 +222,10 @@ static enum hawser_status walk(struct hawser__tree *root, struct hawser__reader 
 			return put(tree, reader, fresh, name, row_of(path), words);
 		if (!next && !fresh)
 			return HAWSER_OK;
-		tree = next ? next : may_be_mapping(path) ? add(tree, name, &here) : NULL;
+		if (fresh)
+			displace(tree, row_of(path));
+		tree = next ? next : may_be_mapping(path) ? add(tree, name, &here)
+		       : add_default(tree, name, row_of(path));
 	}
 	hawser__tree_clear(fresh);
 	return hawser__reader_fail(reader, &here, "%s is no mapping: give its whole value", path);
@@ -236,6 +257,9 @@ enum hawser_status hawser__tree_set(struct hawser__tree *root, struct hawser__re
 		                           "numbers joined by dots, such as %s", words->set);
 	if (equals[1 + strspn(equals + 1, " ")])
 		status = hawser__tree_document(&fresh, reader, equals + 1, strlen(equals + 1));
+	if (!status && !fresh && equals[1 + strspn(equals + 1, " ")])
+		status = hawser__reader_fail(reader, &(struct hawser__mark){.set = reader->set},
+		                             "%s has no value: write %s=VALUE", path, path);
 	if (status) {
 		hawser__tree_clear(fresh);
 		return status;

@@ -101,7 +101,7 @@ static int told(const struct hawser_scene *scene, const struct hawser__items *li
 	const double *force = scene->piece[item].force;
 	int point = force[0] != 0.0 || force[1] != 0.0 || force[2] != 0.0;
 
-	if (hawser__rows()[index].type == HAWSER__NAME)
+	if (hawser__row(index)->type == HAWSER__TREE_TEXT)
 		return *hawser__item_name(list, scene, item) != '\0';
 	if (list != hawser__list_row(HAWSER__LOADS))
 		return 1;
@@ -120,17 +120,17 @@ static void one(FILE *stream, const struct hawser_scene *scene, const struct haw
 	int by_length;
 
 	for (int i = 0; (key = hawser_scene_key(i)); i++) {
-		enum hawser__type type = hawser__rows()[i].type;
+		enum hawser__tree_type type = hawser__row(i)->type;
 
 		if (hawser__list_of(i) != list || !told(scene, list, i, item))
 			continue;
 		fprintf(stream, "%s%s: ", separator, hawser__leaf(key->path));
 		separator = ", ";
-		if (type == HAWSER__NAME)
+		if (type == HAWSER__TREE_TEXT)
 			fputs(hawser__item_name(list, scene, item), stream);
 		else
 			value(stream, scene, i, item, key->words);
-		if (type != HAWSER__PLACE)
+		if (type != HAWSER__TREE_POSITION)
 			continue;
 		memcpy(&by_length, (const char *)hawser__field(scene, i, item) + sizeof(double),
 		       sizeof by_length);
@@ -144,7 +144,7 @@ static void items(FILE *stream, const struct hawser_scene *scene)
 	const struct hawser__items *list;
 
 	for (int l = 0; (list = hawser__list_row(l)); l++) {
-		int count = list->keys ? *hawser__list_count(list, scene) : 0;
+		int count = l == HAWSER__CASES ? 0 : *hawser__list_count(list, scene);
 
 		if (count)
 			fprintf(stream, "%s:\n", list->name);

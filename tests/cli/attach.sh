@@ -10,24 +10,24 @@ refuses 1 "--set attach=3: attach must be a list of mappings, such as [{at: 40 %
 	statics s.yaml --set attach=3
 refuses 1 "--set attach=[4]: attach[0] must be a mapping, such as {at: 40 %, mass: 20 kg}" \
 	statics s.yaml --set 'attach=[4]'
-refuses 1 "--set attach=[{mass: 3}]: attach[0] has no position: give at, such as at: 40 % or at: 12 m" \
+refuses_like 1 "attach\\[0\\].at is missing: give a fraction of the length such as 40 %, or a length such as 12 m" \
 	statics s.yaml --set 'attach=[{mass: 3}]'
-refuses_like 1 'attach.at: "40" is not between the ends: give a fraction' \
+refuses_like 1 'attach.0..at: "40" is not between the ends: give a fraction' \
 	statics s.yaml --set 'attach=[{at: 40, mass: 3}]'
-refuses_like 1 'attach.at: "1 kg" is no position: give a fraction' \
+refuses_like 1 'attach.0..at: "1 kg" is no position: give a fraction' \
 	statics s.yaml --set 'attach=[{at: 1 kg, mass: 3}]'
 refuses_like 1 "attach\\[0\\] has no effect: give it a mass, a force, a spring, a damper or an absorber" \
 	statics s.yaml --set 'attach=[{at: 0.4}]'
 refuses_like 1 "duplicate key at, already given" statics s.yaml --set 'attach=[{at: 0.4, at: 0.5}]'
-refuses_like 1 "attach.name: \"12\" is no name" statics s.yaml --set 'attach=[{at: 0.4, mass: 1, name: 12}]'
+refuses_like 1 "attach.0..name: \"12\" is no name" statics s.yaml --set 'attach=[{at: 0.4, mass: 1, name: 12}]'
 refuses_like 1 "attach\\[0\\] and attach\\[1\\] have the same name a" \
 	statics s.yaml --set 'attach=[{at: 0.4, mass: 1, name: a}, {at: 0.5, mass: 1, name: a}]'
 refuses_like 1 "attach\\[0\\] and attach\\[1\\] are at the same point" \
 	statics s.yaml --set 'attach=[{at: 0.4, mass: 1}, {at: 0.4, mass: 1}]'
 refuses_like 1 "attach contradicts travel" statics s.yaml --set 'travel={speed: 1, hold: length}'
-refuses_like 1 "unknown key attach.carrier-1.mas: did you mean mass. write attach.NUMBER.KEY" \
+refuses_like 1 "unknown key attach.0..mas: did you mean mass. attach.0. takes at, mass" \
 	statics s.yaml --set attach.carrier-1.mas=2
-refuses_like 1 "attach.7.mass: the scene has 4 attachments, and none has this number" \
+refuses_like 1 "attach has 4 items, numbered from 0, and none has the number or name 7: its names are carrier-1" \
 	statics s.yaml --set attach.7.mass=3
 many=$(awk 'BEGIN {for (i = 1; i < 34; i++) printf("%s{at: %g, mass: 1}", (i > 1 ? ", " : ""), i/40)}')
 refuses_like 1 "attach has more than 32 items" statics s.yaml --set "attach=[$many]"

@@ -18,7 +18,7 @@ bad() {
 scene "$cable" "$span" "$tension"
 works "the scene itself is fine" statics ../scene.yaml
 scene '{EA: 400 MN, rho: 6 kg/m, Rho: 3}' "$span" "$tension"
-bad 1 'scene\.yaml:1:.*Rho.*cable\.rho'
+bad 1 'scene\.yaml:1:.*cable\.Rho: did you mean rho'
 scene '{EA: 400 MN, rho: 6 kg/m, rho: 7}' "$span" "$tension"
 bad 1 'scene\.yaml:1:.*rho.*(twice|again|duplicate|already)'
 scene '{EA: 400 MN}' "$span" "$tension"
@@ -47,7 +47,7 @@ bad 2 'length'
 printf 'cable: [\n' >../scene.yaml
 bad 1 'scene\.yaml:'
 : >../scene.yaml
-bad 1 'scene\.yaml: the scene is empty'
+bad 1 'scene\.yaml: a scene is a mapping of keys to values, .* needs at least cable'
 refuses_like 1 'cannot read missing\.yaml: No such file or directory' statics missing.yaml
 refuses_like 1 'cannot read missing\.yaml: No such file or directory' frf missing.yaml
 refuses_like 1 'cannot read /: Is a directory' statics /

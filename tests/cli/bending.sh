@@ -9,7 +9,7 @@ try "xi and end moments in the result" grep -q '"moment_A": 33636' m.json
 try "xi in the result" grep -q '"xi": 330.129' m.json
 works "words" modes "$scene" --set ends.A=pinned --set ends.B=clamped
 works "a stiffness per radian" rom "$scene" -n 2
-refuses_like 1 'ends.A: "clampd" is none of the words pinned.clamped, and is not a number' modes "$scene" --set ends.A=clampd
+refuses_like 1 'ends.A: "clampd" must be a number in N.m, or pinned or clamped' modes "$scene" --set ends.A=clampd
 refuses_like 1 "ends contradicts cable.EI = 0" modes "$scene" --set cable.EI=0
 refuses_like 1 "cable.EI contradicts travel" modes "$scene" --set 'travel={speed: 1, hold: length}'
 refuses_like 1 "cable.EI contradicts support.A.stiffness" modes "$scene" \

@@ -63,7 +63,7 @@ refuses_like 1 'auto chooses the modes to keep and condenses the others: it goes
 refuses_like 1 'a state has as many coordinates as the model' frf "$scene" $auto $range --start x.json
 # shellcheck disable=SC2086
 refuses_like 1 'the model is forced: give its frequency' integrate "$scene" $auto
-refuses_like 1 'neither a whole number nor auto' frf "$scene" --set model.modes=some
+refuses_like 1 '"some" must be a whole number, or auto' frf "$scene" --set model.modes=some
 # ten seconds
 if [ -n "${HAWSER_LONG:-}" ]; then
 	refuses_like 3 'known to .* only with the .* coordinates of the last of .* models, not to 1e-07' \

@@ -27,7 +27,7 @@ refuses_like 1 "loads\\[0\\] acts from 0.5 to 0.4: give the end nearer to A firs
 refuses_like 1 "loads.0 acts from 60 m to .* m: give the end" rom s.yaml --set 'loads.0.from=60 m'
 refuses_like 1 "loads.1.at: 200 m is beyond the end of the cable" rom s.yaml --set 'loads.hand.at=200 m'
 refuses_like 1 "loads.2.wave: 0.5 m is less than 1/200 of the cable" rom s.yaml --set loads.2.wave=0.5
-refuses_like 1 "loads.harmonic: \"21\" is out of range" statics s.yaml --set loads.0.harmonic=21
+refuses_like 1 "loads.0..harmonic: 21 is not a whole number from 1 to 20" statics s.yaml --set loads.0.harmonic=21
 refuses_like 1 "loads.0.harmonic is 2: modes are weighed with loads of the frequency Omega only" \
 	frf s.yaml --set model.modes=auto --from 1 --to 1.2
 

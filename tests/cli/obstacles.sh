@@ -91,7 +91,7 @@ denies "a winch at the other end" 1 "with tension.T0 the rope is paid in and out
 	--set 'tension={T0: 50 kN}' --set 'contact={sliding: history, path: [20 kN], winch: B}'
 try "the picture has the rope without the obstacles" grep -q "without obstacles" sheave.svg
 
-denies "a misspelt key" 1 "unknown key frction: did you mean friction" statics "$sheave" --set obstacles.s0.frction=1
+denies "a misspelt key" 1 "unknown key obstacles.s0.frction: did you mean friction" statics "$sheave" --set obstacles.s0.frction=1
 denies "a wrong unit" 1 'wrong unit "kg"' statics "$sheave" --set "obstacles.s0.circle.radius=3 kg"
 denies "an option of other scenes" 1 "\-\-models is for spans, and .* is a span over obstacles" statics "$sheave" --models
 denies "the same of ropeways" 1 "\-\-worst is for ropeways, and .* is a span over obstacles" statics "$sheave" --worst
@@ -161,7 +161,7 @@ assert {e["span"] for e in s[-1]["eigenvalues"]} == {"s0 to B"} and "lane" not i
 END
 try "  where the rope comes to touch it is told" grep -q '^# between obstacles.s0.circle.centre.1 = -1[0-9.]* and -15.9[0-9]* m: 1 touched' over.tsv
 try "  columns" grep -q '^obstacles.s0.circle.centre.1	branch	omega_rad_s	frequency_Hz	plane	span	span_share	residual$' over.tsv
-denies "a key that is none" 1 "\-\-over obstacles.s0.circle.radus, at 1 m: unknown key radus" modes "$sheave" \
+denies "a key that is none" 1 "\-\-over obstacles.s0.circle.radus, at 1 m: unknown key obstacles.s0.circle.radus" modes "$sheave" \
 	--over "obstacles.s0.circle.radus=1 m:2 m:3"
 denies "a contact that is none" 1 "must be one of slip, stick" modes "$sheave" --contact roll
 denies "stick without friction" 1 "has no friction, so that the rope does not stick to it" modes "$sheave" --set obstacles.s0.friction=0 --contact stick

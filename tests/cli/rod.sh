@@ -51,9 +51,9 @@ refused() { # what, words, sed, arguments
 	sed "$change" rod.yaml >bad.yaml
 	denies "$what" 1 "$words" statics bad.yaml "$@"
 }
-refused "a misspelt key" "bad.yaml:2:20: unknown key EAA: did you mean EA" 's/EA:/EAA:/'
+refused "a misspelt key" "bad.yaml:2:20: unknown key rod.EAA: did you mean EA" 's/EA:/EAA:/'
 refused "a wrong unit" 'rod.EA: "1 kg"' 's/1 MN/1 kg/'
-refused "a stiffness that is missing" "rod.GJ is missing: give it in N.m^2" 's/GJ: 2 N.m^2, //'
+refused "a stiffness that is missing" "rod.GJ is missing: give a number in N.m^2" 's/GJ: 2 N.m^2, //'
 refused "a load beyond the end" "loads.i0.to: 5 m is beyond the end of the rod at 2 m" 's/to: end/to: 5 m/'
 refused "a load without force" "no force and no moment" 's/force: .*]/frame: fixed/'
 refused "a normal along the tangent" "start.normal is along the tangent" 's/1, 0]/1, 0], normal: [2, 2, 0]/'

@@ -101,9 +101,9 @@ denies "an option of ropeways" 1 "\-\-contact is for nets, spans over obstacles 
 denies "too many modes" 1 "ask for 1 to 500" modes "$small" -n 1000
 denies "a tower that is too low" 2 "lifts off the support battery of tower p0 at\|lifts off the support battery of tower p0, line 7" modes "$small" --set 'ropeway.towers.p0.at=[80 m, 5 m]'
 (cat "$small"; echo 'contact: {modes: stuck}') >word.yaml
-denies "an unknown word" 1 'word.yaml:10:11: contact.modes: "stuck" must be auto, slip, stick or roll' modes word.yaml
+denies "an unknown word" 1 'word.yaml:10:18: contact.modes: "stuck" must be auto, slip, stick or roll' modes word.yaml
 (cat "$small"; echo 'contact: {mode: stick}') >key.yaml
-denies "an unknown key" 1 "key.yaml:10:.*unknown key mode: did you mean modes?" modes key.yaml
+denies "an unknown key" 1 "key.yaml:10:.*unknown key contact.mode: did you mean modes?" modes key.yaml
 (cat "$small"; echo 'contact: {modes: slip}') >own.yaml
 works "the contact of the scene" modes own.yaml $one -n 1 --json own.json -q
 try "  is taken" grep -q '"contact": "slip"' own.json

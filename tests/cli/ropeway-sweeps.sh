@@ -85,7 +85,7 @@ denies "an option of ropeways" 1 "\-\-contact is for ropeways" campbell "$chairl
 denies "stick, and a rope that runs" 1 "contact.modes is stick, but the rope runs" campbell "$small" --contact stick --from 1 --points 2
 denies "another unit" 1 "KEY=FROM:TO:POINTS" modes "$small" --over "ropeway.towers.p0.at.1=15 m:20:5"
 denies "one point" 1 "with 2 to 2000 points" modes "$small" --over ropeway.carriers.phase=0:36:1
-denies "an unknown key" 1 "\-\-over ropeway.carriers.phas, at 0: unknown key phas" modes "$small" --over ropeway.carriers.phas=0:36:3
+denies "an unknown key" 1 "\-\-over ropeway.carriers.phas, at 0: unknown key ropeway.carriers.phas" modes "$small" --over ropeway.carriers.phas=0:36:3
 denies "shapes of a sweep" 1 "shapes does not go with --over" modes "$small" --over ropeway.carriers.phase=0:36:3 --shapes
 denies "no range" 1 "are both" irvine "$small" --from 3e5 --to "300 kN"
 denies "ratios of 0" 1 "no equal ratios" modes "$small" --over ropeway.carriers.phase=0:36:3 --log

@@ -166,12 +166,12 @@ denies "an option of ropeways" 1 "\-\-worst is for ropeways, and .* is a span" s
 denies "two tables" 1 "\-\-spans does not go with \-\-worst" statics "$small" --worst --spans
 denies "an unknown case" 1 "must be one of full, empty, up, down" statics "$small" --case half
 sed 's/battery: support, radius: 12 m}$/battery: support, radius: 12 m, frictoin: 0.1}/' "$small" >wrong.yaml
-denies "an unknown key" 1 "wrong.yaml:7:.*unknown key frictoin: did you mean friction?" statics wrong.yaml
+denies "an unknown key" 1 "wrong.yaml:7:.*unknown key towers.p0.frictoin: did you mean friction?" statics wrong.yaml
 denies "a wrong unit" 1 'rope.EA: "40 m"' statics "$small" --set 'ropeway.rope.EA=40 m'
 denies "towers out of order" 1 "give the towers by x" statics "$small" --set 'ropeway.towers.p1.at=[50 m, 40 m]'
-denies "no place" 1 "towers.p1.at must be a list of 2 numbers in m, \[x, y\] of the summit of its battery" statics "$small" \
+denies "no place" 1 "towers.p1.at has 1 value, but must be a list of 2 numbers in m (\[x, y\] of the summit of its battery" statics "$small" \
 	--set 'ropeway.towers.p1.at=[50 m]'
-denies "two tensions" 1 "tension has counterweight and T0" statics "$small" \
+denies "two tensions" 1 "tension.T0 contradicts .*tension.counterweight in the same override" statics "$small" \
 	--set 'ropeway.bottom.tension={counterweight: 168 kN, T0: 84 kN}'
 works "  one in the place of the other" check "$small" --set 'ropeway.bottom.tension.T0=84 kN'
 denies "a word" 1 '"sometimes" must be running, rest or reverse' statics "$small" --set ropeway.sliding=sometimes

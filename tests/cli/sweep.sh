@@ -98,7 +98,7 @@ try "  the message is in the comments and on standard error" \
 	test "$(cat "$scratch/out" "$scratch/err" | grep -c 'tension.T0 = 1 kN, span.h = 0 m: .*below the least one')" -eq 2
 
 sweep="sweep chairlift.yaml --over tension.T0=60000:100000:3"
-refuses 1 "no result of 2 of 2 variations; the first, tension.TO = 6: unknown key tension.TO: did you mean tension.T0?" \
+refuses 1 "no result of 2 of 2 variations; the first, tension.TO = 6: unknown key tension.TO: did you mean T0? tension takes H, T0, T1, length0, sag, branch, state" \
 	sweep chairlift.yaml --over tension.TO=6,7 -- statics
 refuses_like 1 '^hawser: --keep sga: the result of statics has no such column; it has model, H_N,' $sweep --keep sga -- statics
 refuses_like 1 'it has no|has no such list; there is table, modes' sweep b-table-5.4.yaml --over travel.speed=1 --rows mode -- modes -n 1

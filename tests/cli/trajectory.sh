@@ -60,12 +60,12 @@ bad 'bad.yaml:1:52: tow.waypoints[2]: "2 m" has a wrong unit "m", not convertibl
 bad 'bad.yaml:1:60: tow.waypoints[2]: ".nan" is not a number (NaN): give a number in m, or with a unit that converts to m' "$way, [2 s, 2, .nan, 0]]}"
 bad 'bad.yaml:1:51: tow.waypoints[2] must be [t, x, y, z] in s and m, or a mapping with t, at and derivatives, such as {t: 30 s, at: [100 m, 0, 0], velocity: [6 m/s, 0, 0]}' "$way, [2 s, 2, 0]]}"
 bad 'bad.yaml:1:59: tow.ends: "velocty" must be velocity, acceleration, jerk or snap' "$way], ends: [velocty]}"
-bad 'bad.yaml:1:7: unknown key waypionts: did you mean waypoints? tow takes waypoints, file, speed, orbit, minimise, ends, start, ramp, law, hinge' 'tow: {waypionts: []}'
+bad 'bad.yaml:1:7: unknown key tow.waypionts: did you mean waypoints? tow takes waypoints, file, speed, orbit, minimise, ends, start, ramp, law, hinge' 'tow: {waypionts: []}'
 bad 'bad.yaml:1:21: tow has speed and orbit: give one of waypoints, file, speed and orbit' \
 	'tow: {speed: 3 m/s, orbit: {radius: 1, speed: 2}}'
 bad 'bad.yaml:1:19: tow.minimise is of waypoints and files, and the path is given by speed: remove one of them' \
 	'tow: {speed: 3,   minimise: jerk}'
-bad 'bad.yaml:1:15: tow.orbit.radius: "-3 m" is out of range: it must be > 0, in m' 'tow: {orbit: {radius: -3 m, speed: 2}}'
+bad 'bad.yaml:1:23: tow.orbit.radius: "-3 m" is out of range: it must be > 0, in m' 'tow: {orbit: {radius: -3 m, speed: 2}}'
 bad 'the range of time is from 3 s to 2 s: --from must be less than --to' "tow: {speed: 3}" --from 3 --to 2
 bad 'the path is defined from 0 to inf s, and not at -1 s' "tow: {speed: 3}" --from -1 --to 2
 printf '0 0 0 0\n1 1 0 0\n# a comment\n1 2 0 0\n' >path.txt

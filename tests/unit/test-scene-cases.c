@@ -28,13 +28,14 @@ static const struct {
 	 "--set cases=[{name: 'a:b'}]: cases[0].name must be a word or a few, of at most 31 characters, "
 	 "without quotes, tabs and \\ # { } [ ] , :"},
 	{WHOLE, "cases=[{name: a, span: 3}]",
-	 "--set cases=[{name: a, span: 3}]: cases[0] takes name, load and temperature, not span"},
+	 "--set cases=[{name: a, span: 3}]: unknown key cases[0].span: did you mean span at the top "
+	 "level? cases[0] takes name, load, temperature"},
 	{WHOLE, "cases=[{name: a, load: {frame: local}}]",
-	 "--set cases=[{name: a, load: {frame: local}}]: cases[0] (a): a case has a static load "
-	 "only, load: {static: {...}}; the varying one is that of the scene"},
+	 "--set cases=[{name: a, load: {frame: local}}]: unknown key cases[0].load.frame: did you mean "
+	 "frame under cases[].load.static? cases[0].load takes static"},
 	{WHOLE, "cases=[{name: a, temperature: {}}]",
-	 "--set cases=[{name: a, temperature: {}}]: cases[0] (a): temperature.change is missing: give a "
-	 "number in K"},
+	 "--set cases=[{name: a, temperature: {}}]: cases[0].temperature.change is missing: give a "
+	 "number in K (as temperature.change)"},
 	{WHOLE, "cases=[{name: a, temperature: {change: 3}}]",
 	 "--set cases=[{name: a, temperature: {change...: cases[0] (a) has no temperature.expansion, and "
 	 "neither has the scene: give it in 1/K in one of them"},

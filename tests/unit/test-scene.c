@@ -219,7 +219,8 @@ static void questions(void)
 	   !strcmp(word, "taut"), "the word of tension.branch, a default");
 	ok(hawser_scene_word(&scene, word, "cable.EA", &report) == HAWSER_ERR_ARGUMENT,
 	   "no word for a number");
-	refuse_get(&scene, "cable.ea", "there is no key cable.ea: did you mean cable.EA?");
+	refuse_get(&scene, "cable.ea",
+	           "there is no key cable.ea: did you mean EA? cable takes EA, rho, EI");
 	refuse_get(&scene, "tension.H", "this scene does not give tension.H" ADD_IT);
 	refuse_get(&scene, "damping.ratio", "this scene does not give damping.ratio" ADD_IT);
 	refuse_get(&scene, "load.frame", "load.frame is a word, not a number");
@@ -323,8 +324,8 @@ static void files(void)
 	snprintf(text, sizeof text, "/dev/fd/%d", fileno(in));
 	ok(freopen(text, "r", stdin) != NULL, "standard input is redirected");
 	ok(hawser_scene_open(&scene, "-", NULL, 0, &report) == HAWSER_ERR_SCENE &&
-	   !strcmp(report.message, "<stdin>:1:8: cable is a single value, but must be a mapping: "
-	                           "cable takes EA, rho, EI"), "standard input: %s", report.message);
+	   !strcmp(report.message, "<stdin>:1:8: cable: \"3\" must be a mapping with the keys EA, rho, EI"),
+	   "standard input: %s", report.message);
 	fclose(in);
 }
 

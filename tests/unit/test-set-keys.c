@@ -15,7 +15,6 @@
 #include <hawser/scene.h>
 #include <hawser/tow.h>
 
-#include "scene/keys.h"
 #include "scene/tree_keys.h"
 #include "tests/tap.h"
 
@@ -62,13 +61,13 @@ static const struct kind {
 	char item; /* names of items of lists, without a name; 0: they have none */
 	struct array array[ARRAYS];
 } kinds[] = {
-	{"cable", cli_init_cable, "attach: [{at: 25 %, mass: 20 kg, name: one}, {at: 50 %, mass: 2, "
-	 "spring: [0, 3 N/m, 0]}]\n"
-	 "loads: [{per_length: [0, 1 N/m, 0], from: 20 %, to: 40 %, phase: 0.1}]\n", NULL,
+	{"cable", cli_init_cable, "attach: [{at: 25 %, mass: 20 kg, damper: [0, 1, 0], name: one}, "
+	 "{at: 50 %, mass: 2, spring: [0, 3 N/m, 0]}]\n"
+	 "loads: [{per_length: [0, 1 N/m, 0], from: 20 %, to: 40 %, phase: 0.1}]\n", "span",
 	 read_span, clear_span, 0, {{0, 0, 0}}},
-	{"travelling", cli_init_travelling, "", NULL, read_span, clear_span, 0,
+	{"travelling", cli_init_travelling, "", "span", read_span, clear_span, 0,
 	 {{0, 0, 0}}},
-	{"beam", cli_init_beam, "", NULL, read_span, clear_span, 0, {{0, 0, 0}}},
+	{"beam", cli_init_beam, "", "span", read_span, clear_span, 0, {{0, 0, 0}}},
 	{"net", cli_init_net, "obstacles:\n"
 	 "  - {circle: {centre: [30, -200, 0], radius: 1}, friction: 0.1}\n"
 	 "contact: {restitution: 0.2, steps: 7}\ndynamics: {step: 0.1, rho_inf: 0.7}\n", "net", read_net,
@@ -112,7 +111,7 @@ static int same(union scene *a, union scene *b, const struct kind *kind)
 		good = n == *(int *)(void *)((char *)b + of->count) &&
 		       (!n || !memcmp(*x, *y, (size_t)n*of->size));
 	}
-	if (!kind->table) {
+	if (kind->read == read_span) {
 		struct hawser_scene x = a->span, y = b->span;
 
 		x.name = y.name = NULL;
@@ -192,8 +191,7 @@ static void mistyped(struct work *work, const char *path)
 	union scene scene;
 
 	snprintf(set, sizeof set, "%sq=1", path);
-	snprintf(hint, sizeof hint, "did you mean %s?", work->kind->table || !strncmp(path, "attach", 6) ||
-	         !strncmp(path, "loads", 5) ? leaf : path);
+	snprintf(hint, sizeof hint, "did you mean %s?", leaf);
 	work->refused++;
 	if (with(&scene, work->kind, &work->from, set, &report) == HAWSER_OK)
 		work->kind->clear(&scene);
@@ -204,16 +202,12 @@ static void mistyped(struct work *work, const char *path)
 }
 
 /* The row of the table for a path of the tree, "net.cables[].EA", or NULL. */
-static const char *default_of(const struct kind *kind, const char *row, const char *path)
+static const char *default_of(const char *row)
 {
-	const struct hawser_scene_key *key;
 	const struct hawser__tree_key *one;
 	char *end;
 
-	for (int i = 0; !kind->table && (key = hawser_scene_key(i)); i++)
-		if (!strcmp(key->path, path) && key->fallback && !hawser__rows()[i].group)
-			return key->fallback;
-	for (int i = 0; kind->table && (one = hawser__tree_row(i)); i++)
+	for (int i = 0; (one = hawser__tree_row(i)); i++)
 		if (!strcmp(one->path, row) && one->given && one->need == HAWSER__TREE_OPTIONAL &&
 		    one->type != HAWSER__TREE_TEXT && (strtod(one->given, &end), end != one->given))
 			return one->given;
@@ -255,7 +249,7 @@ static void children(struct work *work, const struct hawser__tree *tree, const c
 static void visit(struct work *work, const struct hawser__tree *tree, const char *dotted,
                   const char *bracketed, const char *named, const char *row)
 {
-	const char *given = default_of(work->kind, row, dotted);
+	const char *given = default_of(row);
 
 	if (given)
 		taken(work, dotted, given);
@@ -263,8 +257,6 @@ static void visit(struct work *work, const struct hawser__tree *tree, const char
 		children(work, tree, dotted, bracketed, named, row);
 		return;
 	}
-	if (strstr(dotted, "cases.") == dotted && !work->kind->table)
-		return;
 	collect(work, dotted, tree->text);
 	collect(work, bracketed, tree->text);
 	collect(work, named, tree->text);
@@ -288,7 +280,7 @@ CASE(unit_set_keys)
 		   "%s: read %s", kinds[k].name, report.message);
 		if (stream)
 			fclose(stream);
-		children(&work, work.from.tree, "", "", "", kinds[k].table ? kinds[k].table : "");
+		children(&work, work.from.tree, "", "", "", kinds[k].table);
 		all = keeps(&work, 0, work.sets);
 		for (int i = 0; i < work.sets && !all; i++)
 			(void)keeps(&work, i, 1);

@@ -244,7 +244,7 @@ void cli_echo_json(struct hawser__json *json, const struct cli_common *common,
 	if (!scene)
 		return;
 	for (int i = 0; !json->status && (key = hawser_scene_key(i)); i++)
-		if (strncmp(key->path, "attach.", 7) != 0 && strncmp(key->path, "loads.", 6) != 0)
+		if (!strchr(key->path, '['))
 			echo_key(json, echo, scene, key);
 	if (scene->attachments)
 		echo_attachments(json, echo, scene);

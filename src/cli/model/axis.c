@@ -61,27 +61,27 @@ static const struct {
 	{"load.static.mass", "Mass of ice per length", ""},
 	{"temperature.change", "Change of temperature", ""},
 	{"temperature.expansion", "Thermal expansion", ""},
-	{"attach.mass", "Attached mass", ""},
-	{"attach.absorber_mass", "Mass of the absorber", ""},
-	{"attach.absorber_stiffness", "Stiffness of the absorber", ""},
-	{"attach.absorber_damping", "Damper of the absorber", ""},
-	{"attach.absorber_cubic", "Cubic spring of the absorber", ""},
-	{"attach.at", "Place of the attachment", ""},
-	{"attach.force[0]", "Force along x", ""},
-	{"attach.force[1]", "Force along y", ""},
-	{"attach.force[2]", "Force along z", ""},
-	{"attach.spring[0]", "Spring along x", ""},
-	{"attach.spring[1]", "Spring along y", ""},
-	{"attach.spring[2]", "Spring along z", ""},
-	{"attach.damper[0]", "Damper along x", ""},
-	{"attach.damper[1]", "Damper along y", ""},
-	{"attach.damper[2]", "Damper along z", ""},
-	{"loads.from", "Begin of the loaded part", ""},
-	{"loads.to", "End of the loaded part", ""},
-	{"loads.wave", "Wavelength of the load", ""},
-	{"loads.at", "Position of the force", ""},
-	{"loads.harmonic", "Harmonic of the load", ""},
-	{"loads.phase", "Phase of the load", ""},
+	{"attach[].mass", "Attached mass", ""},
+	{"attach[].absorber_mass", "Mass of the absorber", ""},
+	{"attach[].absorber_stiffness", "Stiffness of the absorber", ""},
+	{"attach[].absorber_damping", "Damper of the absorber", ""},
+	{"attach[].absorber_cubic", "Cubic spring of the absorber", ""},
+	{"attach[].at", "Place of the attachment", ""},
+	{"attach[].force[0]", "Force along x", ""},
+	{"attach[].force[1]", "Force along y", ""},
+	{"attach[].force[2]", "Force along z", ""},
+	{"attach[].spring[0]", "Spring along x", ""},
+	{"attach[].spring[1]", "Spring along y", ""},
+	{"attach[].spring[2]", "Spring along z", ""},
+	{"attach[].damper[0]", "Damper along x", ""},
+	{"attach[].damper[1]", "Damper along y", ""},
+	{"attach[].damper[2]", "Damper along z", ""},
+	{"loads[].from", "Begin of the loaded part", ""},
+	{"loads[].to", "End of the loaded part", ""},
+	{"loads[].wave", "Wavelength of the load", ""},
+	{"loads[].at", "Position of the force", ""},
+	{"loads[].harmonic", "Harmonic of the load", ""},
+	{"loads[].phase", "Phase of the load", ""},
 	{"model.modes", "Number of modes", ""},
 	{"model.accuracy", "Accuracy asked for", ""},
 	{"model.basis", "Functions a component", ""},
@@ -102,20 +102,24 @@ static const struct {
 	{"beam.speed", "Speed", ""},
 };
 
-/* Whether the key is that of the row; "attach.2.mass" and "attach.NAME.mass" are attach.mass. */
-static int is_row(const char *row, const char *key)
+/* Whether the row is that of the key: "attach.2.mass" and "attach.NAME.mass" are attach[].mass. */
+static int is_of(const char *row, const char *key, size_t length)
 {
-	const char *leaf = strrchr(key, '.');
+	const char *item = strstr(row, "[].");
+	size_t section = item ? (size_t)(item - row) : 0, leaf = length;
 
-	return strcmp(row, key) == 0 ||
-	       (leaf && strncmp(row, "attach.", 7) == 0 && strncmp(key, "attach.", 7) == 0 &&
-	        strcmp(row + 6, leaf) == 0);
+	if (strlen(row) == length && strncmp(row, key, length) == 0)
+		return 1;
+	while (leaf > 0 && key[leaf - 1] != '.')
+		leaf--;
+	return item && strncmp(row, key, section) == 0 && key[section] == '.' && leaf > section + 1 &&
+	       strlen(item + 3) == length - leaf && strncmp(item + 3, key + leaf, length - leaf) == 0;
 }
 
 int cli_axis_quantity(const char **quantity, const char **symbol, const char *key)
 {
 	for (size_t i = 0; i < sizeof rows/sizeof *rows; i++)
-		if (is_row(rows[i].key, key)) {
+		if (is_of(rows[i].key, key, strlen(key))) {
 			*quantity = rows[i].quantity;
 			*symbol = rows[i].symbol;
 			return 1;
@@ -125,29 +129,13 @@ int cli_axis_quantity(const char **quantity, const char **symbol, const char *ke
 	return 0;
 }
 
-/* Whether the row is that of the key: "attach.2.mass" and "attach.NAME.mass" are attach.mass. */
-static int is_of(const struct hawser_scene_key *row, const char *key, size_t length)
-{
-	size_t section = strcspn(key, "."), leaf = length;
-
-	if (strlen(row->path) == length && strncmp(row->path, key, length) == 0)
-		return 1;
-	while (leaf > 0 && key[leaf - 1] != '.')
-		leaf--;
-	if (leaf > section + 1) /* three parts */
-		return strncmp(row->path, key, section + 1) == 0 &&
-		       strlen(row->path + section + 1) == length - leaf &&
-		       strncmp(row->path + section + 1, key + leaf, length - leaf) == 0;
-	return 0;
-}
-
 const char *cli_key_unit(const char *key)
 {
 	const struct hawser_scene_key *row;
 	size_t length = strcspn(key, "[");
 
 	for (int k = 0; (row = hawser_scene_key(k)); k++)
-		if (is_of(row, key, length))
+		if (is_of(row->path, key, length))
 			return row->unit;
 	return "1";
 }

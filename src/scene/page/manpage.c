@@ -3,14 +3,16 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <ctype.h>
 #include <stdio.h>
 #include <string.h>
 
 #include <hawser/plausible.h>
+#include <hawser/scene.h>
 
 #include "scene/page/example.h"
 #include "scene/page/manpage.h"
-#include "scene/keys.h"
+#include "scene/tree_keys.h"
 
 /* Backslashes, and hyphens as minus. */
 void manpage_text(const char *from)
@@ -65,67 +67,34 @@ static void example(void)
 	fputs(".fi\n", stdout);
 }
 
-static void key(const struct hawser_scene_key *row)
+/* The keys directly in a mapping, "span.cable". */
+static void keys_of(const char *of)
 {
-	static const struct {
-		const char *type, *reads;
-	} kinds[] = {{"number", "Number"}, {"integer", "Whole number"},
-	             {"numbers[2]", "List of two numbers"}, {"numbers[3]", "List of three numbers"},
-	             {"series", "Number, or list of numbers"},
-	             {"word", "Word"}, {"place", "Fraction of the length, or length in m"},
-	             {"name", "Name"}};
+	const struct hawser__tree_table *table = &hawser__tree_of_span;
 
-	fputs(".TP\n.B ", stdout);
-	manpage_text(row->path);
-	putchar('\n');
-	manpage_sentence(row->doc);
-	fputs(".\n", stdout);
-	for (size_t i = 0; i < sizeof kinds/sizeof *kinds; i++)
-		if (!strcmp(kinds[i].type, row->type))
-			fputs(kinds[i].reads, stdout);
-	if (row->words) {
-		fputs(strcmp(row->type, "word") != 0 ? " or " : ", one of ", stdout);
-		manpage_text(row->words);
-	} else if (strcmp(row->unit, "1") != 0 && *row->unit) {
-		fputs(" in ", stdout);
-		manpage_text(row->unit);
-	}
-	if (*row->range) {
-		fputs(", ", stdout);
-		manpage_text(row->range);
-	}
-	if (row->fallback && *row->fallback) {
-		fputs("; default ", stdout);
-		manpage_text(row->fallback);
-	}
-	fputs(".\n", stdout);
-}
-
-static void keys_of(int list)
-{
-	for (int i = 0; hawser_scene_key(i); i++)
-		if (hawser__list_of(i) == hawser__list_row(list))
-			key(hawser_scene_key(i));
+	for (int i = 0; i < table->rows; i++)
+		if (hawser__tree_key_of(table->row[i].path, of) && table->row[i].type < HAWSER__TREE_MAPPING)
+			manpage_key(&table->row[i]);
 }
 
 static void table(void)
 {
-	size_t sections;
-	const struct hawser__section *section = hawser__sections(&sections);
+	const struct hawser__tree_table *table = &hawser__tree_of_span;
 
 	fputs(".SH KEYS\n.SS Top level\n", stdout);
-	for (int i = 0; hawser_scene_key(i); i++)
-		if (hawser__child_of(hawser_scene_key(i)->path, ""))
-			key(hawser_scene_key(i));
-	for (size_t s = 0; s < sections; s++) {
+	keys_of("span");
+	for (int i = 0; i < table->rows; i++) {
+		const struct hawser__tree_key *row = &table->row[i];
+
+		if (row->type != HAWSER__TREE_MAPPING || strchr(row->path, '['))
+			continue;
 		fputs(".SS ", stdout);
-		manpage_text(section[s].path);
-		printf(" (%s)\n", section[s].required ? "required" : "optional");
-		manpage_sentence(section[s].doc);
-		putchar('\n');
-		for (int i = 0; hawser_scene_key(i); i++)
-			if (hawser__child_of(hawser_scene_key(i)->path, section[s].path))
-				key(hawser_scene_key(i));
+		manpage_text(strchr(row->path, '.') + 1);
+		printf(" (%s)\n", row->need == HAWSER__TREE_REQUIRED ? "required" : "optional");
+		putchar(toupper((unsigned char)*row->doc));
+		manpage_sentence(row->doc + 1);
+		fputs(".\n", stdout);
+		keys_of(row->path);
 	}
 	fputs(".SS attach (optional)\n"
 	      "A list of point masses on the cable, each with springs and dampers from the same\n"
@@ -151,7 +120,7 @@ static void table(void)
 	      "with its displacement relative to the cable. The damping of the scene does not act\n"
 	      "on absorbers.\n",
 	      stdout);
-	keys_of(HAWSER__ATTACH);
+	keys_of("span.attach[]");
 	fputs(".SS loads (optional)\n"
 	      "A list of varying loads, which add to each other and to the section load: each is a\n"
 	      "force per unstretched length on a part of the cable, which may be a wave that runs along\n"
@@ -170,7 +139,7 @@ static void table(void)
 	       "Waves shorter than 1/200 of the cable are refused.\n"
 	       "At most %d loads are possible; their keys are set as those of attachments,\n"
 	       ".BR \"\\-\\-set loads.0.phase=1\" .\n", HAWSER_LOADS_MAX);
-	keys_of(HAWSER__LOADS);
+	keys_of("span.loads[]");
 	fputs(".SS cases (optional)\n"
 	      "A list of load cases for the tension table of\n"
 	      ".BR \"hawser statics \\-\\-cases\" ;\n"
@@ -232,6 +201,7 @@ static const char before[] =
 	".fi\n"
 	".RE\n"
 	".PP\n"
+	"A section or a list that is given as a whole takes the place of all of it.\n"
 	"If several keys exclude each other,\n"
 	"such as tension.H and tension.T0 or the kinds of damping,\n"
 	"an override replaces the key given by the file or by an earlier override.\n"

@@ -172,12 +172,14 @@ static void path_of(const char *path)
 static void form(const struct hawser__tree_key *row)
 {
 	int number = row->type == HAWSER__TREE_NUMBER;
-	const char *unit = number && row->unit && strcmp(row->unit, "1") ? row->unit : "", *range = "";
+	const char *unit = number && row->unit && strcmp(row->unit, "1") ? row->unit : "";
 	char what[400];
 
 	if (row->type == HAWSER__TREE_INTEGER)
 		snprintf(what, sizeof what, "Whole number from %.0f to %.0f", row->least, row->most);
-	else if (row->type == HAWSER__TREE_WORD)
+	else if (row->type == HAWSER__TREE_POSITION)
+		snprintf(what, sizeof what, "Fraction of the length, or length in m");
+	else if (row->type == HAWSER__TREE_WORD || row->type == HAWSER__TREE_LIMIT)
 		snprintf(what, sizeof what, "%s%s", strchr(row->unit, '|') ? "One of " : "The word ",
 		         row->unit);
 	else if (row->count)
@@ -186,24 +188,39 @@ static void form(const struct hawser__tree_key *row)
 		snprintf(what, sizeof what, "%s", number ? "Number"
 		         : row->type == HAWSER__TREE_TEXT ? "Name"
 		         : row->type == HAWSER__TREE_LIST ? "List" : "Mapping");
-	if (number && row->range)
-		range = row->range == HAWSER__TREE_NOT_NEGATIVE ? ", >= 0" : row->range == HAWSER__TREE_POSITIVE
-		        ? ", > 0" : ", > 0 or .inf";
 	manpage_sentence(row->doc);
 	fputs(".\n", stdout);
 	manpage_text(what);
 	fputs(*unit ? " in " : "", stdout);
 	manpage_text(unit);
-	fputs(range, stdout);
+	if (row->range) {
+		fputs(", ", stdout);
+		manpage_text(hawser__tree_limits(row->range)->text);
+	}
 	if (number && row->most > 0.0)
 		printf(", at most %g", row->most);
 	if (row->need == HAWSER__TREE_REQUIRED || row->need == HAWSER__TREE_ONE_OF)
 		fputs(row->need == HAWSER__TREE_REQUIRED ? "; required" : "; one of these", stdout);
-	if (row->given) {
+	if (row->given && *row->given) {
 		fputs("; default ", stdout);
 		manpage_text(row->given);
 	}
 	fputs(".\n", stdout);
+}
+
+void manpage_key(const struct hawser__tree_key *row)
+{
+	const char *path = row->path;
+
+	if (hawser__tree_next(NULL, path) != row)
+		return;
+	fputs(".TP\n.B ", stdout);
+	path_of(path);
+	for (; row; row = hawser__tree_next(row, path)) {
+		form(row);
+		if (hawser__tree_next(row, path))
+			fputs("Or\n", stdout);
+	}
 }
 
 /* The rows of list items that are those of a single value, too, such as "rod.rod[].EA". */
@@ -232,20 +249,13 @@ void manpage_kinds(void)
 	} kind[] = {HAWSER_SCENE_KINDS(KIND)};
 
 	for (size_t k = 0; k < sizeof kind/sizeof *kind; k++) {
-		const char *before = "";
-
 		fputs(kind[k].text, stdout);
 		fputs(".PP\nThe keys are\n", stdout);
 		for (int i = 0; i < kind[k].table->rows; i++) {
 			const struct hawser__tree_key *row = &kind[k].table->row[i];
 
-			if (twin(kind[k].table, row->path) || row->need == HAWSER__TREE_MESH)
-				continue;
-			fputs(strcmp(before, row->path) ? ".TP\n.B " : "Or\n", stdout);
-			if (strcmp(before, row->path) != 0)
-				path_of(row->path);
-			before = row->path;
-			form(row);
+			if (!twin(kind[k].table, row->path) && row->need != HAWSER__TREE_MESH)
+				manpage_key(row);
 		}
 	}
 }

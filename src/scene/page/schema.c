@@ -13,40 +13,43 @@
 #include <hawser/schema.h>
 
 #include "core/report.h"
-#include "scene/keys.h"
 #include "scene/page/schema.h"
 #include "scene/tree_keys.h"
 
 #define DRAFT "http://json-schema.org/draft-07/schema#"
 
-static json_t *mapping_of(struct hawser__schema *schema, const char *path);
 static json_t *value_of(struct hawser__schema *schema, const char *path);
 
-/* "sag (0) [m]" */
+/* "sag (0) [m, > 0]" */
 static json_t *described(const struct hawser__tree_key *row)
 {
+	const char *range = row->range ? hawser__tree_limits(row->range)->text : "";
 	int number = row->type == HAWSER__TREE_NUMBER && row->unit && strcmp(row->unit, "1") != 0;
+	int given = row->given && *row->given, both = number && *range, any = number || *range;
 
-	return json_sprintf("%s%s%s%s%s%s%s", row->doc, row->given ? " (" : "",
-	                    row->given ? row->given : "", row->given ? ")" : "", number ? " [" : "",
-	                    number ? row->unit : "", number ? "]" : "");
+	return json_sprintf("%s%s%s%s%s%s%s%s%s", row->doc, given ? " (" : "", given ? row->given : "",
+	                    given ? ")" : "", any ? " [" : "", number ? row->unit : "", both ? ", " : "",
+	                    range, any ? "]" : "");
 }
 
-static json_t *list_of(struct hawser__schema *schema, const char *path)
+static json_t *list_of(struct hawser__schema *schema, const struct hawser__tree_key *row)
 {
 	json_t *list = hawser__schema_type(schema, "array");
 	char item[HAWSER__TREE_LIST_SIZE];
 
-	snprintf(item, sizeof item, "%s[]", path);
+	snprintf(item, sizeof item, "%s[]", row->path);
 	hawser__schema_put(schema, list, "items", value_of(schema, item));
+	if (row->most > 0.0)
+		hawser__schema_put(schema, list, "maxItems", json_integer((long)row->most));
 	return list;
 }
 
 static json_t *form_of(struct hawser__schema *schema, const struct hawser__tree_key *row)
 {
+	const struct hawser__tree_limits *limits = hawser__tree_limits(row->range);
 	const struct hawser__schema_range range = {
-		row->range == HAWSER__TREE_ANY ? -INFINITY : row->least, row->most > 0.0 ? row->most : INFINITY,
-		row->range > HAWSER__TREE_ANY && row->range != HAWSER__TREE_NOT_NEGATIVE && row->least == 0.0,
+		row->type == HAWSER__TREE_INTEGER ? row->least : limits->least,
+		row->most > 0.0 ? row->most : limits->most, limits->above && row->least == 0.0,
 		row->type == HAWSER__TREE_INTEGER};
 	json_t *form = NULL;
 
@@ -56,13 +59,21 @@ static json_t *form_of(struct hawser__schema *schema, const struct hawser__tree_
 		form = row->count ? hawser__schema_numbers(schema, row->count, row->unit, &range)
 		                  : hawser__schema_number(schema, row->unit, &range);
 		break;
+	case HAWSER__TREE_POSITION: form = hawser__schema_number(schema, row->unit, &range); break;
+	case HAWSER__TREE_LIMIT:
 	case HAWSER__TREE_WORD: form = hawser__schema_words(schema, row->unit); break;
 	case HAWSER__TREE_TEXT: form = hawser__schema_type(schema, "string"); break;
-	case HAWSER__TREE_MAPPING: form = mapping_of(schema, row->path); break;
-	case HAWSER__TREE_LIST: form = list_of(schema, row->path); break;
+	case HAWSER__TREE_MAPPING: form = hawser__schema_of(schema, row->path); break;
+	case HAWSER__TREE_LIST: form = list_of(schema, row); break;
 	}
 	hawser__schema_put(schema, form, "description", described(row));
 	return form;
+}
+
+static int is_choice(const struct hawser__tree_key *row)
+{
+	return row->need == HAWSER__TREE_ONE_OF || row->need == HAWSER__TREE_AT_MOST_ONE ||
+	       (row->need == HAWSER__TREE_MESH && row->type == HAWSER__TREE_MAPPING);
 }
 
 /* All forms of the value of this path. */
@@ -77,26 +88,36 @@ static json_t *value_of(struct hawser__schema *schema, const char *path)
 	return hawser__schema_any(schema, forms);
 }
 
-/* 1 if an earlier row is another form of the same value. */
-static int again(int index)
+/* The keys of a mapping of which one must be given, those with the same `pick`, of which `first` is the
+ * first one; or none. */
+static void choose(struct hawser__schema *schema, json_t *mapping, const struct hawser__tree_key *first,
+                   const char *path)
 {
-	const char *path = hawser__tree_row(index)->path;
+	json_t *list = json_array(), *none = json_object(), *some = json_object();
+	const struct hawser__tree_key *row;
 
-	for (int i = 0; i < index; i++)
-		if (!strcmp(hawser__tree_row(i)->path, path))
-			return 1;
-	return 0;
+	for (int i = 0; (row = hawser__tree_row(i)); i++)
+		if (is_choice(row) && row->pick == first->pick && hawser__tree_key_of(row->path, path))
+			hawser__schema_add(schema, list,
+			                   hawser__schema_needs(schema, hawser__tree_key_of(row->path, path)));
+	hawser__schema_put(schema, some, "anyOf", json_deep_copy(list));
+	hawser__schema_put(schema, none, "not", some);
+	if (first->need == HAWSER__TREE_AT_MOST_ONE)
+		hawser__schema_add(schema, list, none);
+	else
+		json_decref(none);
+	hawser__schema_put(schema, mapping, "oneOf", list);
 }
 
-static json_t *mapping_of(struct hawser__schema *schema, const char *path)
+json_t *hawser__schema_of(struct hawser__schema *schema, const char *path)
 {
 	const struct hawser__tree_key *row;
-	json_t *mapping = hawser__schema_mapping(schema), *names = json_array(), *one = json_array();
+	json_t *mapping = hawser__schema_mapping(schema), *names = json_array(), *together = json_array();
 
 	for (int i = 0; (row = hawser__tree_row(i)); i++) {
 		const char *key = hawser__tree_key_of(row->path, path);
 
-		if (!key || again(i))
+		if (!key || hawser__tree_next(NULL, row->path) != row)
 			continue;
 		if (*key == '*') { /* names of the user */
 			hawser__schema_add(schema, names, value_of(schema, row->path));
@@ -104,18 +125,18 @@ static json_t *mapping_of(struct hawser__schema *schema, const char *path)
 		}
 		hawser__schema_key(schema, mapping, key, value_of(schema, row->path),
 		                   row->need == HAWSER__TREE_REQUIRED);
-		if (row->need == HAWSER__TREE_ONE_OF ||
-		    (row->need == HAWSER__TREE_MESH && row->type == HAWSER__TREE_MAPPING))
-			hawser__schema_add(schema, one, hawser__schema_needs(schema, key));
+		if (row->need == HAWSER__TREE_TOGETHER)
+			hawser__schema_add(schema, together, json_string(key));
+		if (is_choice(row) && !json_object_get(mapping, "oneOf"))
+			choose(schema, mapping, row, path);
 	}
 	if (json_array_size(names))
 		hawser__schema_put(schema, mapping, "additionalProperties", hawser__schema_any(schema, names));
 	else
 		json_decref(names);
-	if (json_array_size(one))
-		hawser__schema_put(schema, mapping, "oneOf", one);
-	else
-		json_decref(one);
+	if (json_array_size(together))
+		hawser__schema_together(schema, mapping, together);
+	json_decref(together);
 	return mapping;
 }
 
@@ -130,21 +151,9 @@ const char *hawser_schema_kind(int index)
 
 int hawser_schema_key(char *key, int index)
 {
-	const struct hawser_scene_key *span = hawser_scene_key(index);
-	const struct hawser__tree_key *row;
+	const struct hawser__tree_key *row = hawser__tree_row(index);
 	size_t used = 0;
-	int spans = 0;
 
-	if (span) {
-		int list = hawser__list_of(index) != NULL, length = (int)strcspn(span->path, ".");
-
-		snprintf(key, HAWSER_SCHEMA_KEY, list ? "%.*s.0%s" : "%.*s%s", length, span->path,
-		         span->path + length);
-		return 1;
-	}
-	while (hawser_scene_key(spans))
-		spans++;
-	row = hawser__tree_row(index - spans);
 	*key = '\0';
 	if (!row || row->type == HAWSER__TREE_MAPPING || row->type == HAWSER__TREE_LIST ||
 	    strchr(row->path, '*'))
@@ -158,8 +167,7 @@ int hawser_schema_key(char *key, int index)
 static json_t *kind_of(struct hawser__schema *schema, int index)
 {
 	const struct hawser__tree_table *table = hawser__tree_table(kinds[index]);
-	json_t *root = table ? mapping_of(schema, table->kind)
-	               : index ? hawser__schema_beam(schema) : hawser__schema_cable(schema);
+	json_t *root = table ? hawser__schema_of(schema, table->kind) : hawser__schema_span(schema, index);
 
 	hawser__schema_put(schema, root, "title", json_string(
 		table ? table->title : index ? "A travelling beam or string" : "A span of cable"));

@@ -40,9 +40,11 @@ json_t *hawser__schema_mapping(struct hawser__schema *schema);
 void hawser__schema_key(struct hawser__schema *schema, json_t *mapping, const char *key, json_t *value,
                         int required);
 
-/* --- schema_span.c: scenes of the table of keys --- */
-
-json_t *hawser__schema_cable(struct hawser__schema *schema);
-json_t *hawser__schema_beam(struct hawser__schema *schema);
+/* Every key of `together` needs all of them. */
+void hawser__schema_together(struct hawser__schema *schema, json_t *mapping, json_t *together);
+/* schema.c: a mapping by its path in the table of keys. */
+json_t *hawser__schema_of(struct hawser__schema *schema, const char *path);
+/* schema_span.c: a cable, or a beam. */
+json_t *hawser__schema_span(struct hawser__schema *schema, int beam);
 
 #endif

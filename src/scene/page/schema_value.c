@@ -155,3 +155,13 @@ void hawser__schema_key(struct hawser__schema *schema, json_t *mapping, const ch
 	}
 	hawser__schema_add(schema, list, json_string(key));
 }
+
+void hawser__schema_together(struct hawser__schema *schema, json_t *mapping, json_t *together)
+{
+	json_t *rules = json_object();
+
+	for (size_t i = 0; i < json_array_size(together); i++)
+		hawser__schema_put(schema, rules, json_string_value(json_array_get(together, i)),
+		                   json_deep_copy(together));
+	hawser__schema_put(schema, mapping, "dependencies", rules);
+}
