@@ -59,15 +59,16 @@ shared_text = \
 	%D%/shared/set \
 	%D%/shared/table
 man_MANS += $(command_pages) %D%/hawser-scene.5
-EXTRA_DIST += %D%/page.awk $(command_pages:=.in) $(shared_text)
+EXTRA_DIST += %D%/page.awk $(command_pages:=.in) %D%/hawser-scene.5.in $(shared_text)
 MOSTLYCLEANFILES += $(command_pages) %D%/hawser-scene.5
 # In the build folder hawser is a script of libtool's, which starts a dozen processes before the program.
 program = $$(test -x .libs/hawser && echo LD_LIBRARY_PATH=.libs .libs/hawser || echo ./hawser$(EXEEXT))
 $(command_pages): %D%/%.1: $(srcdir)/%D%/%.1.in hawser$(EXEEXT) %D%/page.awk $(shared_text)
 	$(AM_V_GEN)$(MKDIR_P) %D% && LC_ALL=C $(AWK) -v hawser="$(program)" -v shared=$(srcdir)/%D%/shared \
 		-f $(srcdir)/%D%/page.awk $< >$@.tmp && mv -f $@.tmp $@
-%D%/hawser-scene.5: src/scene/manpage$(EXEEXT)
-	$(AM_V_GEN)$(MKDIR_P) %D% && src/scene/manpage$(EXEEXT) >$@.tmp && mv -f $@.tmp $@
+%D%/hawser-scene.5: src/scene/manpage$(EXEEXT) $(srcdir)/%D%/hawser-scene.5.in
+	$(AM_V_GEN)$(MKDIR_P) %D% && src/scene/manpage$(EXEEXT) <$(srcdir)/%D%/hawser-scene.5.in >$@.tmp && \
+		mv -f $@.tmp $@
 # Completion in shells, written by the program.
 bash_completion = completions/hawser
 zsh_completion = completions/_hawser

@@ -172,8 +172,6 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/curves/locus_result.h \
 	%D%/curves/frf_peaks.c \
 	%D%/curves/frf_result.c \
-	%D%/frame/gauge.c \
-	%D%/frame/gauge.h \
 	%D%/map/hill_draw.c \
 	%D%/map/hill_result.c \
 	%D%/model/judged.c \

@@ -213,7 +213,7 @@ struct hawser__cost {
 	int basis, automatic;     /* resolution, and whether the method chose it */
 	double frequency, shape;  /* largest errors */
 	double stated;            /* largest error estimate of a frequency */
-	double seconds, bytes;    /* bytes 0: not known */
+	double seconds;
 };
 /* Errors against time, at most 32 methods. */
 enum hawser_status hawser__plot_compare(const char *path, const struct hawser__cost *run, int runs,

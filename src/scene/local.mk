@@ -37,7 +37,5 @@ CLEANFILES += %D%/manpage$(EXEEXT)
 %C%_manpage_SOURCES = \
 	%D%/page/example.c \
 	%D%/page/example.h \
-	%D%/page/manpage.c \
-	%D%/page/manpage.h \
-	%D%/page/manpage_kinds.c
+	%D%/page/manpage.c
 %C%_manpage_LDADD = %D%/libscene.la src/core/libcore.la $(YAML_LIBS) $(JANSSON_LIBS) $(UDUNITS_LIBS)

@@ -110,7 +110,6 @@ r = json.load(open("orbit.json"))
 total = sum(m["log_modulus"] for m in r["multipliers"])
 assert abs(total + 0.05*2*math.pi/0.9) < 1e-9 and r["about"] == "orbit"
 END
-works "hill --forced" hill "$duffing" --forced --from 0.8 --to 1 --tsv forced.tsv -q
 works "hill picture" hill --mathieu --damping 0.1 --x delta=0:2 --y epsilon=0:1 --plot mathieu.svg -q
 refuses 1 "hill needs a SCENE|MODEL, or --mathieu (hawser hill --help)" hill
 refuses 1 "give --Omega for multipliers, or --x and --y for boundaries" hill "$duffing"

@@ -16,9 +16,9 @@
 
 struct settings {
 	struct cli_common common;
-	const char *x, *y, *omega, *start, *from, *to;
+	const char *x, *y, *omega, *start;
 	double step, damping;
-	int n, lines, samples, mathieu, orbit, rest, forced, mode;
+	int n, lines, samples, mathieu, orbit, rest;
 };
 static const struct settings defaults = {.lines = 9, .samples = 240, .step = 0.01};
 
@@ -29,20 +29,14 @@ static const struct cli_option options[] = {
 	CLI_MODES_OPTION,
 	CLI_HEADING("About which motion"),
 	{"orbit", 0, "", "multipliers about the periodic response, also where nothing moves the model",
-	 CLI_FLAG(orbit), .excludes = "rest, mathieu, forced"},
+	 CLI_FLAG(orbit), .excludes = "rest, mathieu"},
 	{"rest", 0, "", "multipliers about rest, also where a load moves the model", CLI_FLAG(rest),
-	 .excludes = "mathieu, forced"},
+	 .excludes = "mathieu"},
 	CLI_TEXT_OPTION(start, "FILE", "state from which that response is computed"),
 	CLI_HEADING("Mathieu's equation"),
-	{"mathieu", 0, "", "boundaries of Mathieu's equation; no SCENE", CLI_FLAG(mathieu),
-	 .excludes = "forced"},
+	{"mathieu", 0, "", "boundaries of Mathieu's equation; no SCENE", CLI_FLAG(mathieu)},
 	{"damping", 0, "C", "damping c of Mathieu's equation (none)", CLI_POSITIVE(damping),
 	 .needs = "mathieu"},
-	{"forced", 0, "", "multipliers along a response, and by its Mathieu equation", CLI_FLAG(forced)},
-	{"mode", 0, "J", "with --forced: mode (the one that the load drives the most)",
-	 CLI_INTEGER(mode), .needs = "forced"},
-	CLI_RANGE_OPTIONS("with --forced: start of the response (0.9w1)",
-	                  "with --forced: its other end (1.1w1)"),
 	CLI_HEADING("Search"),
 	{"lines", 0, "N", "search lines along each axis (9)", CLI_INTEGER(lines),
 	 .needs = "x, y, mathieu"},
@@ -73,10 +67,10 @@ static enum hawser_status check(const struct settings *settings, struct hawser_r
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hill",
 		                    "--mathieu is an equation of its own: leave %s out",
 		                    settings->common.input);
-	if (!plane && !settings->forced && !settings->omega)
+	if (!plane && !settings->omega)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hill",
 		                    "give --Omega for multipliers, or --x and --y for boundaries");
-	if (plane && (settings->orbit || settings->forced))
+	if (plane && settings->orbit)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hill",
 		                    "boundaries are those of the response that grows out of rest; others have "
 		                    "folds and tori (hawser folds, hawser frf)");
@@ -304,82 +298,6 @@ static enum hawser_status multipliers(struct cli_hill_result *result, struct cli
 	return status;
 }
 
-/* --- a forced response as Mathieu's equation --- */
-
-static enum hawser_status largest_of(double *value, double k, double d, double excitation,
-                                     double omega,
-                                     struct hawser_linear *linear, struct hawser_report *report)
-{
-	struct hawser_harmonic harmonic = {.k = 2, .phase = HAWSER_COS, .K = &excitation};
-	struct hawser_rom rom = {.n = 1, .D = &d, .K = &k, .harmonics = 1, .harmonic = &harmonic,
-	                         .length = 1.0, .time = 1.0, .force = 1.0};
-	double log_modulus[2], argument[2], error;
-	enum hawser_status status = hawser_linear_multipliers(linear, log_modulus, argument, &error,
-	                                                      &rom,
-	                                                      omega, report);
-
-	*value = log_modulus[0];
-	return status;
-}
-
-static enum hawser_status compare(double *mathieu, const struct cli_hill_result *result,
-                                  const struct hawser_rom *rom, struct hawser_report *report)
-{
-	const struct hawser_frf *frf = result->frf;
-	size_t diagonal = (size_t)result->mode*((size_t)rom->n + 1);
-	struct hawser_linear *linear = NULL;
-	enum hawser_status status = hawser_linear_open(&linear, 1, report);
-
-	for (int i = 0; !status && i < frf->points; i++)
-		for (int k = 0; !status && k < 2; k++) {
-			double a = frf->coordinate[(size_t)i*(size_t)frf->n + (size_t)result->mode];
-			double part = 1.5*(k ? result->effective : result->own)*a*a;
-
-			status = largest_of(&mathieu[2*i + k], rom->K[diagonal] + part, rom->D[diagonal], part,
-			                    frf->point[i].omega, linear, report);
-		}
-	hawser_linear_free(linear);
-	return status;
-}
-
-static enum hawser_status forced(struct cli_hill_result *result, struct cli_model *model,
-                                 const struct settings *settings, struct hawser_report *report)
-{
-	struct hawser_frf_options choice = {.method = NULL};
-	struct hawser_primary primary = {0};
-	struct hawser_frf frf = {0};
-	double *mathieu = NULL;
-	enum hawser_status status;
-
-	status = cli_range(&choice.from, &choice.to, settings->from ? settings->from : "0.9w1",
-	                   settings->to ? settings->to : "1.1w1", "hill", model, report);
-	if (!status)
-		status = cli_choice_build(model, choice.from, choice.to, report);
-	if (!status)
-		status = hawser_primary_derive(&primary, &model->rom, settings->mode ? settings->mode - 1
-		                               : hawser_primary_strongest(&model->rom), report);
-	choice.step_max = CLI_STEP;
-	choice.samples = HAWSER_NONE;
-	if (!status)
-		status = hawser_frf_trace(&frf, &model->rom, &choice, report);
-	if (!status && !(mathieu = malloc((2*(size_t)frf.points + 1)*sizeof *mathieu)))
-		status = hawser__no_memory(report, "hill");
-	result->frf = &frf;
-	result->mode = primary.mode;
-	result->own = primary.own;
-	result->effective = primary.cubic;
-	result->mathieu = mathieu;
-	if (!status)
-		status = compare(mathieu, result, &model->rom, report);
-	if (!status)
-		status = cli_show(result->common, &cli_hill_forced, result, report);
-	free(mathieu);
-	result->frf = NULL;
-	hawser_frf_clear(&frf);
-	hawser_primary_clear(&primary);
-	return status;
-}
-
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
 	const struct settings *settings = context;
@@ -401,8 +319,6 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		                      settings->common.input);
 	if (!status && plane)
 		status = boundaries(&result, &model, settings, report);
-	else if (!status && settings->forced)
-		status = forced(&result, &model, settings, report);
 	else if (!status)
 		status = multipliers(&result, &model, settings, report);
 done:

@@ -392,95 +392,10 @@ const struct cli_showing cli_hill_multipliers = {
 	.head = multipliers_head, .comments = multiplier_comments, .rows = &multiplier_list,
 	.fields = multipliers_field};
 
-/* --- a forced response as Mathieu's equation --- */
-
-static void forced_comments(struct hawser__table *table, const void *of)
-{
-	const struct cli_hill_result *result = of;
-	const struct hawser_frf *frf = result->frf;
-	int differ[2] = {0, 0};
-
-	for (int i = 0; i < frf->points; i++)
-		for (int k = 0; k < 2; k++)
-			differ[k] += (frf->point[i].unstable > 0) != (result->mathieu[2*i + k] > 1e-8);
-	hawser__table_comment(table,
-	                      "mode %d: delta'' + c delta' + (omega^2 + 3/2 C a^2 (1 + cos 2 Omega t)) "
-	                      "delta = 0, a the largest |u_%d| of the response", result->mode + 1,
-	                      result->mode + 1);
-	hawser__table_comment(table, "C (scaled): own %.9g, effective %.9g", result->own,
-	                      result->effective);
-	hawser__table_comment(table,
-	                      "of %d points the verdict differs at %d with the mode's own C, at %d with "
-	                      "the effective one", frf->points, differ[0], differ[1]);
-}
-
-struct forced {
-	double omega, a, log_modulus, mathieu[2];
-	int unstable;
-};
-
-static size_t forced_points(const void *parent)
-{
-	return (size_t)((const struct cli_hill_result *)parent)->frf->points;
-}
-
-static const void *forced_row(void *to, const void *parent, size_t i)
-{
-	const struct cli_hill_result *result = parent;
-	const struct hawser_frf *frf = result->frf;
-	const double *mathieu = result->mathieu + 2*i;
-
-	*(struct forced *)to = (struct forced){
-		frf->point[i].omega, frf->coordinate[i*(size_t)frf->n + (size_t)result->mode],
-		frf->multiplier[i*4*(size_t)frf->n], {mathieu[0], mathieu[1]}, frf->point[i].unstable};
-	return to;
-}
-
-#define OF(member) HAWSER__AT(struct forced, member)
-static const struct hawser__field forced_field[] = {
-	{"Omega", "Omega", "forcing frequency", OF(omega), .unit = HAWSER__RAD_S},
-	{NULL, "a", "largest |u_j| of the mode", OF(a), .unit = HAWSER__M},
-	{"unstable", "unstable", "multipliers outside the unit circle", OF(unstable)},
-	{"log_modulus", "log_modulus", "largest logarithm of a modulus", OF(log_modulus)},
-	{"mathieu_own", "mathieu_own", "the same of Mathieu's equation with the mode's own cubic "
-	 "coefficient", OF(mathieu[0])},
-	{"mathieu_effective", "mathieu_effective", "the same with the effective one", OF(mathieu[1])},
-	HAWSER__END,
-};
-#undef OF
-static const struct hawser__list forced_list = {
-	.field = forced_field, .size = HAWSER__MADE_SIZE(struct forced), .count = forced_points,
-	.row = forced_row};
-#define OF(member) HAWSER__AT(struct cli_hill_result, member)
-static const struct hawser__field response_field[] = {
-	{"mode", NULL, "of Mathieu's equation", OF(mode), .flags = HAWSER__FROM_1},
-	{"own_cubic_scaled", NULL, "its own cubic coefficient", OF(own)},
-	{"effective_cubic_scaled", NULL, "the effective one", OF(effective)},
-	{"points", NULL, "of the response", HAWSER__OBJECTS_OF(forced_list)},
-	HAWSER__END,
-};
-#undef OF
-
-static struct cli_head forced_head(const void *of)
-{
-	const struct cli_hill_result *result = of;
-
-	return cli_model_head(
-		result->common, "hill",
-		"true multipliers of the response beside those of its Mathieu equation (B 4.114)",
-		result->model, 0);
-}
-
-const struct cli_showing cli_hill_forced = {
-	.head = forced_head, .comments = forced_comments, .rows = &forced_list,
-	.fields = response_field};
-
 const struct cli_listing cli_hill_listing[] = {
 	{"Columns of boundaries:", point_field, 0},
 	{"Columns of multipliers (--Omega alone):", multiplier_field, 0},
-	{"Columns with --forced:", forced_field, 0},
 	{"Keys of JSON of boundaries:", boundaries_field, 1},
 	{"Keys of multipliers:", multipliers_field, 1},
-	{"Keys with --forced:", response_field, 1},
 	{NULL, NULL, 0},
 };

@@ -24,17 +24,12 @@ struct cli_hill_result {
 	const double *log_modulus, *argument;
 	double error;
 	int outside, undecided;        /* multipliers outside the unit circle; on it within the error */
-	/* a forced response and its Mathieu equation */
-	const struct hawser_frf *frf;
-	int mode;
-	double own, effective;         /* cubic coefficients, scaled */
-	const double *mathieu;         /* [points][2] largest logarithm with either of them */
 };
 enum hawser_status cli_hill_draw(const char *path, const void *result, struct hawser_report *report);
 /* Boxes that cover the unstable part of the plane, [boxes][4], see hawser__hill_picture; the caller
  * frees *box. */
 enum hawser_status cli_hill_unstable(double **box, int *boxes, const struct cli_hill_result *result,
                                      struct hawser_report *report);
-extern const struct cli_showing cli_hill_boundaries, cli_hill_multipliers, cli_hill_forced;
+extern const struct cli_showing cli_hill_boundaries, cli_hill_multipliers;
 
 #endif
