@@ -74,10 +74,10 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/report/vtk.h
 
 # The style and the script of reports, as lines of C.
-EXTRA_DIST += %D%/report.css %D%/report.js %D%/lines.awk
+EXTRA_DIST += %D%/report.css %D%/report.js
 BUILT_SOURCES += %D%/report_page.h
 CLEANFILES += %D%/report_page.h
-%D%/report_page.h: %D%/report.css %D%/report.js %D%/lines.awk
-	$(AM_V_GEN)$(MKDIR_P) %D% && { $(AWK) -v name=hawser__report_css -f $(srcdir)/%D%/lines.awk $(srcdir)/%D%/report.css && \
-		$(AWK) -v name=hawser__report_js -f $(srcdir)/%D%/lines.awk $(srcdir)/%D%/report.js; } >$@.tmp && mv -f $@.tmp $@
-%D%/html.lo: %D%/report_page.h
+%D%/report_page.h: %D%/report.css %D%/report.js src/lines.awk
+	$(AM_V_GEN)$(MKDIR_P) %D% && { $(AWK) -v name=hawser__report_css -f $(srcdir)/src/lines.awk $(srcdir)/%D%/report.css && \
+		$(AWK) -v name=hawser__report_js -f $(srcdir)/src/lines.awk $(srcdir)/%D%/report.js; } >$@.tmp && mv -f $@.tmp $@
+%D%/report/html.lo: %D%/report_page.h

@@ -5,8 +5,6 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/condense/answer_freeze.c \
 	%D%/condense/answer_make.c \
 	%D%/file/auto.c \
-	%D%/file/auto_text.c \
-	%D%/file/auto_text.h \
 	%D%/energy/block.c \
 	%D%/build/build.c \
 	%D%/build/build.h \
@@ -33,8 +31,6 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/file/formula.c \
 	%D%/file/formula.h \
 	%D%/file/export.c \
-	%D%/file/export_text.c \
-	%D%/file/export_text.h \
 	%D%/file/parse.c \
 	%D%/file/plug.c \
 	%D%/file/plug.h \
@@ -137,3 +133,15 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/file/write.c \
 	%D%/file/writer.c \
 	%D%/file/writer.h
+
+# What is the same in all exported models, as lines of C.
+EXTRA_DIST += %D%/file/texts/auto.f90 %D%/file/texts/export.m %D%/file/texts/export.jl
+BUILT_SOURCES += %D%/auto_text.h %D%/export_text.h
+CLEANFILES += %D%/auto_text.h %D%/export_text.h
+%D%/auto_text.h: %D%/file/texts/auto.f90 src/lines.awk
+	$(AM_V_GEN)$(MKDIR_P) %D% && $(AWK) -f $(srcdir)/src/lines.awk $(srcdir)/%D%/file/texts/auto.f90 >$@.tmp && mv -f $@.tmp $@
+%D%/export_text.h: %D%/file/texts/export.m %D%/file/texts/export.jl src/lines.awk
+	$(AM_V_GEN)$(MKDIR_P) %D% && $(AWK) -f $(srcdir)/src/lines.awk $(srcdir)/%D%/file/texts/export.m \
+		$(srcdir)/%D%/file/texts/export.jl >$@.tmp && mv -f $@.tmp $@
+%D%/file/auto.lo: %D%/auto_text.h
+%D%/file/export.lo: %D%/export_text.h

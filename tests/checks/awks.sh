@@ -20,8 +20,9 @@ printf '.TH HAWSER\\-FRF 1\n.SH OPTIONS\n.TP\n.B \\-\\-from \\fIA\nStart.\n.TP\n
 # What each awk makes of the scripts: C, manual pages, findings in headers.
 writes() {
 	for text in report.css report.js; do
-		"$@" -v name=page -f src/output/lines.awk "src/output/$text"
+		"$@" -v name=page -f src/lines.awk "src/output/$text"
 	done
+	"$@" -f src/lines.awk src/rom/file/texts/export.m src/rom/file/texts/export.jl
 	for page in "$scratch/lists.in" "$scratch/options.in"; do
 		"$@" -v hawser="$scratch/hawser" -v shared=man/shared -f man/page.awk "$page"
 	done

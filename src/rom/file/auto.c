@@ -28,7 +28,7 @@
 #include "core/file.h"
 #include "core/report.h"
 #include "core/settle.h"
-#include "rom/file/auto_text.h"
+#include "rom/auto_text.h" /* made of texts/auto.f90 */
 #include "rom/choose/cycle.h"
 #include "rom/terms/drag.h"
 #include "rom/terms/terms.h"
@@ -228,16 +228,22 @@ static void put_start(FILE *out, const struct hawser__cycle *cycle, double omega
 	fprintf(out, "  DOUBLE PRECISION, PARAMETER :: OMEGA = %s\n", number(a, omega));
 }
 
+static void put_lines(FILE *out, const char *const *line)
+{
+	for (; *line; line++)
+		fputs(*line, out);
+}
+
 static void put_equations(FILE *out, const struct hawser_rom *rom, const struct hawser__cycle *cycle,
                           double omega)
 {
 	fprintf(out, "! A reduced model of %d coordinates, written by hawser %s (hawser-rom(5)).\n",
 	        rom->n, hawser_version());
-	fputs(hawser__auto_head, out);
+	put_lines(out, auto_head);
 	put_model(out, rom);
-	fputs(hawser__auto_func, out);
+	put_lines(out, auto_func);
 	put_start(out, cycle, omega);
-	fputs(hawser__auto_tail, out);
+	put_lines(out, auto_tail);
 }
 
 /* --- the constants --- */

@@ -25,7 +25,7 @@
 #include "core/file.h"
 #include "core/report.h"
 #include "rom/terms/drag.h"
-#include "rom/file/export_text.h"
+#include "rom/export_text.h" /* made of texts/export.m and export.jl */
 #include "rom/terms/terms.h"
 
 enum { LONGEST = 60 }; /* of a name of a function in MATLAB, which allows 63 */
@@ -156,19 +156,23 @@ static void put_model(FILE *out, const struct hawser_rom *rom, int format)
 }
 
 /* Text in which every $ stands for the name. */
-static void put_text(FILE *out, const char *text, const char *name)
+static void put_text(FILE *out, const char *const *text, const char *name)
 {
-	for (; *text; text++)
-		if (*text == '$')
-			fputs(name, out);
-		else
-			fputc(*text, out);
+	for (; text && *text; text++)
+		for (const char *c = *text; *c; c++)
+			if (*c == '$')
+				fputs(name, out);
+			else
+				fputc(*c, out);
 }
 
 static void put_file(FILE *out, const struct hawser_rom *rom, int format, const char *name)
 {
 	const char *mark = format == BIFURCATIONKIT ? "#" : "%";
-	const char *const *text = hawser__export_text[format - COCO];
+	static const char *const *const texts[][4] = {{coco_begin, coco_middle, matlab_sums, NULL},
+	                                              {matcont_begin, matcont_middle, matlab_sums, NULL},
+	                                              {julia_begin, NULL, NULL, julia_end}};
+	const char *const *const *text = texts[format - COCO];
 
 	if (format == BIFURCATIONKIT)
 		fprintf(out, "# A reduced model of %d coordinates, written by hawser %s (hawser-rom(5)).\n",
@@ -180,8 +184,9 @@ static void put_file(FILE *out, const struct hawser_rom *rom, int format, const 
 		        mark,
 		        rom->n, hawser_version());
 	put_text(out, text[1], name);
-	put_model(out, rom, format);
 	put_text(out, text[2], name);
+	put_model(out, rom, format);
+	put_text(out, text[3], name);
 }
 
 static enum hawser_status check(const struct hawser_rom *rom, const char *name,
