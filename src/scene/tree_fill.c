@@ -270,7 +270,8 @@ static const struct hawser__tree_key *rival_of(const struct hawser__tree_key *ro
 	size_t pick = row->pick;
 
 	for (row++; row < table->row + table->rows; row++)
-		if (row->pick == pick && hawser__tree_key_of(row->path, of))
+		if (row->pick == pick && hawser__tree_key_of(row->path, of) &&
+		    hawser__tree_next(NULL, row->path) == row)
 			return row;
 	return NULL;
 }

@@ -97,7 +97,8 @@ static void choose(struct hawser__schema *schema, json_t *mapping, const struct 
 	const struct hawser__tree_key *row;
 
 	for (int i = 0; (row = hawser__tree_row(i)); i++)
-		if (is_choice(row) && row->pick == first->pick && hawser__tree_key_of(row->path, path))
+		if (is_choice(row) && row->pick == first->pick && hawser__tree_key_of(row->path, path) &&
+		    hawser__tree_next(NULL, row->path) == row)
 			hawser__schema_add(schema, list,
 			                   hawser__schema_needs(schema, hawser__tree_key_of(row->path, path)));
 	hawser__schema_put(schema, some, "anyOf", json_deep_copy(list));
