@@ -22,6 +22,8 @@ noinst_LTLIBRARIES += %D%/libmodes.la
 	%D%/complex/damped.h \
 	%D%/complex/damped_trace.c \
 	%D%/compliance.h \
+	%D%/driven.c \
+	%D%/driven.h \
 	%D%/fdm.c \
 	%D%/fdm.h \
 	%D%/bending/flexure.c \

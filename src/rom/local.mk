@@ -80,13 +80,14 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/energy/law.h \
 	%D%/condense/known.h \
 	%D%/condense/known_below.c \
+	%D%/build/expanded.c \
+	%D%/build/expanded.h \
+	%D%/build/expanded_answer.c \
 	%D%/build/line.c \
 	%D%/build/line.h \
 	%D%/build/line_answer.c \
-	%D%/build/line_fields.c \
 	%D%/build/line_lift.c \
 	%D%/build/line_load.c \
-	%D%/build/line_tensors.c \
 	%D%/build/linear.c \
 	%D%/terms/load.c \
 	%D%/terms/load.h \

@@ -91,8 +91,7 @@ static enum hawser_status set_labels(struct hawser_rom *rom, const struct hawser
 	return HAWSER_OK;
 }
 
-/* Beginning and length of a run, over its pieces, and its lane. */
-static int run_of(const struct hawser__lmode *rope, int run, double *s0, double *length)
+int hawser__line_run(const struct hawser__lmode *rope, int run, double *s0, double *length)
 {
 	int lane = -1;
 
@@ -108,16 +107,6 @@ static int run_of(const struct hawser__lmode *rope, int run, double *s0, double 
 	return lane;
 }
 
-static int piece_at(const struct hawser__lmode *rope, int lane, double s)
-{
-	int found = 0;
-
-	for (int i = 0; i < rope->pieces; i++)
-		if (rope->piece[i].lane == lane && rope->piece[i].length > 0.0 && rope->piece[i].s0 <= s)
-			found = i;
-	return found;
-}
-
 static enum hawser_status set_shapes(struct hawser_rom *rom, const struct hawser__lexpand *t,
                                      const struct hawser_line_modes *modes,
                                      struct hawser_report *report)
@@ -129,7 +118,7 @@ static enum hawser_status set_shapes(struct hawser_rom *rom, const struct hawser
 	for (int p = 0; p < modes->spans && !status; p++) {
 		double s0, length, angle, stretch;
 		char text[32];
-		int lane = run_of(t->rope, p, &s0, &length);
+		int lane = hawser__line_run(t->rope, p, &s0, &length);
 		double s = s0 + 0.5*length;
 
 		snprintf(text, sizeof text, "span_%d", p + 1);
@@ -177,74 +166,27 @@ static enum hawser_status set_line(struct hawser_rom *rom, const struct hawser__
 	return status;
 }
 
-struct hawser__line_place hawser__line_shape_place(const struct hawser_rom *rom,
-                                                   const struct hawser__lmode *rope, int p)
-{
-	const struct hawser_rom_shapes *shapes = &rom->shapes;
-	double s0, length;
-	int piece = piece_at(rope, run_of(rope, p, &s0, &length), shapes->s[p]);
-
-	return (struct hawser__line_place){piece, shapes->s[p] - rope->piece[piece].s0,
-		atan2(shapes->tangent[2*p + 1], shapes->tangent[2*p])};
-}
-
-int hawser__line_next_place(struct hawser__line_place *place, int *next,
-                            const struct hawser__lexpand *t)
-{
-	int i = *next/3;
-
-	while (i < t->rope->pieces && t->first[i] < 0)
-		i++;
-	if (i == t->rope->pieces)
-		return 0;
-	*next = *next/3 < i ? 3*i : *next;
-	*place = (struct hawser__line_place){.piece = i, .s = t->rope->piece[i].length*(*next%3)/2.0};
-	(*next)++;
-	return 1;
-}
-
-void hawser__line_second(double *shape, double *slope, double *line, const struct hawser_rom *rom,
-                         const struct hawser__lexpand *t, int first, int pairs)
-{
-	size_t points = (size_t)rom->shapes.points, along = (size_t)rom->line.points;
-
-	for (int pair = 0; pair < pairs; pair++) {
-		struct hawser__line_place at;
-		double displacement[3];
-		size_t q = (size_t)pair*along;
-		int next = 0;
-
-		for (int p = 0; p < rom->shapes.points; p++) {
-			size_t to = 3*((size_t)pair*points + (size_t)p);
-
-			at = hawser__line_shape_place(rom, t->rope, p);
-			hawser__lexpand_second_at(shape + to, slope + to, t, first + pair, at.piece, at.s,
-			                          at.angle);
-		}
-		for (; hawser__line_next_place(&at, &next, t); q++)
-			hawser__lexpand_second_at(displacement, line + 3*q, t, first + pair, at.piece, at.s, 0.0);
-	}
-}
-
-static enum hawser_status set_second(struct hawser_rom *rom, const struct hawser__lexpand *t,
+static enum hawser_status set_second(struct hawser_rom *rom, const struct hawser__expanded *e,
                                      struct hawser_report *report)
 {
 	enum hawser_status status = hawser__rom_init_second(rom, report);
 
 	if (!status)
-		hawser__line_second(rom->shapes.second_shape, rom->shapes.second_slope,
-		                    rom->line.second_slope, rom, t, 0, rom->n*(rom->n + 1)/2);
+		hawser__expanded_second(rom->shapes.second_shape, rom->shapes.second_slope,
+		                        rom->line.second_slope, rom, e, 0, rom->n*(rom->n + 1)/2);
 	return status;
 }
 
 /* --- build --- */
 
 static enum hawser_status fill(struct hawser_rom *rom, const struct hawser__lexpand *t,
-                               const struct hawser__line_answers *answers,
+                               const struct hawser__answers *answers,
                                const struct hawser_line_modes *modes,
                                const struct hawser_line_rom_options *o, const double *pull,
                                struct hawser_report *report)
 {
+	const struct hawser__line_source source = {rom, t, o->ratio};
+	const struct hawser__expanded e = hawser__line_expanded(&source);
 	enum hawser_status status = hawser__rom_init(rom, modes->n, report);
 
 	if (status)
@@ -257,7 +199,7 @@ static enum hawser_status fill(struct hawser_rom *rom, const struct hawser__lexp
 		rom->K[j*(rom->n + 1)] = modes->mode[j].omega*modes->mode[j].omega;
 		rom->D[j*(rom->n + 1)] = 2.0*o->ratio*modes->mode[j].omega;
 	}
-	status = hawser__line_tensors(rom, t, rom->n, 0, report);
+	status = hawser__expanded_tensors(rom, &e, rom->n, 0, report);
 	if (!status)
 		status = set_labels(rom, modes, report);
 	if (!status)
@@ -265,15 +207,15 @@ static enum hawser_status fill(struct hawser_rom *rom, const struct hawser__lexp
 	if (!status)
 		status = set_line(rom, t, modes, report);
 	if (!status)
-		status = set_second(rom, t, report);
+		status = set_second(rom, &e, report);
 	if (!status)
 		status = hawser__line_contacts(rom, modes, report);
 	if (!status)
 		status = hawser__line_load(rom, t, modes, o, pull, report);
 	if (!status)
-		status = hawser__line_answers_set(rom, t, answers, o, report);
+		status = hawser__expanded_answers(rom, &e, answers, report);
 	if (!status)
-		status = hawser__line_fields(rom, t, answers, report);
+		status = hawser__expanded_fields(rom, &e, answers, report);
 	return status ? status : hawser_rom_compile(rom, report);
 }
 
@@ -285,7 +227,7 @@ enum hawser_status hawser_line_rom_build(struct hawser_rom *rom, struct hawser_l
 	struct hawser_line_rom_options o = *options;
 	struct hawser__lexpand_modes own = {.shape = NULL};
 	struct hawser__lexpand t = {.rope = NULL};
-	struct hawser__line_answers answers = {.count = 0};
+	struct hawser__answers answers = {.count = 0};
 	double pull[HAWSER_LINE_ROM_MODES], wave;
 	int drive = o.load == HAWSER_LINE_LOAD_DRIVE;
 	enum hawser_status status;
@@ -310,7 +252,7 @@ enum hawser_status hawser_line_rom_build(struct hawser_rom *rom, struct hawser_l
 	if (!status)
 		status = fill(rom, &t, &answers, modes, &o, pull, report);
 	hawser__lexpand_clear(&t);
-	hawser__line_answers_clear(&answers);
+	hawser__answers_clear(&answers);
 	hawser__lexpand_modes_clear(&own);
 	if (status) {
 		hawser_rom_clear(rom);

@@ -1,5 +1,5 @@
-/* rom/build/line_answer.c - what the modes that a model of a rope over sheaves does not keep do under
- * its load (ropeway/expand/expand_answer.c), at the shape points and along the line.
+/* rom/build/line_answer.c - the expansion of a rope over sheaves at the places of its model, and what
+ * the modes that the model does not keep do under its load (ropeway/expand/expand_answer.c).
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -8,87 +8,133 @@
 #include <stdlib.h>
 
 #include "core/report.h"
-#include "rom/energy/kernel.h"
-#include "rom/condense/known.h"
 #include "rom/build/line.h"
 
-enum { ORDERS = 2 }; /* static response, first correction for inertia */
 _Static_assert((int)HAWSER__LEXPAND_MORE >= (int)HAWSER__LOAD_FIELDS,
                "room for the fields among the shapes");
 
-struct target {
-	struct hawser_rom *rom;
-	const struct hawser__lexpand *t;
+/* --- places --- */
+
+/* On a piece of the rope, at s from its beginning, where the rope has the slope `angle`. */
+struct place {
+	int piece;
+	double s, angle;
 };
 
-/* Displacement and strain of a field at the shape points, [points][4], and strain on the line. */
-static void note(double *shape, double *line, const struct target *to,
-                 const struct hawser__lexpand_field *field, double factor)
+static int piece_at(const struct hawser__lmode *rope, int lane, double s)
 {
-	struct hawser__line_place at;
-	double slope[3], u[3];
-	int next = 0;
+	int found = 0;
 
-	for (int p = 0; p < to->rom->shapes.points; p++, shape += 4) {
-		at = hawser__line_shape_place(to->rom, to->t->rope, p);
-		hawser__lexpand_field_at(shape, slope, to->t->rope, field, at.piece, at.s, at.angle);
-		shape[3] = slope[0];
-		for (int c = 0; c < 4; c++)
-			shape[c] *= factor;
-	}
-	while (hawser__line_next_place(&at, &next, to->t)) {
-		hawser__lexpand_field_at(u, slope, to->t->rope, field, at.piece, at.s, 0.0);
-		*line++ = factor*slope[0];
-	}
+	for (int i = 0; i < rope->pieces; i++)
+		if (rope->piece[i].lane == lane && rope->piece[i].length > 0.0 && rope->piece[i].s0 <= s)
+			found = i;
+	return found;
 }
 
-static enum hawser_status set_harmonic(const struct target *to, struct hawser_harmonic *h,
-                                       const struct hawser__lexpand_answer *answer, double factor,
-                                       struct hawser_report *report)
+/* The points of the line are the ends and the middle of every piece of the free rope. */
+static struct place place_of(const struct hawser__line_source *source, int p)
 {
-	size_t points = 4*(size_t)to->rom->shapes.points, line = (size_t)to->rom->line.points;
+	const struct hawser_rom_shapes *shapes = &source->rom->shapes;
+	const struct hawser__lmode *rope = source->t->rope;
+	int left = (p - shapes->points)/3, piece = 0;
+	double s0, length;
 
-	h->answer = calloc(ORDERS*points + 1, sizeof *h->answer);
-	h->answer_line = calloc(ORDERS*line + 1, sizeof *h->answer_line);
-	if (!h->answer || !h->answer_line)
-		return hawser__no_memory(report, "line rom");
-	for (size_t i = 0; i < ORDERS; i++)
-		note(h->answer + i*points, h->answer_line + i*line, to, &answer->field[i], factor);
-	return HAWSER_OK;
+	if (p < shapes->points) {
+		piece = piece_at(rope, hawser__line_run(rope, p, &s0, &length), shapes->s[p]);
+		return (struct place){piece, shapes->s[p] - rope->piece[piece].s0,
+			atan2(shapes->tangent[2*p + 1], shapes->tangent[2*p])};
+	}
+	while (source->t->first[piece] < 0 || left-- > 0)
+		piece++;
+	return (struct place){piece, rope->piece[piece].length*((p - shapes->points)%3)/2.0, 0.0};
 }
 
-/* The motions of harmonic h are the known ones from `first` on. */
-static enum hawser_status set_known(const struct target *to, struct hawser_harmonic *h, int first,
-                                    const struct hawser__lexpand_answer *answer, double factor,
-                                    double ratio, struct hawser_report *report)
+static void shape_at(double u[3], double slope[3], const void *of, int shape, int p)
 {
-	struct hawser_rom_known *known = &to->rom->known;
-	size_t points = 4*(size_t)to->rom->shapes.points, line = (size_t)to->rom->line.points;
+	const struct hawser__line_source *source = of;
+	struct place at = place_of(source, p);
 
-	if (known->modes == 0)
-		return HAWSER_OK;
-	h->known = calloc((size_t)known->modes, sizeof *h->known);
-	if (!h->known)
-		return hawser__no_memory(report, "line rom");
-	for (int s = 0; s < answer->known; s++) {
-		size_t at = (size_t)(first + s);
+	hawser__lexpand_shape_at(u, slope, source->t, shape, at.piece, at.s, at.angle);
+}
 
-		known->K[at] = answer->omega2[s];
-		known->D[at] = 2.0*ratio*sqrt(answer->omega2[s]);
-		h->known[at] = factor*answer->force[s];
-		note(known->shape + at*points, known->line + at*line, to, &answer->field[2 + s], 1.0);
+static void pair_at(double u[3], double slope[3], const void *of, int pair, int p)
+{
+	const struct hawser__line_source *source = of;
+	struct place at = place_of(source, p);
+
+	hawser__lexpand_second_at(u, slope, source->t, pair, at.piece, at.s, at.angle);
+}
+
+static void field_at(double u[3], double slope[3], const void *of, const double *row, int p)
+{
+	const struct hawser__line_source *source = of;
+	struct place at = place_of(source, p);
+
+	hawser__lexpand_field_at(u, slope, source->t->rope, row, at.piece, at.s, at.angle);
+}
+
+/* --- derivatives --- */
+
+static double fourth(const void *of, const int index[4])
+{
+	return hawser__lexpand_fourth(((const struct hawser__line_source *)of)->t, index);
+}
+
+/* Numbers of planes that occur an odd number of times have no energy. */
+static int even(const void *of, const int index[4])
+{
+	const struct hawser__lexpand *t = ((const struct hawser__line_source *)of)->t;
+	int out = 0;
+
+	for (int i = 0; i < 4; i++)
+		out += t->rope->system[t->shape[index[i]].system].plane == HAWSER_OUT_OF_PLANE;
+	return out%2 == 0;
+}
+
+/* Change of the tension by the slopes of a shape, relative, if they stretched its system alone. */
+static double tightens(const void *of, int shape)
+{
+	const struct hawser__lexpand *t = ((const struct hawser__line_source *)of)->t;
+	const double *slope = t->slope + 3*(size_t)t->points*(size_t)shape;
+	const struct hawser__lmode_system *system = &t->rope->system[t->shape[shape].system];
+	double longer = 0.0, stretch = 0.0;
+
+	for (int i = 0; i < system->segments; i++) {
+		const struct hawser__lmode_segment *s = &system->segment[i];
+		int first = t->first[s->index];
+
+		for (int p = first; first >= 0 && p < first + s->grid.points; p++) {
+			const double *a = slope + 3*p;
+
+			longer += 0.5*t->weight[p]*(a[1]*a[1] + a[2]*a[2])/t->stretch[p];
+			stretch += t->weight[p]*t->tau[p]*t->rope->epsilon;
+		}
 	}
-	return HAWSER_OK;
+	return stretch > 0.0 ? longer/stretch : 0.0;
+}
+
+static double damping(const void *of, const double *row, double omega2)
+{
+	(void)row;
+	return 2.0*((const struct hawser__line_source *)of)->ratio*sqrt(omega2);
+}
+
+struct hawser__expanded hawser__line_expanded(const struct hawser__line_source *source)
+{
+	return (struct hawser__expanded){.of = source, .n = source->t->n, .third = source->t->third,
+		.fourth = fourth, .even = even, .shape_at = shape_at, .pair_at = pair_at,
+		.field_at = field_at, .tightens = tightens, .damping = damping};
 }
 
 /* --- the answers --- */
 
 /* The static part in the systems of the rope that it moves, as shapes, while there is room. */
-static void add_fields(struct hawser__line_answers *answers, struct hawser__lexpand_modes *own, int i)
+static void add_fields(struct hawser__answers *answers, struct hawser__lexpand_modes *own, int i)
 {
-	const struct hawser__lexpand_field *z = &answers->answer[i].field[0];
-	const double *x = z->x, *strain = z->strain;
+	const double *x = hawser__driven_field(&answers->driven[i], 0), *strain = x;
 
+	for (int k = 0; k < own->rope.systems; k++)
+		strain += own->rope.system[k].size;
 	for (int k = 0; k < own->rope.systems; k++) {
 		const struct hawser__lmode_system *system = &own->rope.system[k];
 		int moved = system->strains > 0 &&
@@ -97,15 +143,16 @@ static void add_fields(struct hawser__line_answers *answers, struct hawser__lexp
 		if (moved && answers->fields < HAWSER__LOAD_FIELDS) {
 			own->shape[own->search.n + answers->fields] =
 				(struct hawser__lexpand_shape){.system = k, .x = x, .strain = strain};
-			answers->field[answers->fields++] =
-				(struct hawser__line_field){i/2 + 1, i%2, answers->factor};
+			answers->field[answers->fields].k = i/2 + 1;
+			answers->field[answers->fields].sine = i%2;
+			answers->field[answers->fields++].factor = answers->factor;
 		}
 		x += system->size;
 		strain += system->strains;
 	}
 }
 
-enum hawser_status hawser__line_answers_make(struct hawser__line_answers *answers,
+enum hawser_status hawser__line_answers_make(struct hawser__answers *answers,
                                              struct hawser__lexpand_modes *own,
                                              const struct hawser_line_modes *modes,
                                              const struct hawser_line_rom_options *o,
@@ -117,56 +164,18 @@ enum hawser_status hawser__line_answers_make(struct hawser__line_answers *answer
 	if (o->load == HAWSER_LINE_LOAD_NONE)
 		return HAWSER_OK;
 	answers->factor = passing ? 1.0 : o->amplitude/modes->length_unit;
-	answers->answer = calloc((size_t)count, sizeof *answers->answer);
-	if (!answers->answer)
+	answers->driven = calloc((size_t)count, sizeof *answers->driven);
+	if (!answers->driven)
 		return hawser__no_memory(report, "line rom");
 	while (answers->count < count && !status) {
 		int i = answers->count++;
 		struct hawser__line_wave wave = passing ? hawser__line_wave(modes, o, i)
 		                                        : (struct hawser__line_wave){.sine = 0};
 
-		status = hawser__lexpand_answer(&answers->answer[i], own, passing ? hawser__line_pull : NULL,
+		status = hawser__lexpand_answer(&answers->driven[i], own, passing ? hawser__line_pull : NULL,
 		                                &wave, o->lane, report);
 	}
 	for (int i = 0; i < count && !status; i++)
 		add_fields(answers, own, i);
-	return status;
-}
-
-void hawser__line_answers_clear(struct hawser__line_answers *answers)
-{
-	for (int i = 0; i < answers->count; i++)
-		hawser__lexpand_answer_clear(&answers->answer[i]);
-	free(answers->answer);
-	*answers = (struct hawser__line_answers){.count = 0};
-}
-
-enum hawser_status hawser__line_answers_set(struct hawser_rom *rom, const struct hawser__lexpand *t,
-                                            const struct hawser__line_answers *answers,
-                                            const struct hawser_line_rom_options *o,
-                                            struct hawser_report *report)
-{
-	const struct target to = {rom, t};
-	double factor = answers->factor, reach = INFINITY;
-	enum hawser_status status = HAWSER_OK;
-	int all = 0;
-
-	for (int i = 0; i < answers->count; i++) {
-		all += answers->answer[i].known;
-		reach = fmin(reach, answers->answer[i].reach);
-	}
-	if (answers->count > 0)
-		status = hawser__rom_known_make(rom, all, report);
-	all = 0;
-	for (int i = 0; i < answers->count && !status; i++) {
-		const struct hawser__lexpand_answer *answer = &answers->answer[i];
-
-		status = set_harmonic(&to, &rom->harmonic[i], answer, factor, report);
-		if (!status)
-			status = set_known(&to, &rom->harmonic[i], all, answer, factor, o->ratio, report);
-		all += answer->known;
-	}
-	if (!status && answers->count > 0)
-		rom->known.reach = reach;
 	return status;
 }

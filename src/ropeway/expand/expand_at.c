@@ -81,12 +81,13 @@ void hawser__lexpand_shape_at(double shape[3], double slope[3], const struct haw
 }
 
 void hawser__lexpand_field_at(double shape[3], double slope[3], const struct hawser__lmode *rope,
-                              const struct hawser__lexpand_field *field, int piece, double s,
-                              double angle)
+                              const double *row, int piece, double s, double angle)
 {
-	const double *x = field->x, *strain = field->strain;
+	const double *x = row, *strain = row;
 
 	none(shape, slope);
+	for (int i = 0; i < rope->systems; i++)
+		strain += rope->system[i].size;
 	for (int i = 0; i < rope->systems; i++) {
 		add_system(shape, slope, &rope->system[i], x, strain, piece, s, angle);
 		x += rope->system[i].size;

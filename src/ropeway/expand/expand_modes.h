@@ -3,6 +3,7 @@
 #ifndef HAWSER_ROPEWAY_EXPAND_MODES_H
 #define HAWSER_ROPEWAY_EXPAND_MODES_H
 
+#include "modes/driven.h"
 #include "ropeway/expand/expand.h"
 
 enum { HAWSER__LEXPAND_MORE = 6 };
@@ -41,31 +42,16 @@ void hawser__lexpand_second_at(double shape[3], double slope[3], const struct ha
 void hawser__lexpand_shape_at(double shape[3], double slope[3], const struct hawser__lexpand *t, int i,
                               int piece, double s, double angle);
 
-/* A displacement of the whole rope: states and strains of all systems, one after the other. */
-struct hawser__lexpand_field {
-	double *x, *strain;
-};
-/* The same of such a field. */
+/* The same of a displacement of the whole rope, in a row: the states, then the strains, of all systems. */
 void hawser__lexpand_field_at(double shape[3], double slope[3], const struct hawser__lmode *rope,
-                              const struct hawser__lexpand_field *field, int piece, double s,
-                              double angle);
+                              const double *row, int piece, double s, double angle);
 
-/* expand_answer.c: what the modes that are not kept do under a force that oscillates at the
- * frequency W:  field[0] + W^2 field[1] + sum_s force[s] H_s(W) field[2 + s]
- * (rom/condense/known.c). */
-struct hawser__lexpand_answer {
-	int known;                  /* motions s, of frequencies omega2^(1/2), ascending */
-	double *omega2, *force;     /* [known] */
-	struct hawser__lexpand_field *field; /* [2 + known] */
-	double *memory;
-	double reach;               /* below this frequency they are modes, all that the force drives */
-};
-/* Of a force per length along y, wave*pull(s) at the scaled arclength s of a lane; or of the motion of
- * the end (hawser__lexpand_drive) if pull is NULL. */
-enum hawser_status hawser__lexpand_answer(struct hawser__lexpand_answer *answer,
+/* expand_answer.c: what the modes that are not kept do under a force per length along y,
+ * wave*pull(s) at the scaled arclength s of a lane; or under the motion of the end
+ * (hawser__lexpand_drive) if pull is NULL. */
+enum hawser_status hawser__lexpand_answer(struct hawser__driven *answer,
                                           const struct hawser__lexpand_modes *t,
                                           double (*pull)(const void *wave, double s),
                                           const void *wave, int lane, struct hawser_report *report);
-void hawser__lexpand_answer_clear(struct hawser__lexpand_answer *answer);
 
 #endif

@@ -1,4 +1,5 @@
-/* rom/build/line_tensors.c - entries of Q and C of a rope over sheaves.
+/* rom/build/expanded.c - entries of Q and C from an expanded energy, and the second-order displacement:
+ * see expanded.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -6,9 +7,9 @@
 #include <stdlib.h>
 
 #include "core/report.h"
-#include "rom/build/line.h"
+#include "rom/build/expanded.h"
 
-static enum hawser_status set_quads(struct hawser_rom *rom, const struct hawser__lexpand *t, int n,
+static enum hawser_status set_quads(struct hawser_rom *rom, const struct hawser__expanded *e, int n,
                                     int least, struct hawser_report *report)
 {
 	size_t equations = (size_t)rom->n, width = (size_t)n;
@@ -19,7 +20,7 @@ static enum hawser_status set_quads(struct hawser_rom *rom, const struct hawser_
 	for (int j = 0; j < rom->n; j++)
 		for (int k = 0; k < n; k++)
 			for (int l = k > least ? k : least; l < n; l++) {
-				double value = t->third[(j*t->n + k)*t->n + l];
+				double value = e->third[((size_t)j*(size_t)e->n + (size_t)k)*(size_t)e->n + (size_t)l];
 
 				if (value != 0.0)
 					rom->Q[rom->quads++] = (struct hawser_quad){j, k, l, k == l ? 0.5*value : value};
@@ -33,17 +34,7 @@ static double share(int k, int l, int m)
 	return k == m ? 6.0 : k == l || l == m ? 2.0 : 1.0;
 }
 
-/* Numbers of planes that occur an odd number of times have no energy. */
-static int even(const struct hawser__lexpand *t, const int index[4])
-{
-	int out = 0;
-
-	for (int i = 0; i < 4; i++)
-		out += t->rope->system[t->shape[index[i]].system].plane == HAWSER_OUT_OF_PLANE;
-	return out%2 == 0;
-}
-
-static enum hawser_status set_cubics(struct hawser_rom *rom, const struct hawser__lexpand *t, int n,
+static enum hawser_status set_cubics(struct hawser_rom *rom, const struct hawser__expanded *e, int n,
                                      int least, struct hawser_report *report)
 {
 	size_t equations = (size_t)rom->n, width = (size_t)n;
@@ -58,14 +49,14 @@ static enum hawser_status set_cubics(struct hawser_rom *rom, const struct hawser
 					int index[4] = {j, k, l, m};
 					double value;
 
-					if (!even(t, index))
+					if (!e->even(e->of, index))
 						continue;
 					/* the same bits for the same derivative */
 					for (int a = 0; a < 3 && index[a] > index[a + 1]; a++) {
 						index[a] = index[a + 1];
 						index[a + 1] = j;
 					}
-					value = hawser__lexpand_fourth(t, index);
+					value = e->fourth(e->of, index);
 					if (!isfinite(value))
 						return hawser__fail(report, HAWSER_ERR_NAN, "line rom", "the tensor C is %g "
 						                    "for modes %d, %d, %d, %d: their shapes are not finite",
@@ -76,10 +67,25 @@ static enum hawser_status set_cubics(struct hawser_rom *rom, const struct hawser
 	return HAWSER_OK;
 }
 
-enum hawser_status hawser__line_tensors(struct hawser_rom *rom, const struct hawser__lexpand *t, int n,
-                                        int least, struct hawser_report *report)
+enum hawser_status hawser__expanded_tensors(struct hawser_rom *rom, const struct hawser__expanded *e,
+                                            int n, int least, struct hawser_report *report)
 {
-	enum hawser_status status = set_quads(rom, t, n, least, report);
+	enum hawser_status status = set_quads(rom, e, n, least, report);
 
-	return status ? status : set_cubics(rom, t, n, least, report);
+	return status ? status : set_cubics(rom, e, n, least, report);
+}
+
+void hawser__expanded_second(double *shape, double *slope, double *line, const struct hawser_rom *rom,
+                             const struct hawser__expanded *e, int first, int pairs)
+{
+	int points = rom->shapes.points, along = rom->line.points;
+
+	for (int pair = first; pair < first + pairs; pair++) {
+		double u[3];
+
+		for (int p = 0; p < points; p++, shape += 3, slope += 3)
+			e->pair_at(shape, slope, e->of, pair, p);
+		for (int p = points; p < points + along; p++, line += 3)
+			e->pair_at(u, line, e->of, pair, p);
+	}
 }

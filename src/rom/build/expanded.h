@@ -1,0 +1,67 @@
+/* rom/build/expanded.h - terms of a model from an energy that is expanded in shapes: of a rope over
+ * sheaves (ropeway/expand/expand.h), or of a net (net/expand/expand.h).
+ *
+ * The first shapes are the coordinates of the model; behind them come fields, whose motion is known:
+ * the static response to the load of the modes that are not kept.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_ROM_EXPANDED_H
+#define HAWSER_ROM_EXPANDED_H
+
+#include <hawser/rom.h>
+
+#include "modes/driven.h"
+#include "rom/condense/fields.h"
+
+/* All scaled. A place is the number of a shape point of the model; behind these come the points of its
+ * line, where u is not asked for. At it, u is P, Q, B and slope a, b, c. */
+struct hawser__expanded {
+	const void *of;
+	int n;                     /* shapes */
+	const double *third;       /* [n][n][n] third derivatives of the energy */
+	double (*fourth)(const void *of, const int index[4]);
+	/* 0: the fourth derivative vanishes, by symmetry. */
+	int (*even)(const void *of, const int index[4]);
+	/* Of a shape; of the second-order displacement of pair k(k + 1)/2 + j of shapes; of a row of
+	 * modes/driven.h. */
+	void (*shape_at)(double u[3], double slope[3], const void *of, int shape, int place);
+	void (*pair_at)(double u[3], double slope[3], const void *of, int pair, int place);
+	void (*field_at)(double u[3], double slope[3], const void *of, const double *row, int place);
+	/* Change of the tension by the slopes of a shape, relative, if they stretched its part of the
+	 * structure alone. */
+	double (*tightens)(const void *of, int shape);
+	/* Damping of a motion of modes/driven.h. */
+	double (*damping)(const void *of, const double *row, double omega2);
+};
+
+/* What the modes that are not kept do under each harmonic of the load. */
+struct hawser__answers {
+	int count;
+	struct hawser__driven *driven;   /* [count] in the order of the model's harmonics */
+	double factor;                   /* of each */
+	int fields;                      /* static parts that are shapes, behind the coordinates */
+	struct {
+		int k, sine;                 /* the shape has the factor factor*cos(k tau), or sine */
+		double factor;
+	} field[HAWSER__LOAD_FIELDS];
+};
+void hawser__answers_clear(struct hawser__answers *answers);
+
+/* Entries of Q and C of the rom->n equations, in the first n shapes, of which the last of an entry is at
+ * least number `least`. */
+enum hawser_status hawser__expanded_tensors(struct hawser_rom *rom, const struct hawser__expanded *e,
+                                            int n, int least, struct hawser_report *report);
+/* Displacement and strains of `pairs` pairs of the expansion, from number `first` on, at the shape
+ * points, [pairs][points][3], and strains along the line. */
+void hawser__expanded_second(double *shape, double *slope, double *line, const struct hawser_rom *rom,
+                             const struct hawser__expanded *e, int first, int pairs);
+/* `answer` of the harmonics and the known motions. expanded_answer.c. */
+enum hawser_status hawser__expanded_answers(struct hawser_rom *rom, const struct hawser__expanded *e,
+                                            const struct hawser__answers *answers,
+                                            struct hawser_report *report);
+/* Terms of the energy with the fields. expanded_answer.c. */
+enum hawser_status hawser__expanded_fields(struct hawser_rom *rom, const struct hawser__expanded *e,
+                                           const struct hawser__answers *answers,
+                                           struct hawser_report *report);
+
+#endif
