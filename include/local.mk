@@ -37,6 +37,7 @@ pkginclude_HEADERS = \
 	%D%/hawser/net_modes.h \
 	%D%/hawser/net_motion.h \
 	%D%/hawser/net_plan.h \
+	%D%/hawser/net_rom.h \
 	%D%/hawser/net_span.h \
 	%D%/hawser/obstacles.h \
 	%D%/hawser/orbit.h \

@@ -41,6 +41,7 @@
 #include <hawser/rom_source.h>
 #include <hawser/law.h>
 #include <hawser/line_rom.h>
+#include <hawser/net_rom.h>
 #include <hawser/choose.h>
 #include <hawser/integrate.h>
 #include <hawser/orbit.h>

@@ -50,6 +50,8 @@ struct hawser_net_load {
 	int node, cable;    /* one of them; the other is -1 */
 	double value[3];    /* N of a node, N/m of a cable per unstretched length; of a motion m */
 	int harmonic;       /* 0: constant; 1: value*cos(Omega*t + phase) */
+	int multiple;       /* of the frequency of a response, in place of Omega: for models (net_rom.h);
+	                     * 0: Omega is given */
 	double Omega, phase;
 	double (*along)[3]; /* [elements + 1] N: a harmonic load of a cable on the nodes of its mesh, from
 	                     * end to end, in place of value; or NULL. Owned by the net */
@@ -107,6 +109,8 @@ struct hawser_net {
 	double alpha;       /* viscous force per unstretched length and velocity, kg/(m s) */
 	double axial;       /* Kelvin-Voigt: T = EA*(strain + axial*its rate), s */
 	int axial_given;    /* 1 if the scene has it, if 0 */
+	double mass_rate;   /* 1/s: damping by this times the mass, and */
+	double ratio;       /* damping ratio of each mode: both of models alone (net_rom.h) */
 	struct hawser_net_dynamics dynamics;
 	struct hawser_surface *surface; /* [surfaces] the obstacles */
 	int surfaces;

@@ -230,9 +230,11 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/plan/plan_ropeway.c \
 	%D%/frame/ranks.c \
 	%D%/frame/ranks.h \
+	%D%/model/rom_net.c \
 	%D%/model/rom_ropeway.c \
-	%D%/model/ropeway_choice.c \
-	%D%/model/rom_ropeway.h \
+	%D%/model/made.c \
+	%D%/model/made.h \
+	%D%/model/made_choice.c \
 	%D%/frame/progress.c \
 	%D%/frame/progress.h \
 	%D%/frame/quantity.c \

@@ -15,6 +15,8 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/statics/exact.c \
 	%D%/statics/exact.h \
 	%D%/statics/exact_solution.c \
+	%D%/expand/expand.c \
+	%D%/expand/expand.h \
 	%D%/statics/finish.c \
 	%D%/statics/form.c \
 	%D%/statics/form.h \

@@ -201,7 +201,7 @@ enum hawser_status hawser__mesh_build(struct hawser__mesh *mesh, const struct ha
 
 		mesh->motion[i] = (struct hawser__mesh_wave){
 			.node = from->node, .value = {from->value[0], from->value[1], from->value[2]},
-			.Omega = from->Omega, .phase = from->phase};
+			.Omega = from->Omega, .phase = from->phase, .multiple = from->multiple};
 	}
 	status = hawser__touch_open(mesh, net, report);
 	if (status)
@@ -223,7 +223,8 @@ static void load(struct hawser__mesh *mesh, const struct hawser_net_load *from)
 
 		if (from->harmonic)
 			*wave = (struct hawser__mesh_wave){.node = at, .Omega = from->Omega,
-			                                   .phase = from->phase};
+			                                   .phase = from->phase,
+			                                   .multiple = from->multiple};
 		for (int k = 0; k < 3; k++)
 			*(from->harmonic ? &wave->value[k] : &mesh->force[at][k]) +=
 				from->along ? from->along[i][k] : half*from->value[k];

@@ -78,7 +78,7 @@ struct hawser__touch {
 
 /* value*cos(Omega*t + phase) at a node: a force, N, or a displacement, m. */
 struct hawser__mesh_wave {
-	int node;
+	int node, multiple; /* as in struct hawser_net_load */
 	double value[3], Omega, phase;
 };
 

@@ -95,6 +95,10 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/condense/load_fields.h \
 	%D%/build/model.c \
 	%D%/build/model.h \
+	%D%/build/net.c \
+	%D%/build/net.h \
+	%D%/build/net_load.c \
+	%D%/build/net_place.c \
 	%D%/file/open.c \
 	%D%/condense/order.c \
 	%D%/condense/order.h \

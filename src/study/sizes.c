@@ -30,6 +30,7 @@
 #include <hawser/line_modes.h>
 #include <hawser/ropeway_modes.h>
 #include <hawser/line_rom.h>
+#include <hawser/net_rom.h>
 #include <hawser/linear.h>
 #include <hawser/obstacles.h>
 #include <hawser/drag.h>
@@ -275,6 +276,7 @@ static const struct row {
 	ROW(hawser_net_motion_options),
 	ROW(hawser_net_path),
 	ROW(hawser_net_plan),
+	ROW(hawser_net_rom_options),
 	ROW(hawser_net_plan_cable),
 	ROW(hawser_net_plan_job),
 	ROW(hawser_net_plan_options),

@@ -16,7 +16,7 @@
 #include "cli/curves/frf_sweep.h"
 #include "cli/curves/frf_tori.h"
 #include "cli/model/label.h"
-#include "cli/model/rom_ropeway.h"
+#include "cli/model/made.h"
 #include "cli/frame/progress.h"
 #include "cli/frame/view.h"
 #include "core/report.h"
@@ -281,9 +281,9 @@ static enum hawser_status trace(struct hawser_frf *frf, struct hawser_landmark *
 	}
 	if (!status && !automatic)
 		status = trace_curve(frf, &choice, result, settings, label, report);
-	if (!status && model->ropeway && settings->n == 0 && !settings->common.lane.keep &&
+	if (!status && model->made && settings->n == 0 && !settings->common.lane.keep &&
 	    !is_special(settings))
-		status = cli_ropeway_response(frf, model, result, &choice, report);
+		status = cli_made_response(frf, model, result, &choice, report);
 	if (!automatic && !is_special(settings))
 		status = cli_exact_response(frf, &choice, model, result, settings->step > 0.0, status, report);
 	if (frf->points > 0 && cli_label_plain(frf, model) && !result->over) {

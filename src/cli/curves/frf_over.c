@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "cli/curves/frf_over.h"
+#include "cli/model/made.h"
 #include "core/report.h"
 
 static const char *const factor[] = {"factor.load", "factor.damping"}; /* enum hawser_factor */
@@ -34,10 +35,10 @@ static enum hawser_status open_family(struct cli_over *over, struct cli_model *m
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
 		                    "--over %s: write factor.load, factor.damping or a key of the scene; "
 		                    "Omega is followed without --over", key);
-	if (model->ropeway)
+	if (model->made)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
-		                    "--over %s: a ropeway has the parameters factor.load and factor.damping "
-		                    "only", key);
+		                    "--over %s: %s has the parameters factor.load and factor.damping only",
+		                    key, model->made->by->called);
 	if (!model->has_scene && model->source.parameters == 0)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
 		                    "--over %s: this reduced-model file has the parameters factor.load and "

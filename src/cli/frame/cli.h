@@ -121,8 +121,8 @@ struct cli_model {
 	struct hawser_statics statics;
 	struct hawser_modes modes;
 	struct hawser_rom rom;
-	int has_scene;   /* of a span; otherwise the model came from a file, or from a ropeway */
-	struct cli_rom_ropeway *ropeway; /* rom_ropeway.h: what it is made from; NULL: no ropeway */
+	int has_scene;   /* of a span; otherwise the model came from a file, a ropeway or a net */
+	struct cli_made *made; /* model/made.h: what it is made from; NULL: of a span, or of a file */
 	struct hawser_rom_source source; /* its text, if it has parameters; else all zero */
 	int reproducible; /* 1: no times in the results */
 	int automatic;   /* 1: modes are to be chosen; until then rom contains its units only */

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/model/rom_ropeway.h"
+#include "cli/model/made.h"
 #include "cli/frame/view.h"
 #include "core/report.h"
 
@@ -122,7 +122,12 @@ void cli_choice_comments(struct hawser__table *table, const struct cli_model *mo
 	const struct hawser_choice *choice = &accuracy->choice;
 	int coordinate = 0;
 
-	cli_rom_ropeway_comments(table, model);
+	if (model->made)
+		model->made->by->comments(table, model);
+	if (model->made && isfinite(cli_modes_end(model)))
+		hawser__table_comment(table, "a range without --to ends at %.9g rad/s, past the highest of "
+		                      "these modes (-n keeps more), or at 3.3w1",
+		                      cli_modes_end(model)*cli_per_omega(model));
 	if (!model->automatic)
 		return;
 	if (accuracy->tries > 0)

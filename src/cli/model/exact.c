@@ -33,7 +33,7 @@ static int has_accuracy(const struct cli_model *model)
 
 int cli_exact_calls(const struct cli_model *model, const struct cli_model_error *error)
 {
-	return model->has_scene && !model->ropeway && !model->automatic &&
+	return model->has_scene && !model->made && !model->automatic &&
 	       model->scene.model.energy == HAWSER_ENERGY_AUTO &&
 	       model->scene.model.condense == HAWSER_CONDENSE_STATIC &&
 	       (!error || (error->stated && hawser_accuracy_poor(&error->fixed, has_accuracy(model)

@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "cli/curves/frf_over.h"
-#include "cli/model/rom_ropeway.h"
+#include "cli/model/made.h"
 #include "cli/frame/view.h"
 #include "core/append.h"
 
@@ -18,7 +18,7 @@ const char cli_fixed_advice[] = "hawser plan compares models; more modes (-n), m
 struct cli_model_error cli_fixed_unknown(const struct cli_model *model, const char *about, int timed)
 {
 	return (struct cli_model_error){.stated = 1, .per_omega = cli_per_omega(model), .timed = timed,
-		.about = about, .advice = model->ropeway ? "more modes (-n) may be closer" : cli_fixed_advice,
+		.about = about, .advice = model->made ? "more modes (-n) may be closer" : cli_fixed_advice,
 		.fixed = {.estimated = NAN}};
 }
 
@@ -45,7 +45,7 @@ static enum hawser_status of_steady(struct cli_model_error *error, const struct 
 	enum hawser_status status = hawser_frf_trace(&own, &model->rom, &choice, report);
 
 	if (!status)
-		status = cli_ropeway_error(&error->fixed, model, &own, choice.from, choice.to, report);
+		status = cli_made_error(&error->fixed, model, &own, choice.from, choice.to, report);
 	hawser_frf_clear(&own);
 	return status;
 }
@@ -64,13 +64,13 @@ static enum hawser_status conclude(struct cli_model_error *error, enum hawser_st
 	return status;
 }
 
-static const char none_larger[] = "no model of a ropeway has more modes to look at";
+static const char none_larger[] = "no model of this kind has more modes to look at";
 
 static int has_most(const struct cli_model *model)
 {
-	const struct cli_rom_ropeway *of = model->ropeway;
+	const struct cli_made *of = model->made;
 
-	return of && of->modes.mode[of->modes.n - 1].place >= HAWSER_LINE_ROM_MODES;
+	return of && of->modes.modes.mode[of->modes.modes.n - 1].place >= of->by->most;
 }
 
 enum hawser_status cli_fixed_estimate(struct cli_frf_result *result, struct hawser_report *report)
@@ -81,11 +81,11 @@ enum hawser_status cli_fixed_estimate(struct cli_frf_result *result, struct haws
 	enum hawser_status status;
 
 	if (result->frf->branch > 1 ? !model->has_scene : model->automatic || error->stated)
-		return HAWSER_OK; /* of ropeways: the first */
+		return HAWSER_OK; /* of models that are made: the first */
 	*error = cli_fixed_unknown(model, "folds and peaks", !result->common->reproducible);
 	if (model->automatic || model->exact.functions)
 		return not_known(error, "the accuracy that is stated is that of the first branch");
-	if (!model->has_scene && !model->ropeway)
+	if (!model->has_scene && !model->made)
 		return not_known(error, "a model file does not say what it leaves out of its scene: give "
 		                        "the scene");
 	if (has_most(model))
@@ -97,8 +97,8 @@ enum hawser_status cli_fixed_estimate(struct cli_frf_result *result, struct haws
 	if (cli_known_lacks(error->unknown, sizeof error->unknown, model,
 	                    fmax(result->from, result->to)))
 		return HAWSER_OK;
-	status = model->ropeway
-	         ? cli_ropeway_error(&error->fixed, model, result->frf, result->from, result->to, &why)
+	status = model->made
+	         ? cli_made_error(&error->fixed, model, result->frf, result->from, result->to, &why)
 	         : hawser_accuracy_fixed(&error->fixed, &model->rom, result->frf, model->modes.n,
 	                                 &model->statics, &model->scene, result->from, result->to, &why);
 	return conclude(error, status, &why, report);
@@ -112,13 +112,13 @@ enum hawser_status cli_fixed_once(struct cli_model_error *error, const struct cl
 	struct hawser_report why = {.message = ""};
 	enum hawser_status status;
 
-	*error = cli_fixed_unknown(model, model->ropeway ? "the steady motion's amplitudes"
+	*error = cli_fixed_unknown(model, model->made ? "the steady motion's amplitudes"
 	                                          : "amplitudes and the frequency", !common->reproducible);
 	if (has_most(model))
 		return not_known(error, none_larger);
 	if (cli_known_lacks(error->unknown, sizeof error->unknown, model, motion->omega))
 		return HAWSER_OK;
-	status = model->ropeway
+	status = model->made
 	         ? of_steady(error, model, motion->omega, &why)
 	         : hawser_accuracy_once(&error->fixed, &model->rom, motion, model->modes.n,
 	                                &model->statics, &model->scene, &why);

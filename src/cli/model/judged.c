@@ -141,7 +141,7 @@ enum hawser_status cli_judged_choose(struct cli_judged *judged, struct cli_model
 	enum hawser_status status;
 
 	*judged = (struct cli_judged){.stated = 0};
-	if (!model->has_scene || model->ropeway || !model->scene.travel.present ||
+	if (!model->has_scene || model->made || !model->scene.travel.present ||
 	    model->scene.travel.speed == 0.0)
 		return HAWSER_OK;
 	status = hawser_statics_scene(&statics, &model->scene, report);

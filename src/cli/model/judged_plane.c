@@ -121,7 +121,7 @@ enum hawser_status cli_judged_plane(struct cli_judged *judged, struct hawser_map
                                     struct hawser_report *report)
 {
 	*judged = (struct cli_judged){.stated = 0};
-	if (!model->has_scene || model->ropeway || !travels(source))
+	if (!model->has_scene || model->made || !travels(source))
 		return HAWSER_OK;
 	if (free)
 		judged->waves = source->waves = waves_of(source);

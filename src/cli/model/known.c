@@ -15,7 +15,7 @@ static const double above = 4.0;
 /* For a mode at 1/part times the forcing frequency the two terms have an error of 0.08 of the
  * static response; for lower modes it grows without limit. */
 static const double part = 0.5;
-/* A range that nobody gave ends at this multiple of a ropeway's highest mode, past its peak: others
+/* A range that nobody gave ends at this multiple of the highest mode of a ropeway or net, past its peak: others
  * follow within some percent, and a response beyond has their peaks as if they were linear. Chosen. */
 static const double last = 1.1;
 /* Models of scenes are off by 1e-5 at best, by what they leave out; chosen. Looser ones let steps
@@ -44,7 +44,7 @@ enum hawser_status cli_known(struct cli_model *model, double omega, struct hawse
 }
 
 /* Of a rope over sheaves: above `reach` known motions stand for the modes that are not known, so
- * that no series diverges there (ropeway/expand/expand_answer.c). */
+ * that no series diverges there (modes/driven.c). */
 static int stands_for_more(const struct hawser_rom_known *known)
 {
 	return known->modes > 0 && known->K[known->modes - 1] > known->reach*known->reach;
@@ -71,19 +71,19 @@ int cli_known_lacks(char *text, size_t size, const struct cli_model *model, doub
 	         "above %.6g rad/s but as they follow the load statically: displacement and tension can "
 	         "be wrong by any factor: %s", omega*cli_per_omega(model), reach*cli_per_omega(model),
 	         model->has_scene ? "lower the frequency, or take model.energy: exact"
-	         : model->ropeway ? "lower the frequency, or keep more modes (-n)"
+	         : model->made ? "lower the frequency, or keep more modes (-n)"
 	         : "give the scene in place of its model");
 	return 1;
 }
 
 double cli_tolerance(double given, const struct cli_model *model)
 {
-	return given > 0.0 ? given : model->has_scene || model->ropeway ? enough : 0.0;
+	return given > 0.0 ? given : model->has_scene || model->made ? enough : 0.0;
 }
 
 double cli_modes_end(const struct cli_model *model)
 {
-	return model->ropeway && model->naturals > 0 ? last*model->natural[model->naturals - 1] : INFINITY;
+	return model->made && model->naturals > 0 ? last*model->natural[model->naturals - 1] : INFINITY;
 }
 
 void cli_known_warn(const struct cli_model *model, double omega)

@@ -3,7 +3,6 @@
 #ifndef HAWSER_CLI_LANE_H
 #define HAWSER_CLI_LANE_H
 
-struct cli_rom_ropeway; /* rom_ropeway.h */
 /* How a model is made of a ropeway; NULL or 0: not given. */
 struct cli_lane_choice {
 	const char *load, *carriers, *lane, *contact, *load_case, *keep;
@@ -16,8 +15,8 @@ struct cli_lane_choice {
 	{"load", 0, "NAME", "ropeways: passing (carriers), or drive (passing)", \
 	 CLI_TEXT_FOR(common.lane.load, CLI_ROPEWAY)}
 #define CLI_LANE_OPTIONS \
-	{"keep", 0, "LIST", "ropeways: modes that are kept, such as 1,4,6 (the lowest)", \
-	 CLI_TEXT_FOR(common.lane.keep, CLI_ROPEWAY)}, \
+	{"keep", 0, "LIST", "ropeways, nets: modes that are kept, such as 1,4,6 (the lowest)", \
+	 CLI_TEXT_FOR(common.lane.keep, CLI_ROPEWAY | CLI_NET)}, \
 	{"ripple", 0, "LENGTH", "ropeways: amplitude of the rope at the drive, m", \
 	 CLI_POSITIVE_FOR(common.lane.ripple, CLI_ROPEWAY)}, \
 	{"damping", 0, "RATIO", "ropeways: damping ratio of each mode (0)", \

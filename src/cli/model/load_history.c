@@ -9,6 +9,7 @@
 
 #include "cli/model/load_history.h"
 #include "cli/measure/series.h"
+#include "cli/model/made.h"
 #include "core/report.h"
 
 enum { AXES = 3, COLUMNS = 1 + AXES, ENDS = 2*AXES, DISPLACEMENTS = 1 + ENDS };
@@ -53,8 +54,8 @@ static enum hawser_status check_both(const struct cli_model *model, const char *
 	const struct hawser_scene *scene = &model->scene;
 	const char *not_with = NULL;
 
-	if (model->ropeway)
-		not_with = "a ropeway, whose ends do not move by a table: its drive does, as --load drive";
+	if (model->made)
+		not_with = model->made->by->still;
 	else if (!model->has_scene)
 		not_with = "a reduced-model file, which does not tell where it acts: give a scene";
 	else if (model->automatic)

@@ -6,7 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/model/rom_ropeway.h"
+#include "cli/frame/kinds.h"
+#include "cli/model/made.h"
 #include "core/append.h"
 #include "core/report.h"
 
@@ -185,6 +186,7 @@ static enum hawser_status load(struct cli_model *model, const struct cli_common 
                                enum extent extent, struct hawser_report *report)
 {
 	const struct hawser_document *document;
+	const struct cli_maker *maker;
 	enum hawser_status status;
 
 	memset(model, 0, sizeof *model);
@@ -199,9 +201,10 @@ static enum hawser_status load(struct cli_model *model, const struct cli_common 
 	}
 	if ((status = cli_document(&document, common, report)))
 		return status;
-	status = document->kind == HAWSER_KIND_MODEL     ? from_file(model, common, n, report)
-	         : document->kind == HAWSER_KIND_ROPEWAY ? cli_rom_ropeway_load(model, common, n, report)
-	                                                 : from_scene(model, common, n, extent, report);
+	maker = cli_kind_record(cli_kind_number(document->kind, CLI_EVERY))->maker;
+	status = maker ? maker->load(model, common, n, report)
+	         : document->kind == HAWSER_KIND_MODEL ? from_file(model, common, n, report)
+	                                               : from_scene(model, common, n, extent, report);
 	if (!status && !model->automatic && model->rom.n > 0)
 		status = cli_natural(model, report);
 	if (status)
@@ -236,7 +239,7 @@ void cli_model_clear(struct cli_model *model)
 	hawser_rom_source_clear(&model->source);
 	hawser_modes_clear(&model->modes);
 	hawser_scene_clear(&model->scene);
-	cli_rom_ropeway_free(model->ropeway);
+	cli_made_free(model->made);
 	free(model->natural);
 	memset(model, 0, sizeof *model);
 }

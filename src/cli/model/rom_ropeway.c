@@ -15,14 +15,28 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/model/rom_ropeway.h"
-#include "core/append.h"
+#include "cli/model/made.h"
+#include "cli/modes/modes_ropeway.h"
 #include "core/report.h"
 
 static const char *const lane_name[] = {"up", "down"};
 static const char *const load_name[] = {"passing", "drive"};
 static const char *const carriers_name[] = {"fixed", "smeared"};
 enum { PASSING, DRIVE };
+
+/* One lane of a ropeway as a model. */
+struct cli_rom_ropeway {
+	struct cli_made made;
+	struct hawser_ropeway ropeway;
+	struct hawser_ropeway_statics st;
+	int lane, smeared;
+	struct hawser_line line;               /* at rest */
+	struct hawser_line_mass *mass;
+	struct hawser_line_statics line_st;
+	struct hawser_line_rom_options options;
+	struct hawser_line_freedom freedom;    /* the carriage */
+	int kept[HAWSER_LINE_ROM_MODES];       /* --keep: what options.kept points to */
+};
 
 /* Smear the weights of carriers of this mass over the rope, and their inertia too or leave it where
  * they are. The weight of the rope is rho g, and rho alone is its inertia. */
@@ -109,30 +123,10 @@ static enum hawser_status choose(struct cli_rom_ropeway *of, int *load, int *loa
 	return status;
 }
 
-/* "1,4,6" */
-static enum hawser_status take_kept(struct cli_rom_ropeway *of, const char *list, int n,
-                                    struct hawser_report *report)
+static void borrow(struct cli_made_modes *modes)
 {
-	const char *from = list;
-	char *end;
-	int last = 0;
-
-	if (n > 0)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom", "--keep %s says which modes are kept: "
-		                    "leave out --modes %d", list, n);
-	do {
-		long index = strtol(from, &end, 10);
-
-		if (end == from || index <= last || index > HAWSER_LINE_ROM_MODES || (*end && *end != ','))
-			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom", "--keep %s: give numbers of modes "
-			                    "from 1 to %d, ascending, such as 1,4,6", list,
-			                    HAWSER_LINE_ROM_MODES);
-		of->kept[of->options.count++] = (last = (int)index) - 1;
-		from = end + 1;
-	} while (*end);
-	of->options.kept = of->kept;
-	of->options.modes.n = last;
-	return HAWSER_OK;
+	modes->modes = (struct hawser_modes){.n = modes->lines.n, .mode = modes->lines.mode,
+	                                     .time_unit = modes->lines.time_unit};
 }
 
 static enum hawser_status make(struct cli_rom_ropeway *of, struct hawser_rom *rom,
@@ -149,9 +143,12 @@ static enum hawser_status make(struct cli_rom_ropeway *of, struct hawser_rom *ro
 	status = hawser_ropeway_solve(&of->st, &of->ropeway, &state, of->ropeway.phase, report);
 	of->options.modes.n = n;
 	if (common->lane.keep) {
-		status = take_kept(of, common->lane.keep, n, report);
+		if (!status)
+			status = cli_made_keep(of->kept, &of->options.count, &of->options.modes.n,
+			                       common->lane.keep, &cli_maker_ropeway, report);
 		if (status)
 			return status;
+		of->options.kept = of->kept;
 	}
 	of->options.modes.contact = of->ropeway.hold == HAWSER_ROPEWAY_HOLD_AUTO
 		? HAWSER_LINE_SLIP : (enum hawser_line_contact_kind)(of->ropeway.hold - 1);
@@ -168,64 +165,46 @@ static enum hawser_status make(struct cli_rom_ropeway *of, struct hawser_rom *ro
 	if (!status)
 		status = take_lane(of, load, report);
 	if (!status)
-		status = hawser_line_rom_build(rom, &of->modes, lane, 1, &of->options, report);
+		status = hawser_line_rom_build(rom, &of->made.modes.lines, lane, 1, &of->options, report);
+	borrow(&of->made.modes);
 	return status;
 }
 
-enum hawser_status cli_rom_ropeway_load(struct cli_model *model, const struct cli_common *common, int n,
-                                        struct hawser_report *report)
+static enum hawser_status load(struct cli_model *model, const struct cli_common *common, int n,
+                               struct hawser_report *report)
 {
-	model->ropeway = calloc(1, sizeof *model->ropeway);
-	return model->ropeway ? make(model->ropeway, &model->rom, common, n, report)
-	                      : hawser__no_memory(report, "rom");
+	struct cli_rom_ropeway *of = calloc(1, sizeof *of);
+
+	if (!of)
+		return hawser__no_memory(report, "rom");
+	model->made = &of->made;
+	of->made.by = &cli_maker_ropeway;
+	return make(of, &model->rom, common, n, report);
 }
 
-enum hawser_status cli_rom_ropeway_again(struct hawser_rom *rom, struct hawser_line_modes *modes,
-                                         const struct cli_rom_ropeway *of, int n, const int *kept,
-                                         int count, struct hawser_report *report)
+static enum hawser_status again(struct hawser_rom *rom, struct cli_made_modes *modes,
+                                const struct cli_made *made, int n, const int *kept, int count,
+                                struct hawser_report *report)
 {
+	const struct cli_rom_ropeway *of = (const struct cli_rom_ropeway *)made;
 	const struct hawser_line_statics *lane[1] = {&of->line_st};
 	struct hawser_line_rom_options options = of->options;
+	enum hawser_status status;
 
 	options.modes.n = n;
 	options.kept = kept;
 	options.count = count;
-	return hawser_line_rom_build(rom, modes, lane, 1, &options, report);
+	status = hawser_line_rom_build(rom, &modes->lines, lane, 1, &options, report);
+	borrow(modes);
+	return status;
 }
 
-/* Whether a harmonic acts on coordinate j by more than round-off. */
-static int is_loaded(const struct hawser_rom *rom, int j)
+static void comments(struct hawser__table *table, const struct cli_model *model)
 {
-	double all = 0.0, own = 0.0;
-
-	for (int h = 0; h < rom->harmonics; h++)
-		for (int k = 0; rom->harmonic[h].f && k < rom->n; k++) {
-			double f = fabs(rom->harmonic[h].f[k])/rom->K[k*(rom->n + 1)];
-
-			all = fmax(all, f);
-			own = k == j ? fmax(own, f) : own;
-		}
-	return own > 1e-12*all; /* chosen: loads of modes out of the plane are 0 up to some 1e-16 */
-}
-
-/* "1,4,6" */
-static const char *list_of(char *list, size_t size, const struct hawser_line_modes *modes)
-{
-	*list = '\0';
-	for (int k = 0; k < modes->n; k++)
-		hawser__append(list, size, ",", "%d", modes->mode[k].place);
-	return list;
-}
-
-void cli_rom_ropeway_comments(struct hawser__table *table, const struct cli_model *model)
-{
-	const struct cli_rom_ropeway *of = model->ropeway;
-	const struct hawser_ropeway *rw = of ? &of->ropeway : NULL;
-	const struct hawser_line_rom_options *o = of ? &of->options : NULL;
-	char list[4*HAWSER_LINE_ROM_MODES];
-
-	if (!of)
-		return;
+	const struct cli_rom_ropeway *of = (const struct cli_rom_ropeway *)model->made;
+	const struct hawser_line_modes *modes = &of->made.modes.lines;
+	const struct hawser_ropeway *rw = &of->ropeway;
+	const struct hawser_line_rom_options *o = &of->options;
 
 	hawser__table_comment(table, "lane %s without friction, case %s; T = %.9g N at the bottom station, "
 	                      "less the momentum that runs; contact: %s", lane_name[of->lane],
@@ -258,40 +237,37 @@ void cli_rom_ropeway_comments(struct hawser__table *table, const struct cli_mode
 	hawser__table_comment(table, "carriers do not swing; the carriage %s; the bullwheels do not turn",
 	                      o->modes.freedoms ? "moves, with half its mass" : "does not move");
 	hawser__table_comment(table, "damping ratio %.9g of each mode", o->ratio);
-	if (of->chosen > 0)
-		hawser__table_comment(table, "%d of %d modes chosen: --keep %s", of->modes.n, of->chosen,
-		                      list_of(list, sizeof list, &of->modes));
-	for (int k = 0; k < of->modes.n; k++) {
-		const char *load = is_loaded(&model->rom, k) ? "" : "; no load acts on it";
-		int place = of->modes.mode[k].place;
+	cli_made_chosen(table, model);
+	for (int k = 0; k < modes->n; k++) {
+		const char *load = cli_made_loaded(&model->rom, k) ? "" : "; no load acts on it";
+		int place = modes->mode[k].place;
 		struct hawser_line_lift lift;
 
-		hawser_line_rom_lift(&lift, &of->modes, k);
+		hawser_line_rom_lift(&lift, modes, k);
 		if (lift.sheave < 0)
 			hawser__table_comment(table, "mode %d: %.9g rad/s, %s%s", place,
-			                      of->modes.mode[k].omega/of->modes.time_unit,
-			                      hawser_plane_name(of->modes.mode[k].plane), load);
+			                      modes->mode[k].omega/modes->time_unit,
+			                      hawser_plane_name(modes->mode[k].plane), load);
 		else
 			hawser__table_comment(table, "mode %d: %.9g rad/s, %s%s; the rope leaves %s at u = %.4g, "
 			                      "a motion of %.4g m", place,
-			                      of->modes.mode[k].omega/of->modes.time_unit,
-			                      hawser_plane_name(of->modes.mode[k].plane), load,
+			                      modes->mode[k].omega/modes->time_unit,
+			                      hawser_plane_name(modes->mode[k].plane), load,
 			                      of->line.sheave[lift.sheave].name, lift.amplitude, lift.motion);
 	}
-	if (isfinite(cli_modes_end(model)))
-		hawser__table_comment(table, "a range without --to ends at %.9g rad/s, past the highest of "
-		                      "these modes (-n keeps more), or at 3.3w1",
-		                      cli_modes_end(model)*cli_per_omega(model));
 }
 
-void cli_rom_ropeway_free(struct cli_rom_ropeway *of)
+static void clear(struct cli_made *made)
 {
-	if (!of)
-		return;
-	hawser_line_modes_clear(&of->modes);
+	struct cli_rom_ropeway *of = (struct cli_rom_ropeway *)made;
+
 	hawser_line_statics_clear(&of->line_st);
 	free(of->mass);
 	hawser_ropeway_statics_clear(&of->st);
 	hawser_ropeway_clear(&of->ropeway);
-	free(of);
 }
+
+const struct cli_maker cli_maker_ropeway = {
+	.called = "a ropeway", .many = "ropeways", .most = HAWSER_LINE_ROM_MODES,
+	.still = "a ropeway, whose ends do not move by a table: its drive does, as --load drive",
+	.load = load, .again = again, .comments = comments, .clear = clear};

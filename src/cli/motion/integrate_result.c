@@ -180,7 +180,7 @@ enum hawser_status cli_integrate_judge(struct cli_integrate_result *result,
 	int last = result->run.rows - 1;
 	struct hawser_accuracy_motion motion = {.omega = result->omega};
 
-	if ((!model->has_scene && !model->ropeway) || model->automatic || model->rom.exact || last < 0 ||
+	if ((!model->has_scene && !model->made) || model->automatic || model->rom.exact || last < 0 ||
 	    result->model_error.stated)
 		return HAWSER_OK;
 	motion.time = result->run.time[last];

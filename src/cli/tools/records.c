@@ -3,6 +3,7 @@
 #include "config.h"
 
 #include "cli/frame/kinds.h"
+#include "cli/model/made.h"
 #include "cli/statics/statics_kinds.h"
 #include "cli/tools/init_scenes.h"
 
@@ -101,6 +102,7 @@ const struct cli_kind_record
 	cli_kind_beam = {"beam", "a travelling beam or string", SPAN, .text = cli_init_beam,
 		.plan = {cli_plan_of_span, NULL}},
 	cli_kind_net = {"net", "a net of cables", "a net", "nets", cli_init_net, look_net, HAWSER_KIND_NET,
+		1, &cli_maker_net,
 		.statics = {cli_statics_net, cli_statics_net_listing}, .modes = {cli_modes_of_net, NULL},
 		.integrate = {cli_integrate_net, NULL}, .plan = {cli_plan_of_net, NULL}},
 	cli_kind_obstacles = {"obstacles", "a span over obstacles", "a span over obstacles",
@@ -108,12 +110,12 @@ const struct cli_kind_record
 		.statics = {cli_statics_obstacles, cli_obstacles_listing},
 		.modes = {cli_modes_of_obstacles, NULL}},
 	cli_kind_ropeway = {"ropeway", "a ropeway", "a ropeway", "ropeways", cli_init_ropeway,
-		look_ropeway, HAWSER_KIND_ROPEWAY, 1, {cli_statics_ropeway, cli_ropeway_listing},
+		look_ropeway, HAWSER_KIND_ROPEWAY, 1, &cli_maker_ropeway, {cli_statics_ropeway, cli_ropeway_listing},
 		.modes = {cli_modes_of_ropeway, NULL}, .plan = {cli_plan_ropeway, NULL}},
 	cli_kind_rod = {"rod", "a rod", "a rod", "rods", cli_init_rod, look_rod, HAWSER_KIND_ROD,
 		.statics = {cli_statics_rod, cli_rod_listing}, .integrate = {cli_integrate_rod, NULL}},
 	cli_kind_tow = {"tow", "a towed body", "a towed body", "towed bodies", cli_init_tow,
 		look_tow, .kind = HAWSER_KIND_TOW},
 	cli_kind_model = {"model", "a reduced model", "a reduced model", "reduced models", NULL,
-		look_model, HAWSER_KIND_MODEL, 1, .modes = {cli_modes_of_model, NULL},
+		look_model, HAWSER_KIND_MODEL, 1, NULL, .modes = {cli_modes_of_model, NULL},
 		.plan = {cli_plan_of_model, NULL}};

@@ -63,4 +63,18 @@ enum hawser_status hawser__eigen_dense(struct hawser__eigen *eigen, struct hawse
 enum hawser_status hawser__eigen_lanczos(struct hawser__eigen *eigen, struct hawser_report *report)
 	HAWSER_MUST_CHECK;
 
+/* modes.c: an equilibrium, the factors of K there, and modes. */
+struct hawser__net_modal {
+	struct hawser__mesh mesh;
+	double *T;                      /* [elements] N */
+	struct hawser__eigen eigen;     /* of mesh: the structure must not be moved. The vectors x of the
+	                                 * modes have the scale of modes.mass */
+	struct hawser_net_modes modes;
+};
+/* n modes along `axes` (hawser__net_modes). Clear it, on failure too. */
+enum hawser_status hawser__net_modal_open(struct hawser__net_modal *modal, const struct hawser_net *net,
+                                          int n, unsigned axes,
+                                          struct hawser_report *report) HAWSER_MUST_CHECK;
+void hawser__net_modal_clear(struct hawser__net_modal *modal);
+
 #endif

@@ -272,33 +272,51 @@ static enum hawser_status balance(struct hawser__mesh *mesh, double *T, const st
 	return status ? status : hawser__touch_sides(mesh, net, report);
 }
 
+void hawser__net_modal_clear(struct hawser__net_modal *modal)
+{
+	hawser__eigen_clear(&modal->eigen);
+	hawser__mesh_clear(&modal->mesh);
+	free(modal->T);
+	hawser_net_modes_clear(&modal->modes);
+}
+
+enum hawser_status hawser__net_modal_open(struct hawser__net_modal *modal, const struct hawser_net *net,
+                                          int n, unsigned axes, struct hawser_report *report)
+{
+	struct hawser__mesh *mesh = &modal->mesh;
+	struct hawser_net_modes *modes = &modal->modes;
+	enum hawser_status status = hawser__mesh_build(mesh, net, report);
+
+	*modes = (struct hawser_net_modes){.nodes = net->nodes};
+	modal->eigen = (struct hawser__eigen){.n = 0};
+	modal->T = NULL;
+	if (!status)
+		status = hawser__net_supported(mesh, net, report);
+	if (!status && !(modal->T = calloc((size_t)mesh->elements + 1, sizeof *modal->T)))
+		status = hawser__no_memory(report, "net");
+	if (!status)
+		status = balance(mesh, modal->T, net, report);
+	if (!status && axes != HAWSER__NET_SPACE)
+		hawser__mesh_along(mesh, axes);
+	if (!status && mesh->touches)
+		status = contacts(modes, mesh, modal->T, net, report);
+	modes->unknowns = mesh->unknowns;
+	if (!status)
+		status = hawser__eigen_open(&modal->eigen, mesh, modal->T, net, n, report);
+	if (!status)
+		status = solve(modes, &modal->eigen, report);
+	return status;
+}
+
 enum hawser_status hawser__net_modes(struct hawser_net_modes *modes, const struct hawser_net *net,
                                      int n, unsigned axes, struct hawser_report *report)
 {
-	struct hawser__mesh mesh = {0};
-	struct hawser__eigen eigen = {0};
-	double *T = NULL;
-	enum hawser_status status = hawser__mesh_build(&mesh, net, report);
+	struct hawser__net_modal modal = {.T = NULL};
+	enum hawser_status status = hawser__net_modal_open(&modal, net, n, axes, report);
 
-	*modes = (struct hawser_net_modes){.nodes = net->nodes};
-	if (!status)
-		status = hawser__net_supported(&mesh, net, report);
-	if (!status && !(T = calloc((size_t)mesh.elements + 1, sizeof *T)))
-		status = hawser__no_memory(report, "net");
-	if (!status)
-		status = balance(&mesh, T, net, report);
-	if (!status && axes != HAWSER__NET_SPACE)
-		hawser__mesh_along(&mesh, axes);
-	if (!status && mesh.touches)
-		status = contacts(modes, &mesh, T, net, report);
-	modes->unknowns = mesh.unknowns;
-	if (!status)
-		status = hawser__eigen_open(&eigen, &mesh, T, net, n, report);
-	if (!status)
-		status = solve(modes, &eigen, report);
-	hawser__eigen_clear(&eigen);
-	hawser__mesh_clear(&mesh);
-	free(T);
+	*modes = modal.modes;
+	modal.modes = (struct hawser_net_modes){.n = 0};
+	hawser__net_modal_clear(&modal);
 	if (status)
 		hawser_net_modes_clear(modes);
 	return status;

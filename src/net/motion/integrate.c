@@ -231,11 +231,28 @@ static enum hawser_status still(struct run *run, struct hawser_report *report)
 	return status ? status : hawser__touch_sides(&run->mesh, run->net, report);
 }
 
+/* What only models have. */
+static enum hawser_status check(const struct hawser_net *net, struct hawser_report *report)
+{
+	const char *key = net->ratio > 0.0 ? "damping.ratio" : net->mass_rate > 0.0
+	                  ? "damping.rayleigh" : NULL;
+
+	for (int i = 0; i < net->loads + net->motions && !key; i++)
+		key = (i < net->loads ? net->load[i] : net->motion[i - net->loads]).multiple > 0
+		      ? "multiple in place of Omega" : NULL;
+	return !key ? HAWSER_OK
+	       : hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s: %s is for models, as of frf: the motion "
+	                      "of the mesh has damping.alpha and damping.axial, and loads with a frequency",
+	                      net->name, key);
+}
+
 static enum hawser_status prepare(struct run *run, struct hawser_report *report)
 {
 	const struct hawser_net_motion_options *options = run->options;
-	enum hawser_status status;
+	enum hawser_status status = check(run->net, report);
 
+	if (status)
+		return status;
 	if (!(options->until > 0.0) || !isfinite(options->until))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "the end of the motion must be a "
 		                    "positive time, not %g s", options->until);

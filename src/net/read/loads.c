@@ -17,6 +17,17 @@ static enum hawser_status more(struct hawser_net_load **list, int count, struct 
 	return hawser__more(list, count, sizeof **list) ? hawser__no_memory(report, "net") : HAWSER_OK;
 }
 
+/* A harmonic has a frequency or a multiple. */
+static enum hawser_status frequency(struct hawser__reader *reader, const struct hawser_net_load *load,
+                                    const struct hawser__tree *tree, const char *what,
+                                    const char *section)
+{
+	if (!load->harmonic || (load->Omega > 0.0) != (load->multiple > 0))
+		return HAWSER_OK;
+	return hawser__reader_fail(reader, &tree->at, "%s%s needs one of Omega (rad/s) and multiple, of "
+	                           "the frequency of a response, not both", what, section);
+}
+
 /* One load of a node or cable: a vector, or a mapping. */
 static enum hawser_status load_of(struct hawser__reader *reader, struct hawser_net *net,
                                   const struct hawser__tree *tree, int node, int cable,
@@ -37,6 +48,8 @@ static enum hawser_status load_of(struct hawser__reader *reader, struct hawser_n
 		                                                               : "net.loads.**");
 	else
 		status = hawser__tree_vector(reader, load->value, 3, tree, what, "N");
+	if (!status)
+		status = frequency(reader, load, hawser__tree_find(tree, "harmonic"), what, ".harmonic");
 	net->loads += !status;
 	return status;
 }
@@ -113,6 +126,8 @@ static enum hawser_status motion_of(struct hawser__reader *reader, struct hawser
 		path[sizeof path - 2] = *one->name;
 		snprintf(axis, sizeof axis, "%.200s.motion.%c", what, *one->name);
 		status = hawser__tree_fill(reader, motion, one, axis, path);
+		if (!status)
+			status = frequency(reader, motion, one, axis, "");
 		net->motions += !status;
 	}
 	return status;

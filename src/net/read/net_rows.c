@@ -12,7 +12,9 @@
 #define SURFACE_AT(member) offsetof(struct hawser_surface, member)
 
 #define WAVE(path) \
-	NUMBER(path ".Omega", REQUIRED, "rad/s", POSITIVE, LOAD_AT(Omega), NULL, "angular frequency") \
+	NUMBER(path ".Omega", ONE_OF, "rad/s", POSITIVE, LOAD_AT(Omega), NULL, "angular frequency") \
+	INTEGER(path ".multiple", ONE_OF, 1, 20, LOAD_AT(multiple), NULL, \
+	        "in place of it, of the frequency of a response: for frf and what takes models") \
 	NUMBER(path ".phase", OPTIONAL, "rad", ANY, LOAD_AT(phase), "0", "phase")
 #define LOAD_OF(path, key, unit, doc) \
 	VECTOR(path key, 3, REQUIRED, unit, ANY, LOAD_AT(value), NULL, doc) \
@@ -83,6 +85,11 @@ static const struct hawser__tree_key net_rows[] = {
 	       "viscous force per length and velocity")
 	NUMBER("net.damping.axial", OPTIONAL, "s", NOT_NEGATIVE, NET_AT(axial), NULL,
 	       "T = EA (strain + axial d strain/dt)")
+	SECTION("net.damping.rayleigh", OPTIONAL, "of models, as of frf, alone: force mass M v")
+	NUMBER("net.damping.rayleigh.mass", REQUIRED, "1/s", NOT_NEGATIVE, NET_AT(mass_rate), NULL,
+	       "its coefficient")
+	LIMITED("net.damping.ratio", OPTIONAL, "1", NOT_NEGATIVE, 0.99, NET_AT(ratio), NULL,
+	        "of models, as of frf, alone: damping ratio of each mode")
 	SECTION("net.dynamics", OPTIONAL, "time integration")
 	TEXT("net.dynamics.from", OPTIONAL, NET_AT(dynamics.from), "statics",
 	     "first state: the equilibrium (statics), or a file of a state")

@@ -39,7 +39,8 @@ struct hawser__answers {
 	int count;
 	struct hawser__driven *driven;   /* [count] in the order of the model's harmonics */
 	double factor;                   /* of each */
-	int fields;                      /* static parts that are shapes, behind the coordinates */
+	int fields;                      /* displacements that are shapes, behind the coordinates: */
+	int ends;                        /* so many by moving supports, then static parts of answers */
 	struct {
 		int k, sine;                 /* the shape has the factor factor*cos(k tau), or sine */
 		double factor;
@@ -59,6 +60,10 @@ void hawser__expanded_second(double *shape, double *slope, double *line, const s
 enum hawser_status hawser__expanded_answers(struct hawser_rom *rom, const struct hawser__expanded *e,
                                             const struct hawser__answers *answers,
                                             struct hawser_report *report);
+/* The displacement by moving supports that is field i, as a harmonic without force. expanded_answer.c. */
+enum hawser_status hawser__expanded_lift(struct hawser_rom *rom, const struct hawser__expanded *e,
+                                         const struct hawser__answers *answers, int i,
+                                         struct hawser_report *report);
 /* Terms of the energy with the fields. expanded_answer.c. */
 enum hawser_status hawser__expanded_fields(struct hawser_rom *rom, const struct hawser__expanded *e,
                                            const struct hawser__answers *answers,

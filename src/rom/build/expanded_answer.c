@@ -121,6 +121,38 @@ enum hawser_status hawser__expanded_answers(struct hawser_rom *rom, const struct
 
 /* --- fields --- */
 
+enum hawser_status hawser__expanded_lift(struct hawser_rom *rom, const struct hawser__expanded *e,
+                                         const struct hawser__answers *answers, int i,
+                                         struct hawser_report *report)
+{
+	size_t points = 4*(size_t)rom->shapes.points, line = (size_t)rom->line.points;
+	struct hawser_harmonic *h = realloc(rom->harmonic, ((size_t)rom->harmonics + 1)*sizeof *h);
+	double slope[3];
+
+	if (!h)
+		return hawser__no_memory(report, "line rom");
+	rom->harmonic = h;
+	h += rom->harmonics++;
+	*h = (struct hawser_harmonic){.k = answers->field[i].k,
+		.phase = answers->field[i].sine ? HAWSER_SIN : HAWSER_COS,
+		.answer = calloc(ORDERS*points + 1, sizeof *h->answer),
+		.answer_line = calloc(ORDERS*line + 1, sizeof *h->answer_line),
+		.known = calloc((size_t)rom->known.modes + 1, sizeof *h->known)};
+	if (!h->answer || !h->answer_line || !h->known)
+		return hawser__no_memory(report, "line rom");
+	for (int p = 0; p < rom->shapes.points; p++) {
+		e->shape_at(h->answer + 4*p, slope, e->of, rom->n + i, p);
+		h->answer[4*p + 3] = slope[0];
+	}
+	for (int p = 0; p < rom->line.points; p++) {
+		double u[3];
+
+		e->shape_at(u, slope, e->of, rom->n + i, rom->shapes.points + p);
+		h->answer_line[p] = slope[0];
+	}
+	return HAWSER_OK;
+}
+
 /* Slopes across the structure of field i at the shape points and on the line; the strain along it is in
  * `answer` of the harmonics. */
 static void note_slopes(struct hawser_rom *rom, const struct hawser__expanded *e, int i)
@@ -141,10 +173,11 @@ enum hawser_status hawser__expanded_fields(struct hawser_rom *rom, const struct 
                                            const struct hawser__answers *answers,
                                            struct hawser_report *report)
 {
-	struct hawser__fields fields = {.size = rom->n, .moving = rom->n, .count = answers->fields};
+	struct hawser__fields fields = {.size = rom->n, .moving = rom->n, .count = answers->fields,
+	                                .ends = answers->ends};
 	struct hawser_rom tensors = {.n = rom->n};
 	enum hawser_status status;
-	int matter = 0;
+	int matter = answers->ends > 0;
 
 	for (int i = 0; i < fields.count; i++) {
 		double factor = answers->field[i].factor;

@@ -1,5 +1,5 @@
-/* cli/model/ropeway_choice.c - the modes that a model of a ropeway leaves out, weighed in the motions
- * of its response, and a model of those that matter.
+/* cli/model/made_choice.c - the modes that a model of a ropeway or of a net leaves out, weighed in the
+ * motions of its response, and a model of those that matter.
  *
  * Weights of carriers act at the first harmonics of their frequency, and products of the motion at all.
  * Which of the many modes of a line with several spans that concerns, their number does not tell. The
@@ -11,20 +11,22 @@
 #include <stdlib.h>
 
 #include "cli/frame/view.h"
-#include "cli/model/rom_ropeway.h"
+#include "cli/model/made.h"
 
 /* Fewest candidates, within which those lie that the second and third harmonics drive, and how many
  * there are if the model is to have the best of them. */
 enum { MANY = 24, CHOICE = 32 };
+enum { CANDIDATES = 90 };            /* at most: those of a model */
 enum { MOST = 20, TRIES = 5 };      /* modes of a model that is chosen, and models tried; chosen */
 static const double wanted = 0.05;  /* error that ends the search; chosen, half of what is warned of */
 static const double next = 0.2;     /* what the next model may leave out, over it; as in accuracy.c */
 
+static const double near = 0.01;    /* relative gap of frequencies within a cluster */
+
 struct candidates {
-	struct hawser_line_modes lines;
-	struct hawser_modes modes; /* borrows from them */
+	struct cli_made_modes modes;
 	struct hawser_choice choice;
-	struct hawser_line_modes kept; /* of the model of the kept ones, */
+	struct cli_made_modes kept; /* of the model of the kept ones, */
 	struct hawser_rom rom;         /* and its response */
 	struct hawser_frf frf;
 };
@@ -33,41 +35,40 @@ static void clear_model(struct candidates *c)
 {
 	hawser_frf_clear(&c->frf);
 	hawser_rom_clear(&c->rom);
-	hawser_line_modes_clear(&c->kept);
+	cli_made_modes_clear(&c->kept);
 }
 
 static void clear(struct candidates *c)
 {
 	clear_model(c);
 	hawser_choice_clear(&c->choice);
-	hawser_line_modes_clear(&c->lines);
+	cli_made_modes_clear(&c->modes);
 }
 
 /* At least `fewest`, of which the kept ones are those of the model. */
 static enum hawser_status open(struct candidates *c, const struct cli_model *model, int fewest,
                                double from, double to, struct hawser_report *report)
 {
-	const struct cli_rom_ropeway *of = model->ropeway;
-	int n = of->modes.mode[of->modes.n - 1].place;
+	const struct cli_made *of = model->made;
+	const struct hawser_modes *own = &of->modes.modes;
+	int n = own->mode[own->n - 1].place;
 	struct hawser_rom all = {.n = 0};
 	enum hawser_status status;
 
 	n = n + n/2 > fewest ? n + n/2 : fewest;
-	n = n < HAWSER_LINE_ROM_MODES ? n : HAWSER_LINE_ROM_MODES;
-	status = cli_rom_ropeway_again(&all, &c->lines, of, n, NULL, 0, report);
-	c->modes = (struct hawser_modes){.n = c->lines.n, .mode = c->lines.mode,
-	                                 .time_unit = c->lines.time_unit};
+	n = n < of->by->most ? n : of->by->most;
+	status = of->by->again(&all, &c->modes, of, n, NULL, 0, report);
 	if (!status)
-		status = hawser_choice_of(&c->choice, &all, &c->modes, from, to, report);
+		status = hawser_choice_of(&c->choice, &all, &c->modes.modes, from, to, report);
 	for (int j = 0; j < c->choice.n; j++)
 		c->choice.mode[j].kept = 0;
-	for (int k = 0; !status && k < of->modes.n; k++)
-		c->choice.mode[of->modes.mode[k].place - 1].kept = 1;
+	for (int k = 0; !status && k < own->n; k++)
+		c->choice.mode[own->mode[k].place - 1].kept = 1;
 	hawser_rom_clear(&all);
 	return status;
 }
 
-enum hawser_status cli_ropeway_error(struct hawser_accuracy_fixed *fixed, const struct cli_model *model,
+enum hawser_status cli_made_error(struct hawser_accuracy_fixed *fixed, const struct cli_model *model,
                                      const struct hawser_frf *frf, double from, double to,
                                      struct hawser_report *report)
 {
@@ -82,11 +83,30 @@ enum hawser_status cli_ropeway_error(struct hawser_accuracy_fixed *fixed, const 
 	return status;
 }
 
+/* Keep all modes of clusters of which one is kept: split, the model misses how they drive each other. */
+static int join(struct hawser_choice *choice)
+{
+	int changed = 0;
+
+	for (int pass = 0; pass < 2; pass++)
+		for (int i = 1; i < choice->n; i++) {
+			int j = pass ? choice->n - i : i; /* upwards, then downwards */
+			const struct hawser_mode *mode = choice->modes->mode;
+
+			if (choice->mode[j].kept == choice->mode[j - 1].kept ||
+			    mode[j].omega - mode[j - 1].omega > near*mode[j].omega)
+				continue;
+			choice->mode[j].kept = choice->mode[j - 1].kept = 1;
+			changed = 1;
+		}
+	return changed;
+}
+
 /* Keep what matters in the motions that were weighed; 0: the same as before. `first`: modes at rest are
  * dropped. */
-static int choose(struct hawser_choice *choice, int first)
+static int choose(struct hawser_choice *choice, int first, int clusters)
 {
-	int changed = 0, kept[HAWSER_LINE_ROM_MODES];
+	int changed = 0, kept[CANDIDATES];
 
 	for (int j = 0; first && j < choice->n; j++)
 		if (choice->mode[j].kept && choice->mode[j].measure == 0.0) {
@@ -94,16 +114,18 @@ static int choose(struct hawser_choice *choice, int first)
 			changed = 1;
 		}
 	changed |= hawser_choice_raise(choice, next*wanted) > 0;
+	if (clusters)
+		changed |= join(choice);
 	if (hawser_choice_kept(kept, choice) > MOST)
 		hawser_choice_first(choice, MOST);
 	return changed;
 }
 
 /* The model of the kept modes, and a draft of its response. */
-static enum hawser_status again(struct candidates *c, const struct cli_rom_ropeway *of,
+static enum hawser_status again(struct candidates *c, const struct cli_made *of,
                                 const struct hawser_frf_options *options, struct hawser_report *report)
 {
-	int kept[HAWSER_LINE_ROM_MODES], count = hawser_choice_kept(kept, &c->choice);
+	int kept[CANDIDATES], count = hawser_choice_kept(kept, &c->choice);
 	struct hawser_frf_options draft = *options;
 	enum hawser_status status;
 
@@ -111,7 +133,7 @@ static enum hawser_status again(struct candidates *c, const struct cli_rom_ropew
 	draft.tolerance = 1e-6; /* far below the errors */
 	draft.skip_events = draft.unjudged = 1;
 	clear_model(c);
-	status = cli_rom_ropeway_again(&c->rom, &c->kept, of, c->choice.n, kept, count, report);
+	status = of->by->again(&c->rom, &c->kept, of, c->choice.n, kept, count, report);
 	return status ? status : hawser_frf_trace(&c->frf, &c->rom, &draft, report);
 }
 
@@ -127,18 +149,18 @@ static enum hawser_status take(struct hawser_frf *frf, struct cli_model *model, 
 		return status;
 	hawser_frf_clear(frf);
 	hawser_rom_clear(&model->rom);
-	hawser_line_modes_clear(&model->ropeway->modes);
+	cli_made_modes_clear(&model->made->modes);
 	*frf = c->frf;
 	model->rom = c->rom;
-	model->ropeway->modes = c->kept;
-	model->ropeway->chosen = c->choice.n;
+	model->made->modes = c->kept;
+	model->made->chosen = c->choice.n;
 	c->frf = (struct hawser_frf){.n = 0};
 	c->rom = (struct hawser_rom){.n = 0};
-	c->kept = (struct hawser_line_modes){.n = 0};
+	c->kept = (struct cli_made_modes){.modes = {.n = 0}};
 	return HAWSER_OK;
 }
 
-enum hawser_status cli_ropeway_response(struct hawser_frf *frf, struct cli_model *model,
+enum hawser_status cli_made_response(struct hawser_frf *frf, struct cli_model *model,
                                         struct cli_frf_result *result,
                                         const struct hawser_frf_options *options,
                                         struct hawser_report *report)
@@ -152,9 +174,9 @@ enum hawser_status cli_ropeway_response(struct hawser_frf *frf, struct cli_model
 	for (; tries < TRIES && !status && !cli_interrupted(); tries++) {
 		status = hawser_accuracy_among(&fixed, &c.choice, c.rom.n ? &c.rom : &model->rom,
 		                               c.rom.n ? &c.frf : frf, &why);
-		if (status || fixed.estimated <= wanted || !choose(&c.choice, tries == 0))
+		if (status || fixed.estimated <= wanted || !choose(&c.choice, tries == 0, model->made->by->clusters))
 			break;
-		status = again(&c, model->ropeway, options, &why);
+		status = again(&c, model->made, options, &why);
 	}
 	if (!status && c.rom.n > 0 && !cli_interrupted())
 		status = take(frf, model, &c, options, &why);

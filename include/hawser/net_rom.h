@@ -1,0 +1,47 @@
+/* hawser/net_rom.h - the nonlinear response of a net: its modes as the coordinates of a reduced model
+ * (rom.h), with the harmonic loads of nodes and cables and the harmonic motions of supports.
+ *
+ * The strain energy of all elements to fourth order, and the static response of the modes that are not
+ * kept, are in the tensors Q and C; what the load makes of these modes is in the energy too, and in
+ * `answer` and `known` of its harmonics (doc/theory-rom.md, "Nets"). A model is that of a net that
+ * stays taut, without obstacles. What is left of the error by the length of the elements is of fourth
+ * order: models of the mesh and of one with half as many elements are extrapolated.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_NET_ROM_H
+#define HAWSER_NET_ROM_H
+
+#include <hawser/net.h>
+#include <hawser/rom.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum { HAWSER_NET_ROM_MODES = 60 }; /* most coordinates of a model */
+
+struct hawser_net_rom_options {
+	int n;              /* the lowest modes; 0: 6, and those whose frequency is that of the last one
+	                     * within 1 % */
+	const int *kept;    /* [count] indices of those that are coordinates, ascending; NULL: all. The
+	                     * others follow */
+	int count;
+	int raw;            /* 1: of the mesh as it is, without extrapolation: for comparison */
+};
+
+/* A model, and in *modes n, mode and time_unit of its coordinates. The frequency Omega of the model is
+ * that of the loads whose multiple is 1, or the lowest one of loads with given frequencies, of which
+ * the others must be multiples. Shape points are the nodes that move, by their names, and on each
+ * cable "NAME_mid" and, of at most four cables, "NAME_quarter" and "NAME_three_quarter"; displacements
+ * are along x, y, z. Both are overwritten; release them with hawser_rom_clear and hawser_modes_clear.
+ * Statuses of hawser_net_modes_solve; HAWSER_ERR_ARGUMENT also for obstacles, frequencies that are not
+ * multiples of one, and motions by tables. */
+enum hawser_status hawser_net_rom_build(struct hawser_rom *rom, struct hawser_modes *modes,
+                                        const struct hawser_net *net,
+                                        const struct hawser_net_rom_options *options,
+                                        struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,85 @@
+/* cli/model/made.c - what models of scenes that are no spans have in common: see made.h.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "cli/model/made.h"
+#include "core/append.h"
+#include "core/report.h"
+
+enum { LIST = 400 }; /* characters of a list of modes */
+
+void cli_made_modes_clear(struct cli_made_modes *modes)
+{
+	if (modes->lines.n > 0)
+		modes->modes.mode = NULL;
+	hawser_line_modes_clear(&modes->lines);
+	hawser_modes_clear(&modes->modes);
+}
+
+void cli_made_free(struct cli_made *made)
+{
+	if (!made)
+		return;
+	cli_made_modes_clear(&made->modes);
+	made->by->clear(made);
+	free(made);
+}
+
+enum hawser_status cli_made_keep(int *kept, int *count, int *n, const char *list,
+                                 const struct cli_maker *by, struct hawser_report *report)
+{
+	const char *from = list;
+	char *end;
+	int last = 0;
+
+	if (*n > 0)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom", "--keep %s says which modes are kept: "
+		                    "leave out --modes %d", list, *n);
+	do {
+		long index = strtol(from, &end, 10);
+
+		if (end == from || index <= last || index > by->most || (*end && *end != ','))
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom", "--keep %s: give numbers of modes "
+			                    "from 1 to %d, ascending, such as 1,4,6", list, by->most);
+		kept[(*count)++] = (last = (int)index) - 1;
+		from = end + 1;
+	} while (*end);
+	*n = last;
+	return HAWSER_OK;
+}
+
+int cli_made_loaded(const struct hawser_rom *rom, int j)
+{
+	double all = 0.0, own = 0.0;
+
+	for (int h = 0; h < rom->harmonics; h++)
+		for (int k = 0; rom->harmonic[h].f && k < rom->n; k++) {
+			double f = fabs(rom->harmonic[h].f[k])/rom->K[k*(rom->n + 1)];
+
+			all = fmax(all, f);
+			own = k == j ? fmax(own, f) : own;
+		}
+	return own > 1e-12*all; /* chosen: loads of modes out of the plane are 0 up to some 1e-16 */
+}
+
+/* "1,4,6" */
+static const char *list_of(char *list, size_t size, const struct hawser_modes *modes)
+{
+	*list = '\0';
+	for (int k = 0; k < modes->n; k++)
+		hawser__append(list, size, ",", "%d", modes->mode[k].place);
+	return list;
+}
+
+void cli_made_chosen(struct hawser__table *table, const struct cli_model *model)
+{
+	const struct cli_made *made = model->made;
+	char list[LIST];
+
+	if (made->chosen > 0)
+		hawser__table_comment(table, "%d of %d modes chosen: --keep %s", made->modes.modes.n,
+		                      made->chosen, list_of(list, sizeof list, &made->modes.modes));
+}

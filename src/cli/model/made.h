@@ -1,0 +1,62 @@
+/* cli/model/made.h - models of scenes that are no spans: how they are made, and made again with other
+ * modes. SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_CLI_MADE_H
+#define HAWSER_CLI_MADE_H
+
+#include <hawser/line_rom.h>
+
+#include "cli/frame/cli.h"
+
+/* The modes that are coordinates of a model. */
+struct cli_made_modes {
+	struct hawser_modes modes;       /* n, mode and time_unit */
+	struct hawser_line_modes lines;  /* of a ropeway, to which `mode` belongs then */
+};
+void cli_made_modes_clear(struct cli_made_modes *modes);
+
+struct cli_maker {
+	const char *called, *many;  /* "a ropeway", "ropeways" */
+	const char *still;          /* why no table moves it, for a message */
+	int most;                   /* coordinates of a model */
+	int clusters;               /* 1: modes of nearly equal frequencies are kept together */
+	/* model->made and model->rom; n: number of modes, 0 for the default. */
+	enum hawser_status (*load)(struct cli_model *model, const struct cli_common *common, int n,
+	                           struct hawser_report *report);
+	/* The same with n modes, or those of them that kept[count] are the indices of; modes: without
+	 * `name`. Release them with hawser_rom_clear and cli_made_modes_clear. */
+	enum hawser_status (*again)(struct hawser_rom *rom, struct cli_made_modes *modes,
+	                            const struct cli_made *made, int n, const int *kept, int count,
+	                            struct hawser_report *report);
+	void (*comments)(struct hawser__table *table, const struct cli_model *model);
+	void (*clear)(struct cli_made *made); /* without the modes */
+};
+
+/* The first member of what it is made from. */
+struct cli_made {
+	const struct cli_maker *by;
+	struct cli_made_modes modes;
+	int chosen;                  /* candidates of a choice of modes; 0: none was made */
+};
+void cli_made_free(struct cli_made *made);
+/* --keep: "1,4,6", as indices kept[by->most]; *count, and n, the last of them. */
+enum hawser_status cli_made_keep(int *kept, int *count, int *n, const char *list,
+                                 const struct cli_maker *by,
+                                 struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Comments on a choice, and where a range ends. */
+void cli_made_chosen(struct hawser__table *table, const struct cli_model *model);
+/* Whether a harmonic acts on coordinate j by more than round-off. */
+int cli_made_loaded(const struct hawser_rom *rom, int j);
+
+/* made_choice.c: the error by the modes that the model of the response leaves out, and a response of
+ * a model of those modes that matter, in place of both where there is one. */
+enum hawser_status cli_made_error(struct hawser_accuracy_fixed *fixed, const struct cli_model *model,
+                                  const struct hawser_frf *frf, double from, double to,
+                                  struct hawser_report *report) HAWSER_MUST_CHECK;
+enum hawser_status cli_made_response(struct hawser_frf *frf, struct cli_model *model,
+                                     struct cli_frf_result *result,
+                                     const struct hawser_frf_options *options,
+                                     struct hawser_report *report) HAWSER_MUST_CHECK;
+
+extern const struct cli_maker cli_maker_ropeway, cli_maker_net;
+
+#endif

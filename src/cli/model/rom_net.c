@@ -1,0 +1,72 @@
+/* cli/model/rom_net.c - the model of a scene of kind `net` (hawser/net_rom.h). Every command that takes
+ * model files takes it. SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <stdlib.h>
+
+#include <hawser/net_rom.h>
+
+#include "cli/model/made.h"
+#include "core/report.h"
+
+struct cli_rom_net {
+	struct cli_made made;
+	struct hawser_net net;
+	int kept[HAWSER_NET_ROM_MODES]; /* --keep */
+};
+
+static enum hawser_status again(struct hawser_rom *rom, struct cli_made_modes *modes,
+                                const struct cli_made *made, int n, const int *kept, int count,
+                                struct hawser_report *report)
+{
+	const struct cli_rom_net *of = (const struct cli_rom_net *)made;
+	const struct hawser_net_rom_options options = {.n = n, .kept = kept, .count = count};
+
+	return hawser_net_rom_build(rom, &modes->modes, &of->net, &options, report);
+}
+
+static enum hawser_status load(struct cli_model *model, const struct cli_common *common, int n,
+                               struct hawser_report *report)
+{
+	struct cli_rom_net *of = calloc(1, sizeof *of);
+	enum hawser_status status;
+	int count = 0;
+
+	if (!of)
+		return hawser__no_memory(report, "rom");
+	model->made = &of->made;
+	of->made.by = &cli_maker_net;
+	status = cli_read_net(&of->net, common, report);
+	if (!status)
+		status = hawser_net_refine(&of->net, report);
+	if (!status && common->lane.keep)
+		status = cli_made_keep(of->kept, &count, &n, common->lane.keep, &cli_maker_net, report);
+	return status ? status : again(&model->rom, &of->made.modes, &of->made, n,
+	                               count ? of->kept : NULL, count, report);
+}
+
+static void comments(struct hawser__table *table, const struct cli_model *model)
+{
+	const struct cli_rom_net *of = (const struct cli_rom_net *)model->made;
+	const struct hawser_modes *modes = &of->made.modes.modes;
+	long elements = 0;
+
+	for (int c = 0; c < of->net.cables; c++)
+		elements += of->net.cable[c].elements;
+	hawser__table_comment(table, "a net of %d cables with %ld elements", of->net.cables, elements);
+	cli_made_chosen(table, model);
+	for (int k = 0; k < modes->n; k++)
+		hawser__table_comment(table, "u_%d: mode %d, %.9g rad/s%s", k + 1, modes->mode[k].place,
+		                      modes->mode[k].omega/modes->time_unit,
+		                      cli_made_loaded(&model->rom, k) ? "" : "; no load acts on it");
+}
+
+static void clear(struct cli_made *made)
+{
+	hawser_net_clear(&((struct cli_rom_net *)made)->net);
+}
+
+const struct cli_maker cli_maker_net = {
+	.called = "a net", .many = "nets", .most = HAWSER_NET_ROM_MODES, .clusters = 1,
+	.still = "a net, whose mesh moves by tables: hawser integrate, with supports.NAME.table",
+	.load = load, .again = again, .comments = comments, .clear = clear};

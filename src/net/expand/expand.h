@@ -1,0 +1,52 @@
+/* net/expand/expand.h - the energy of a net to fourth order in given shapes, the rest of it following
+ * statically (doc/theory-rom.md, "Nets"). SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_NET_EXPAND_H
+#define HAWSER_NET_EXPAND_H
+
+#include "core/hold.h"
+#include "net/modes/eigen.h"
+
+/* Units are m, and `energy` for energies. A displacement is a row of the mesh's unknowns; one of the
+ * supports, a row of its nodes. */
+struct hawser__nexpand {
+	const struct hawser__mesh *mesh;
+	struct hawser__sparse *sparse; /* the factors of K */
+	double energy;           /* J */
+	int n, modes, pairs;     /* shapes, of which the first are modes, along which nothing follows */
+	const double *omega2;    /* [modes] their stiffness, in `energy` */
+	double (*shape)[3];      /* [n][nodes] m, displacements */
+	double *weight, *strain; /* [elements] EA L0 over `energy`; g - 1, of stretch g */
+	double (*axes)[3][3];    /* [elements] tangent, and two normals */
+	double (*slope)[3];      /* [n][elements] a, b, c along these */
+	double *third;           /* [n][n][n] third derivatives of the energy */
+	double *pairing;         /* [pairs][pairs]: the part of fourth derivatives that one way to pair four
+	                          * indices gives */
+	double *second;          /* [pairs][unknowns] m: 1/2 sum u_j u_k w_jk follows */
+	struct hawser__hold hold;
+};
+
+static inline int hawser__nexpand_pair(int j, int k)
+{
+	return j <= k ? k*(k + 1)/2 + j : j*(j + 1)/2 + k;
+}
+
+/* The elements, and room for n shapes, of which the caller fills `shape` and omega2. Clear it, on failure
+ * too. HAWSER_ERR_NO_SOLUTION: a slack element that moves. */
+enum hawser_status hawser__nexpand_open(struct hawser__nexpand *t,
+                                        const struct hawser__net_modal *modal, double energy, int n,
+                                        int modes, struct hawser_report *report) HAWSER_MUST_CHECK;
+/* The slopes of the shapes, then all derivatives and what follows. */
+enum hawser_status hawser__nexpand_fill(struct hawser__nexpand *t,
+                                        struct hawser_report *report) HAWSER_MUST_CHECK;
+void hawser__nexpand_clear(struct hawser__nexpand *t);
+
+double hawser__nexpand_fourth(const struct hawser__nexpand *t, const int index[4]);
+/* a, b, c at an element of displacements [nodes][3] or of a row of unknowns. */
+void hawser__nexpand_slope(double slope[3], const struct hawser__nexpand *t, int element,
+                           const double (*shape)[3]);
+void hawser__nexpand_row_slope(double slope[3], const struct hawser__nexpand *t, int element,
+                               const double *row);
+/* Third derivative by shapes j and k and a field with the slopes [elements][3]. */
+double hawser__nexpand_third(const struct hawser__nexpand *t, int j, int k, const double (*field)[3]);
+
+#endif

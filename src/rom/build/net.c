@@ -1,0 +1,453 @@
+/* rom/build/net.c - the reduced model of a net: its modes, the expanded energy of its elements
+ * (net/expand/expand.h), damping, loads and places.
+ *
+ * Units: the mass of the net, the unstretched length of its longest cable, and the largest tension. The
+ * coordinates have the mass 1.
+ *
+ * The elements have errors of second order in their length, which are those of the matrices too. The
+ * model is 4/3 of that of the mesh less 1/3 of one with half as many elements, whose modes are turned
+ * to those of the first: entry by entry what is left is of fourth order.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <cblas.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "rom/build/model.h"
+#include "rom/build/net.h"
+
+enum { DEFAULT = 6, CLUSTER = 4 }; /* modes; most that join the default ones */
+static const double near = 0.01;   /* relative gap of frequencies within a cluster: split, the model
+                                    * misses how its modes drive each other */
+
+static enum hawser_status check(const struct hawser_net *net, const struct hawser_net_rom_options *o,
+                                struct hawser_report *report)
+{
+	if (o->n < 0 || o->n > HAWSER_NET_ROM_MODES)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net rom", "%d modes asked: a model of a net "
+		                    "has 1 to %d", o->n, HAWSER_NET_ROM_MODES);
+	for (int i = 0; o->kept && i < o->count; i++)
+		if (o->kept[i] < (i ? o->kept[i - 1] + 1 : 0) || o->kept[i] >= o->n)
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net rom", "the index of a mode that is "
+			                    "kept is %d: give ones below the number of modes, ascending",
+			                    o->kept[i]);
+	for (int i = 0; i < net->nodes; i++)
+		if (net->node[i].table)
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net rom", "%s: node %s moves by a table, "
+			                    "and the response is to harmonic motions: give supports.%s.motion",
+			                    net->name, net->node[i].name, net->node[i].name);
+	return hawser__touch_none(net, "rom", report);
+}
+
+/* --- the modes --- */
+
+static void set_units(struct hawser__net_source *source)
+{
+	const struct hawser__mesh *mesh = &source->modal.mesh;
+
+	for (int i = 0; i < mesh->nodes; i++)
+		source->mass += mesh->mass[i];
+	for (int c = 0; c < mesh->cables; c++) {
+		double length = 0.0;
+
+		for (int e = mesh->first[c]; e < mesh->first[c + 1]; e++) {
+			length += mesh->length0[e];
+			source->mass += mesh->rho[e]*mesh->length0[e];
+			source->force = fmax(source->force, source->modal.T[e]);
+			source->EA = fmax(source->EA, mesh->EA[e]);
+		}
+		source->length = fmax(source->length, length);
+	}
+	source->time = sqrt(source->mass*source->length/source->force);
+}
+
+/* The default number, and those near the last one. */
+static int joined(const struct hawser_net_modes *modes)
+{
+	int n = modes->n < DEFAULT ? modes->n : DEFAULT;
+
+	while (n < modes->n && modes->omega[n] - modes->omega[n - 1] < near*modes->omega[n])
+		n++;
+	return n;
+}
+
+static enum hawser_status find_modes(struct hawser__net_source *source,
+                                     const struct hawser_net_rom_options *o,
+                                     struct hawser_report *report)
+{
+	struct hawser__net_modal *modal = &source->modal;
+	int n = o->n > 0 ? o->n : DEFAULT + CLUSTER;
+	enum hawser_status status = hawser__net_modal_open(modal, source->net, n, HAWSER__NET_SPACE, report);
+	size_t unknowns = (size_t)modal->mesh.unknowns;
+
+	if (status && o->n == 0 && status != HAWSER_ERR_MEMORY) { /* fewer unknowns with mass */
+		hawser__net_modal_clear(modal);
+		status = hawser__net_modal_open(modal, source->net, 0, HAWSER__NET_SPACE, report);
+	}
+	if (status)
+		return status;
+	set_units(source);
+	source->n = o->kept ? o->count : o->n > 0 ? o->n : joined(&modal->modes);
+	source->kept = hawser__hold(&source->hold, (size_t)source->n, sizeof *source->kept);
+	source->mode = hawser__hold(&source->hold, (size_t)source->n*unknowns, sizeof *source->mode);
+	source->scratch = hawser__hold(&source->hold, unknowns + 1, sizeof *source->scratch);
+	source->place = hawser__hold(&source->hold, (size_t)(source->net->nodes + 6*source->net->cables),
+	                             sizeof *source->place);
+	if (source->hold.short_of_memory)
+		return hawser__no_memory(report, "net rom");
+	for (int j = 0; j < source->n; j++) {
+		int k = source->kept[j] = o->kept ? o->kept[j] : j;
+
+		cblas_daxpy((int)unknowns, source->length*sqrt(source->mass/modal->modes.mass[k]),
+		            modal->eigen.x + (size_t)k*unknowns, 1, source->mode + (size_t)j*unknowns, 1);
+	}
+	return HAWSER_OK;
+}
+
+static double omega_of(const struct hawser__net_source *source, int j)
+{
+	return source->modal.modes.omega[source->kept[j]]*source->time;
+}
+
+/* kg m^2, the mass of a coordinate. */
+static double inertia_of(const struct hawser__net_source *source)
+{
+	return source->mass*source->length*source->length;
+}
+
+/* --- the response of the modes that are not kept --- */
+
+static void remove_kept(const struct hawser__net_source *source, double *row)
+{
+	int unknowns = source->modal.mesh.unknowns;
+
+	for (int j = 0; j < source->n; j++) {
+		const double *mode = source->mode + (size_t)j*(size_t)unknowns;
+
+		cblas_daxpy(unknowns, -hawser__net_mass(source, mode, row)/inertia_of(source), mode, 1, row, 1);
+	}
+}
+
+static double product(const void *of, const double *x, const double *y)
+{
+	return hawser__net_mass(of, x, y)/inertia_of(of);
+}
+
+static enum hawser_status follow(const void *of, double *to, const double *from,
+                                 struct hawser_report *report)
+{
+	const struct hawser__net_source *source = of;
+	int unknowns = source->modal.mesh.unknowns;
+	enum hawser_status status;
+
+	hawser__eigen_mass(to, from, &source->modal.mesh, 7U);
+	status = hawser__sparse_solve(to, source->modal.eigen.sparse, report);
+	cblas_dscal(unknowns, 1.0/(source->time*source->time), to, 1);
+	remove_kept(source, to);
+	return status;
+}
+
+/* As a field of the energy, while there is room. */
+static void add_field(struct hawser__answers *answers, int k, int sine)
+{
+	answers->field[answers->fields].k = k;
+	answers->field[answers->fields].sine = sine;
+	answers->field[answers->fields++].factor = 1.0;
+}
+
+static enum hawser_status answer(struct hawser__answers *answers, struct hawser__net_source *source,
+                                 struct hawser_report *report)
+{
+	const struct hawser__driven_by by = {.of = source, .product = product, .follow = follow,
+	                                     .width = (size_t)source->modal.mesh.unknowns};
+	enum hawser_status status = HAWSER_OK;
+
+	answers->factor = 1.0;
+	answers->driven = calloc((size_t)source->waves + 1, sizeof *answers->driven);
+	if (!answers->driven)
+		return hawser__no_memory(report, "net rom");
+	for (int i = 0; i < source->waves && !status; i++) {
+		const struct hawser__net_wave *wave = &source->wave[i];
+		struct hawser__driven *driven = &answers->driven[answers->count++];
+
+		status = hawser__driven_open(driven, by.width, report);
+		if (status)
+			break;
+		cblas_daxpy((int)by.width, pow(source->time, -wave->power), wave->row, 1, driven->field, 1);
+		status = hawser__sparse_solve(driven->field, source->modal.eigen.sparse, report);
+		remove_kept(source, driven->field);
+		if (!status)
+			status = hawser__driven_find(driven, &by, report);
+	}
+	for (int i = 0; i < source->lifts && answers->fields < HAWSER__LOAD_FIELDS; i++)
+		add_field(answers, source->lift[i].k, source->lift[i].sine);
+	answers->ends = answers->fields;
+	for (int i = 0; i < source->waves && answers->fields < HAWSER__LOAD_FIELDS; i++)
+		if (source->wave[i].power == 0)
+			add_field(answers, source->wave[i].k, source->wave[i].sine);
+	return status;
+}
+
+/* --- the expansion --- */
+
+static enum hawser_status expand(struct hawser__net_source *source, double *omega2,
+                                 const struct hawser__answers *answers, struct hawser_report *report)
+{
+	struct hawser__nexpand *t = &source->t;
+	int nodes = source->modal.mesh.nodes, at = source->n;
+
+	t->omega2 = omega2;
+	for (int j = 0; j < source->n; j++) {
+		omega2[j] = omega_of(source, j)*omega_of(source, j);
+		hawser__net_spread(t->shape + (size_t)j*(size_t)nodes, source,
+		                   source->mode + (size_t)j*(size_t)source->modal.mesh.unknowns);
+	}
+	for (int i = 0; i < answers->ends; i++, at++)
+		memcpy(t->shape + (size_t)at*(size_t)nodes, source->lift[i].shape,
+		       (size_t)nodes*sizeof *t->shape);
+	for (int i = 0; i < source->waves && at < t->n; i++)
+		if (source->wave[i].power == 0)
+			hawser__net_spread(t->shape + (size_t)at++*(size_t)nodes, source, answers->driven[i].field);
+	return hawser__nexpand_fill(t, report);
+}
+
+/* --- the model --- */
+
+static void set_matrices(struct hawser_rom *rom, const struct hawser__net_source *source)
+{
+	double unit = inertia_of(source)/source->time;
+	int unknowns = source->modal.mesh.unknowns, nodes = source->modal.mesh.nodes, n = rom->n;
+
+	for (int j = 0; j < n; j++) {
+		double omega = omega_of(source, j);
+
+		for (int k = 0; k <= j; k++)
+			rom->D[j*n + k] = rom->D[k*n + j] =
+				hawser__net_damping(source, (const double (*)[3])source->t.shape +
+				                    (size_t)k*(size_t)nodes,
+				                    source->mode + (size_t)j*(size_t)unknowns)/unit;
+		rom->K[j*(n + 1)] = omega*omega;
+		rom->D[j*(n + 1)] += 2.0*source->net->ratio*omega;
+	}
+}
+
+/* Forces on the coordinates, and the stiffness by the static response of the others. */
+static enum hawser_status set_harmonics(struct hawser_rom *rom, const struct hawser__net_source *source,
+                                        const struct hawser__answers *answers,
+                                        struct hawser_report *report)
+{
+	int unknowns = source->modal.mesh.unknowns, elements = source->modal.mesh.elements, n = rom->n;
+	double (*slope)[3] = calloc((size_t)elements + 1, sizeof *slope);
+
+	rom->harmonic = calloc((size_t)source->waves + 1, sizeof *rom->harmonic);
+	for (int i = 0; i < source->waves && rom->harmonic && slope; i++) {
+		const struct hawser__net_wave *wave = &source->wave[i];
+		struct hawser_harmonic *h = &rom->harmonic[rom->harmonics++];
+
+		*h = (struct hawser_harmonic){.k = wave->k, .phase = wave->sine ? HAWSER_SIN : HAWSER_COS,
+			.omega_power = wave->power, .f = hawser__numbers((size_t)n, 1),
+			.K = hawser__numbers((size_t)n, (size_t)n)};
+		if (!h->f || !h->K)
+			break;
+		for (int e = 0; e < elements; e++)
+			hawser__nexpand_row_slope(slope[e], &source->t, e, answers->driven[i].field);
+		for (int j = 0; j < n; j++) {
+			h->f[j] = cblas_ddot(unknowns, source->mode + (size_t)j*(size_t)unknowns, 1, wave->row, 1)/
+			          (source->t.energy*pow(source->time, wave->power));
+			for (int k = 0; k < n; k++)
+				h->K[j*n + k] = hawser__nexpand_third(&source->t, j, k, (const double (*)[3])slope);
+		}
+	}
+	free(slope);
+	return rom->harmonics == source->waves && rom->harmonic &&
+	       (!rom->harmonics || rom->harmonic[rom->harmonics - 1].K) ? HAWSER_OK
+	       : hawser__no_memory(report, "net rom");
+}
+
+static enum hawser_status set_labels(struct hawser_rom *rom, const struct hawser__net_source *source,
+                                     struct hawser_report *report)
+{
+	const struct hawser_net_modes *modes = &source->modal.modes;
+
+	rom->label = calloc((size_t)rom->n, sizeof *rom->label);
+	for (int j = 0; rom->label && j < rom->n; j++) {
+		int k = source->kept[j];
+		const char *side = modes->symmetry.flat ? hawser_net_plane_side(modes->parity[k][0]) : NULL;
+		char text[48];
+
+		snprintf(text, sizeof text, "mode %d%s%s%s", k + 1, side ? " (" : "", side ? side : "",
+		         side ? ")" : "");
+		rom->label[j] = strdup(text);
+		if (!rom->label[j])
+			return hawser__no_memory(report, "net rom");
+	}
+	return rom->label ? HAWSER_OK : hawser__no_memory(report, "net rom");
+}
+
+static enum hawser_status set_places(struct hawser_rom *rom, struct hawser__net_source *source,
+                                     const struct hawser__expanded *e, struct hawser_report *report)
+{
+	int points = source->net->nodes + 6*source->net->cables, n = rom->n;
+	char **name = calloc((size_t)points, sizeof *name);
+	enum hawser_status status = name ? hawser__net_places(source, name, report)
+	                                 : hawser__no_memory(report, "net rom");
+
+	points = source->shapes;
+	if (!status)
+		status = hawser__rom_init_shapes(rom, points, report);
+	if (!status)
+		status = hawser__rom_init_line(rom, source->places - points, report);
+	for (int p = 0; name && p < points; p++) {
+		if (status)
+			free(name[p]);
+		else
+			rom->shapes.name[p] = name[p];
+	}
+	free(name);
+	rom->shapes.EA = source->EA;
+	for (int p = 0; p < source->places && !status; p++) {
+		int own = p < points;
+		double *s = own ? rom->shapes.s + p : rom->line.s + (p - points);
+		double *stretch = own ? rom->shapes.stretch + p : rom->line.stretch + (p - points);
+
+		*s = source->place[p].s/source->length;
+		*stretch = hawser__net_place_stretch(source, p);
+		if (own)
+			rom->shapes.tangent[2*p] = 1.0;
+		for (int j = 0; j < n; j++) {
+			double unused[3];
+
+			if (own)
+				e->shape_at(rom->shapes.shape + 3*(j*points + p), rom->shapes.slope + 3*(j*points + p),
+				            e->of, j, p);
+			else
+				e->shape_at(unused, rom->line.slope + 3*(j*(source->places - points) + p - points),
+				            e->of, j, p);
+		}
+	}
+	return status;
+}
+
+static enum hawser_status set_second(struct hawser_rom *rom, const struct hawser__expanded *e,
+                                     struct hawser_report *report)
+{
+	enum hawser_status status = hawser__rom_init_second(rom, report);
+
+	if (!status)
+		hawser__expanded_second(rom->shapes.second_shape, rom->shapes.second_slope,
+		                        rom->line.second_slope, rom, e, 0, rom->n*(rom->n + 1)/2);
+	return status;
+}
+
+static enum hawser_status fill(struct hawser_rom *rom, struct hawser__net_source *source,
+                               const struct hawser__answers *answers, struct hawser_report *report)
+{
+	const struct hawser__expanded e = hawser__net_expanded(source);
+	enum hawser_status status = hawser__rom_init(rom, source->n, report);
+
+	if (status)
+		return status;
+	rom->length = source->length;
+	rom->time = source->time;
+	rom->force = source->force;
+	rom->scaled = 1;
+	set_matrices(rom, source);
+	status = hawser__expanded_tensors(rom, &e, rom->n, 0, report);
+	if (!status)
+		status = set_labels(rom, source, report);
+	if (!status)
+		status = set_places(rom, source, &e, report);
+	if (!status)
+		status = set_second(rom, &e, report);
+	if (!status)
+		status = set_harmonics(rom, source, answers, report);
+	if (!status)
+		status = hawser__expanded_answers(rom, &e, answers, report);
+	for (int i = 0; i < answers->ends && !status; i++)
+		status = hawser__expanded_lift(rom, &e, answers, i, report);
+	return status ? status : hawser__expanded_fields(rom, &e, answers, report);
+}
+
+static void clear(struct hawser__net_source *source)
+{
+	hawser__nexpand_clear(&source->t);
+	hawser__net_modal_clear(&source->modal);
+	hawser__hold_clear(&source->hold);
+}
+
+/* The model of a mesh; its modes, in the structure that is given. */
+static enum hawser_status build(struct hawser_rom *rom, struct hawser__net_source *source,
+                                const struct hawser_net_rom_options *o, struct hawser_report *report)
+{
+	struct hawser__answers answers = {.count = 0};
+	double omega2[HAWSER_NET_ROM_MODES];
+	enum hawser_status status = find_modes(source, o, report);
+
+	if (!status)
+		status = hawser__nexpand_open(&source->t, &source->modal, source->force*source->length, 0, 0,
+		                              report);
+	if (!status)
+		status = hawser__net_loads_of(source, report);
+	if (!status)
+		status = answer(&answers, source, report);
+	hawser__nexpand_clear(&source->t);
+	if (!status)
+		status = hawser__nexpand_open(&source->t, &source->modal, source->force*source->length,
+		                              source->n + answers.fields, source->n, report);
+	if (!status)
+		status = expand(source, omega2, &answers, report);
+	if (!status)
+		status = fill(rom, source, &answers, report);
+	hawser__answers_clear(&answers);
+	return status;
+}
+
+static enum hawser_status take_modes(struct hawser_modes *modes,
+                                     const struct hawser__net_source *source,
+                                     struct hawser_report *report)
+{
+	int number[2] = {0};
+
+	modes->mode = calloc((size_t)source->n, sizeof *modes->mode);
+	if (!modes->mode)
+		return hawser__no_memory(report, "net rom");
+	modes->n = source->n;
+	modes->time_unit = source->time;
+	for (int j = 0; j < source->n; j++) {
+		int out = source->modal.modes.share[source->kept[j]][2] > 0.5;
+
+		modes->mode[j] = (struct hawser_mode){.omega = omega_of(source, j),
+			.plane = out ? HAWSER_OUT_OF_PLANE : HAWSER_IN_PLANE, .place = source->kept[j] + 1,
+			.number = ++number[out], .symmetry = HAWSER_MIXED};
+	}
+	return HAWSER_OK;
+}
+
+enum hawser_status hawser_net_rom_build(struct hawser_rom *rom, struct hawser_modes *modes,
+                                        const struct hawser_net *net,
+                                        const struct hawser_net_rom_options *options,
+                                        struct hawser_report *report)
+{
+	struct hawser__net_source source = {.net = net};
+	enum hawser_status status = check(net, options, report);
+
+	memset(rom, 0, sizeof *rom);
+	memset(modes, 0, sizeof *modes);
+	if (!status)
+		status = build(rom, &source, options, report);
+	if (!status)
+		status = take_modes(modes, &source, report);
+	if (!status)
+		status = hawser_rom_compile(rom, report);
+	clear(&source);
+	if (status) {
+		hawser_rom_clear(rom);
+		hawser_modes_clear(modes);
+	}
+	return status;
+}

@@ -1,0 +1,64 @@
+/* rom/build/net.h - the parts of a model of a net: see net.c.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_ROM_NET_H
+#define HAWSER_ROM_NET_H
+
+#include <hawser/net_rom.h>
+
+#include "net/expand/expand.h"
+#include "rom/build/expanded.h"
+
+/* Between two nodes of the mesh, with the strains of two elements. */
+struct hawser__net_place {
+	int node[2], element[2];
+	double share, s;   /* of the second node; m, unstretched length from the beginning of the first
+	                    * cable, over all of them */
+};
+
+/* A force on the unknowns, row*Omega^power*cos(k Omega t), or sine. */
+struct hawser__net_wave {
+	int k, sine, power;
+	double *row;           /* [unknowns] N s^power */
+};
+
+/* The displacement by moving supports, at rest else: shape*cos(k Omega t), or sine. */
+struct hawser__net_lift {
+	int k, sine;
+	double (*shape)[3];    /* [nodes] m */
+};
+
+struct hawser__net_source {
+	struct hawser__net_modal modal;
+	struct hawser__nexpand t;
+	const struct hawser_net *net;
+	int n, *kept;              /* coordinates, and their modes */
+	double *mode;              /* [n][unknowns] m, the modes per coordinate */
+	double length, time, force, mass, EA; /* units; that of the model's shapes */
+	int places, shapes;        /* shape points, then the line */
+	struct hawser__net_place *place;
+	int waves, lifts;
+	struct hawser__net_wave *wave;
+	struct hawser__net_lift *lift;
+	double *scratch;           /* [unknowns] */
+	struct hawser__hold hold;
+};
+
+/* net_load.c: waves and lifts of the scene. */
+enum hawser_status hawser__net_loads_of(struct hawser__net_source *source,
+                                        struct hawser_report *report) HAWSER_MUST_CHECK;
+/* x'M y of rows, and, of nodes' displacements x and a row y, x'D y of all damping but by ratio; kg
+ * m^2, and per s. */
+double hawser__net_mass(const struct hawser__net_source *source, const double *x, const double *y);
+double hawser__net_damping(const struct hawser__net_source *source, const double (*x)[3],
+                           const double *y);
+/* shape [nodes][3] of a row. */
+void hawser__net_spread(double (*shape)[3], const struct hawser__net_source *source, const double *row);
+
+/* net_place.c: the places; the expansion as that of a model. */
+enum hawser_status hawser__net_places(struct hawser__net_source *source, char **name,
+                                      struct hawser_report *report) HAWSER_MUST_CHECK;
+struct hawser__expanded hawser__net_expanded(const struct hawser__net_source *source);
+/* Stretch of a place, of a cable of the model's EA. */
+double hawser__net_place_stretch(const struct hawser__net_source *source, int place);
+
+#endif
