@@ -5,7 +5,8 @@
  * kept, are in the tensors Q and C; what the load makes of these modes is in the energy too, and in
  * `answer` and `known` of its harmonics (doc/theory-rom.md, "Nets"). A model is that of a net that
  * stays taut, without obstacles. What is left of the error by the length of the elements is of fourth
- * order: models of the mesh and of one with half as many elements are extrapolated.
+ * order: models of the mesh, with a multiple of 8 elements a cable, and of one with half as many are
+ * extrapolated.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_NET_ROM_H
@@ -26,7 +27,9 @@ struct hawser_net_rom_options {
 	const int *kept;    /* [count] indices of those that are coordinates, ascending; NULL: all. The
 	                     * others follow */
 	int count;
-	int raw;            /* 1: of the mesh as it is, without extrapolation: for comparison */
+	int raw;            /* 1: of one mesh, without extrapolation: for comparison */
+	int bare;           /* 1: the static response of the modes that are not kept to the load changes the
+	                     * stiffness alone, and is no field of the energy: for comparison */
 };
 
 /* A model, and in *modes n, mode and time_unit of its coordinates. The frequency Omega of the model is

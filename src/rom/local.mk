@@ -97,6 +97,7 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/build/model.h \
 	%D%/build/net.c \
 	%D%/build/net.h \
+	%D%/build/net_finer.c \
 	%D%/build/net_load.c \
 	%D%/build/net_place.c \
 	%D%/file/open.c \

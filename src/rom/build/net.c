@@ -4,9 +4,7 @@
  * Units: the mass of the net, the unstretched length of its longest cable, and the largest tension. The
  * coordinates have the mass 1.
  *
- * The elements have errors of second order in their length, which are those of the matrices too. The
- * model is 4/3 of that of the mesh less 1/3 of one with half as many elements, whose modes are turned
- * to those of the first: entry by entry what is left is of fourth order.
+ * The error of second order in the length of elements is taken out by net_finer.c.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -76,6 +74,38 @@ static int joined(const struct hawser_net_modes *modes)
 	return n;
 }
 
+static enum hawser_status allocate(struct hawser__net_source *source, struct hawser_report *report)
+{
+	size_t unknowns = (size_t)source->modal.mesh.unknowns;
+
+	source->kept = hawser__hold(&source->hold, (size_t)source->n, sizeof *source->kept);
+	source->mode = hawser__hold(&source->hold, (size_t)source->n*unknowns, sizeof *source->mode);
+	source->scratch = hawser__hold(&source->hold, unknowns + 1, sizeof *source->scratch);
+	source->place = hawser__hold(&source->hold, (size_t)(source->net->nodes + 6*source->net->cables),
+	                             sizeof *source->place);
+	return source->hold.short_of_memory ? hawser__no_memory(report, "net rom") : HAWSER_OK;
+}
+
+/* As many modes as `fine` has looked at, and the coordinates and units of that. */
+static enum hawser_status find_like(struct hawser__net_source *source, int *aligned,
+                                    const struct hawser__net_source *fine,
+                                    struct hawser_report *report)
+{
+	enum hawser_status status = hawser__net_modal_open(&source->modal, source->net,
+	                                                   fine->modal.modes.n, HAWSER__NET_SPACE, report);
+
+	if (status)
+		return status;
+	source->length = fine->length;
+	source->time = fine->time;
+	source->force = fine->force;
+	source->mass = fine->mass;
+	source->EA = fine->EA;
+	source->n = fine->n;
+	status = allocate(source, report);
+	return status ? status : hawser__net_align(aligned, source, fine, report);
+}
+
 static enum hawser_status find_modes(struct hawser__net_source *source,
                                      const struct hawser_net_rom_options *o,
                                      struct hawser_report *report)
@@ -83,7 +113,7 @@ static enum hawser_status find_modes(struct hawser__net_source *source,
 	struct hawser__net_modal *modal = &source->modal;
 	int n = o->n > 0 ? o->n : DEFAULT + CLUSTER;
 	enum hawser_status status = hawser__net_modal_open(modal, source->net, n, HAWSER__NET_SPACE, report);
-	size_t unknowns = (size_t)modal->mesh.unknowns;
+	size_t unknowns;
 
 	if (status && o->n == 0 && status != HAWSER_ERR_MEMORY) { /* fewer unknowns with mass */
 		hawser__net_modal_clear(modal);
@@ -93,13 +123,10 @@ static enum hawser_status find_modes(struct hawser__net_source *source,
 		return status;
 	set_units(source);
 	source->n = o->kept ? o->count : o->n > 0 ? o->n : joined(&modal->modes);
-	source->kept = hawser__hold(&source->hold, (size_t)source->n, sizeof *source->kept);
-	source->mode = hawser__hold(&source->hold, (size_t)source->n*unknowns, sizeof *source->mode);
-	source->scratch = hawser__hold(&source->hold, unknowns + 1, sizeof *source->scratch);
-	source->place = hawser__hold(&source->hold, (size_t)(source->net->nodes + 6*source->net->cables),
-	                             sizeof *source->place);
-	if (source->hold.short_of_memory)
-		return hawser__no_memory(report, "net rom");
+	status = allocate(source, report);
+	if (status)
+		return status;
+	unknowns = (size_t)modal->mesh.unknowns;
 	for (int j = 0; j < source->n; j++) {
 		int k = source->kept[j] = o->kept ? o->kept[j] : j;
 
@@ -380,21 +407,21 @@ static void clear(struct hawser__net_source *source)
 	hawser__hold_clear(&source->hold);
 }
 
-/* The model of a mesh; its modes, in the structure that is given. */
+/* The model of a mesh whose modes are found. */
 static enum hawser_status build(struct hawser_rom *rom, struct hawser__net_source *source,
                                 const struct hawser_net_rom_options *o, struct hawser_report *report)
 {
 	struct hawser__answers answers = {.count = 0};
 	double omega2[HAWSER_NET_ROM_MODES];
-	enum hawser_status status = find_modes(source, o, report);
-
-	if (!status)
-		status = hawser__nexpand_open(&source->t, &source->modal, source->force*source->length, 0, 0,
+	enum hawser_status status =
+		hawser__nexpand_open(&source->t, &source->modal, source->force*source->length, 0, 0,
 		                              report);
 	if (!status)
 		status = hawser__net_loads_of(source, report);
 	if (!status)
 		status = answer(&answers, source, report);
+	if (o->bare)
+		answers.fields = answers.ends;
 	hawser__nexpand_clear(&source->t);
 	if (!status)
 		status = hawser__nexpand_open(&source->t, &source->modal, source->force*source->length,
@@ -407,7 +434,31 @@ static enum hawser_status build(struct hawser_rom *rom, struct hawser__net_sourc
 	return status;
 }
 
-static enum hawser_status take_modes(struct hawser_modes *modes,
+/* Without the error of the length of elements. */
+static enum hawser_status extrapolate(struct hawser_rom *rom, const struct hawser__net_source *fine,
+                                      const struct hawser_net *net,
+                                      const struct hawser_net_rom_options *o,
+                                      struct hawser_report *report)
+{
+	struct hawser_net half;
+	struct hawser__net_source source = {.net = &half};
+	struct hawser_rom coarse = {.n = 0};
+	enum hawser_status status = hawser__net_finer(&half, net, 1, report);
+	int aligned = 0;
+
+	if (!status)
+		status = find_like(&source, &aligned, fine, report);
+	if (!status && aligned)
+		status = build(&coarse, &source, o, report);
+	if (!status && aligned)
+		status = hawser__net_mix(rom, &coarse, report);
+	hawser_rom_clear(&coarse);
+	clear(&source);
+	free(half.cable);
+	return status;
+}
+
+static enum hawser_status take_modes(struct hawser_modes *modes, const struct hawser_rom *rom,
                                      const struct hawser__net_source *source,
                                      struct hawser_report *report)
 {
@@ -421,7 +472,7 @@ static enum hawser_status take_modes(struct hawser_modes *modes,
 	for (int j = 0; j < source->n; j++) {
 		int out = source->modal.modes.share[source->kept[j]][2] > 0.5;
 
-		modes->mode[j] = (struct hawser_mode){.omega = omega_of(source, j),
+		modes->mode[j] = (struct hawser_mode){.omega = sqrt(rom->K[j*(rom->n + 1)]),
 			.plane = out ? HAWSER_OUT_OF_PLANE : HAWSER_IN_PLANE, .place = source->kept[j] + 1,
 			.number = ++number[out], .symmetry = HAWSER_MIXED};
 	}
@@ -433,18 +484,26 @@ enum hawser_status hawser_net_rom_build(struct hawser_rom *rom, struct hawser_mo
                                         const struct hawser_net_rom_options *options,
                                         struct hawser_report *report)
 {
-	struct hawser__net_source source = {.net = net};
+	struct hawser_net fine = {.nodes = 0};
+	struct hawser__net_source source = {.net = &fine};
 	enum hawser_status status = check(net, options, report);
 
 	memset(rom, 0, sizeof *rom);
 	memset(modes, 0, sizeof *modes);
 	if (!status)
-		status = build(rom, &source, options, report);
+		status = hawser__net_finer(&fine, net, 0, report);
 	if (!status)
-		status = take_modes(modes, &source, report);
+		status = find_modes(&source, options, report);
+	if (!status)
+		status = build(rom, &source, options, report);
+	if (!status && !options->raw)
+		status = extrapolate(rom, &source, net, options, report);
+	if (!status)
+		status = take_modes(modes, rom, &source, report);
 	if (!status)
 		status = hawser_rom_compile(rom, report);
 	clear(&source);
+	free(fine.cable);
 	if (status) {
 		hawser_rom_clear(rom);
 		hawser_modes_clear(modes);

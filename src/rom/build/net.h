@@ -11,6 +11,7 @@
 /* Between two nodes of the mesh, with the strains of two elements. */
 struct hawser__net_place {
 	int node[2], element[2];
+	double weight[2];  /* of the strains */
 	double share, s;   /* of the second node; m, unstretched length from the beginning of the first
 	                    * cable, over all of them */
 };
@@ -53,6 +54,19 @@ double hawser__net_damping(const struct hawser__net_source *source, const double
                            const double *y);
 /* shape [nodes][3] of a row. */
 void hawser__net_spread(double (*shape)[3], const struct hawser__net_source *source, const double *row);
+
+/* net_finer.c: the net with the elements that models have, or half of them; free its `cable`. */
+enum hawser_status hawser__net_finer(struct hawser_net *to, const struct hawser_net *net, int half,
+                                     struct hawser_report *report) HAWSER_MUST_CHECK;
+/* The modes of a mesh most like the coordinates of a finer one, in kept and mode; *aligned 0: there are
+ * none. */
+enum hawser_status hawser__net_align(int *aligned, struct hawser__net_source *coarse,
+                                     const struct hawser__net_source *fine,
+                                     struct hawser_report *report) HAWSER_MUST_CHECK;
+/* The model of the finer mesh becomes that without its error; where the loads of both matter
+ * differently, it stays. */
+enum hawser_status hawser__net_mix(struct hawser_rom *to, const struct hawser_rom *from,
+                                   struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* net_place.c: the places; the expansion as that of a model. */
 enum hawser_status hawser__net_places(struct hawser__net_source *source, char **name,

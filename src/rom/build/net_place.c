@@ -30,7 +30,7 @@ static struct hawser__net_place on_cable(const struct hawser__mesh *mesh, int ca
 {
 	int first = mesh->first[cable], count = mesh->first[cable + 1] - first, left, right;
 	double at = part*count;
-	struct hawser__net_place place = {.s = 0.0};
+	struct hawser__net_place place = {.weight = {0.5, 0.5}};
 
 	left = at > 0.0 ? (int)ceil(at) - 1 : 0;
 	right = at < count ? (int)at : count - 1;
@@ -39,6 +39,11 @@ static struct hawser__net_place on_cable(const struct hawser__mesh *mesh, int ca
 	place.node[0] = mesh->end[first + right][0];
 	place.node[1] = mesh->end[first + right][1];
 	place.share = at - right;
+	if (left == right && count > 1 && place.share != 0.5) { /* an end: beyond two middles of elements */
+		place.element[1] += left ? -1 : 1;
+		place.weight[0] = 1.5;
+		place.weight[1] = -0.5;
+	}
 	for (int e = 0; e < first; e++)
 		place.s += mesh->length0[e];
 	place.s += at*mesh->length0[first];
@@ -117,9 +122,10 @@ enum hawser_status hawser__net_places(struct hawser__net_source *source, char **
 
 static double strain_of(const struct hawser__net_source *source, int place)
 {
-	const int *element = source->place[place].element;
+	const struct hawser__net_place *at = &source->place[place];
 
-	return 0.5*(source->t.strain[element[0]] + source->t.strain[element[1]]);
+	return at->weight[0]*source->t.strain[at->element[0]] +
+	       at->weight[1]*source->t.strain[at->element[1]];
 }
 
 static double ratio_of(const struct hawser__net_source *source, int place)
@@ -132,15 +138,16 @@ double hawser__net_place_stretch(const struct hawser__net_source *source, int pl
 	return 1.0 + ratio_of(source, place)*strain_of(source, place);
 }
 
-/* The mean of the strains of two elements, of the model's EA. */
+/* Of the strains of two elements, of the model's EA. */
 static void strains(double slope[3], const struct hawser__net_source *source, int place,
                     const double left[3], const double right[3])
 {
+	const double *weight = source->place[place].weight;
 	double r = ratio_of(source, place);
 	double aside = sqrt(r*hawser__net_place_stretch(source, place)/(1.0 + strain_of(source, place)));
 
 	for (int c = 0; c < 3; c++)
-		slope[c] = 0.5*(c ? aside : r)*(left[c] + right[c]);
+		slope[c] = (c ? aside : r)*(weight[0]*left[c] + weight[1]*right[c]);
 }
 
 static void between(double u[3], const struct hawser__net_source *source, int place,
