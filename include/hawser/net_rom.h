@@ -35,7 +35,7 @@ struct hawser_net_rom_options {
 /* A model, and in *modes n, mode and time_unit of its coordinates. The frequency Omega of the model is
  * that of the loads whose multiple is 1, or the lowest one of loads with given frequencies, of which
  * the others must be multiples. Shape points are the nodes that move, by their names, and on each
- * cable "NAME_mid" and, of at most four cables, "NAME_quarter" and "NAME_three_quarter"; displacements
+ * cable "NAME_mid" and, of at most two cables, "NAME_quarter" and "NAME_three_quarter"; displacements
  * are along x, y, z. Both are overwritten; release them with hawser_rom_clear and hawser_modes_clear.
  * Statuses of hawser_net_modes_solve; HAWSER_ERR_ARGUMENT also for obstacles, frequencies that are not
  * multiples of one, and motions by tables. */

@@ -48,6 +48,15 @@ static void note(double *shape, double *line, const struct hawser_rom *rom,
 	}
 }
 
+/* 0: all modes that the force drives are kept. */
+static int answers_at_all(const struct hawser__driven *driven)
+{
+	for (size_t i = 0; i < driven->width; i++)
+		if (driven->field[i] != 0.0)
+			return 1;
+	return 0;
+}
+
 static enum hawser_status set_harmonic(struct hawser_rom *rom, struct hawser_harmonic *h,
                                        const struct hawser__expanded *e,
                                        const struct hawser__driven *driven, double factor,
@@ -55,6 +64,8 @@ static enum hawser_status set_harmonic(struct hawser_rom *rom, struct hawser_har
 {
 	size_t points = 4*(size_t)rom->shapes.points, line = (size_t)rom->line.points;
 
+	if (!answers_at_all(driven))
+		return HAWSER_OK;
 	h->answer = calloc(ORDERS*points + 1, sizeof *h->answer);
 	h->answer_line = calloc(ORDERS*line + 1, sizeof *h->answer_line);
 	if (!h->answer || !h->answer_line)
@@ -101,9 +112,10 @@ enum hawser_status hawser__expanded_answers(struct hawser_rom *rom, const struct
 
 	for (int i = 0; i < answers->count; i++) {
 		all += answers->driven[i].known;
-		reach = fmin(reach, answers->driven[i].reach);
+		if (answers_at_all(&answers->driven[i]))
+			reach = fmin(reach, answers->driven[i].reach);
 	}
-	if (answers->count > 0)
+	if (isfinite(reach))
 		status = hawser__rom_known_make(rom, all, report);
 	all = 0;
 	for (int i = 0; i < answers->count && !status; i++) {
@@ -114,7 +126,7 @@ enum hawser_status hawser__expanded_answers(struct hawser_rom *rom, const struct
 			status = set_known(rom, &rom->harmonic[i], all, e, driven, factor, report);
 		all += driven->known;
 	}
-	if (!status && answers->count > 0)
+	if (!status && isfinite(reach))
 		rom->known.reach = reach;
 	return status;
 }

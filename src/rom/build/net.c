@@ -23,6 +23,8 @@ enum { DEFAULT = 6, CLUSTER = 4 }; /* modes; most that join the default ones */
 static const double near = 0.01;   /* relative gap of frequencies within a cluster: split, the model
                                     * misses how its modes drive each other */
 
+static const double nothing = 1e-20; /* relative square of what round-off leaves */
+
 static enum hawser_status check(const struct hawser_net *net, const struct hawser_net_rom_options *o,
                                 struct hawser_report *report)
 {
@@ -179,6 +181,19 @@ static enum hawser_status follow(const void *of, double *to, const double *from,
 	return status;
 }
 
+/* The static response; nothing but round-off where all modes that are driven are kept. */
+static enum hawser_status hold(double *row, const struct hawser__net_source *source,
+                               struct hawser_report *report)
+{
+	enum hawser_status status = hawser__sparse_solve(row, source->modal.eigen.sparse, report);
+	double before = hawser__net_mass(source, row, row);
+
+	remove_kept(source, row);
+	if (!(hawser__net_mass(source, row, row) > nothing*before))
+		memset(row, 0, (size_t)source->modal.mesh.unknowns*sizeof *row);
+	return status;
+}
+
 /* As a field of the energy, while there is room. */
 static void add_field(struct hawser__answers *answers, int k, int sine)
 {
@@ -206,8 +221,7 @@ static enum hawser_status answer(struct hawser__answers *answers, struct hawser_
 		if (status)
 			break;
 		cblas_daxpy((int)by.width, pow(source->time, -wave->power), wave->row, 1, driven->field, 1);
-		status = hawser__sparse_solve(driven->field, source->modal.eigen.sparse, report);
-		remove_kept(source, driven->field);
+		status = hold(driven->field, source, report);
 		if (!status)
 			status = hawser__driven_find(driven, &by, report);
 	}

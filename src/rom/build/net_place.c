@@ -15,7 +15,7 @@
 #include "core/report.h"
 #include "rom/build/net.h"
 
-enum { FEW = 4 }; /* cables that have points at their quarters too; chosen for the width of tables */
+enum { FEW = 2 }; /* cables that have points at their quarters too; chosen for the width of tables */
 
 static const struct {
 	const char *name;
