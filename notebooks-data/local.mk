@@ -32,6 +32,7 @@ dist_scenes_DATA = \
 	%D%/scenes/bridge-stay.yaml \
 	%D%/scenes/net-bars.yaml \
 	%D%/scenes/net-capstan.yaml \
+	%D%/scenes/net-crosstie.yaml \
 	%D%/scenes/net-drag.yaml \
 	%D%/scenes/net-dragged.txt \
 	%D%/scenes/net-dragged.yaml \

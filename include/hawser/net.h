@@ -53,6 +53,8 @@ struct hawser_net_load {
 	int multiple;       /* of the frequency of a response, in place of Omega: for models (net_rom.h);
 	                     * 0: Omega is given */
 	double Omega, phase;
+	double wavelength;  /* m, of a cable: the phase falls by 2*pi over this unstretched length from its
+	                     * end `from` on; 0: it is the same everywhere */
 	double (*along)[3]; /* [elements + 1] N: a harmonic load of a cable on the nodes of its mesh, from
 	                     * end to end, in place of value; or NULL. Owned by the net */
 };

@@ -214,6 +214,7 @@ static void load(struct hawser__mesh *mesh, const struct hawser_net_load *from)
 {
 	int first = from->cable < 0 ? 0 : mesh->first[from->cable];
 	int n = from->cable < 0 ? 0 : mesh->first[from->cable + 1] - first;
+	double number = n > 0 && from->wavelength != 0.0 ? 2.0*M_PI/from->wavelength : 0.0, S = 0.0;
 
 	for (int i = 0; i <= n; i++) {
 		int at = n == 0 ? from->node : i < n ? mesh->end[first + i][0] : mesh->end[first + n - 1][1];
@@ -223,12 +224,13 @@ static void load(struct hawser__mesh *mesh, const struct hawser_net_load *from)
 
 		if (from->harmonic)
 			*wave = (struct hawser__mesh_wave){.node = at, .Omega = from->Omega,
-			                                   .phase = from->phase,
+			                                   .phase = from->phase - number*S,
 			                                   .multiple = from->multiple};
 		for (int k = 0; k < 3; k++)
 			*(from->harmonic ? &wave->value[k] : &mesh->force[at][k]) +=
 				from->along ? from->along[i][k] : half*from->value[k];
 		mesh->waves += from->harmonic;
+		S += i < n ? mesh->length0[first + i] : 0.0;
 	}
 }
 

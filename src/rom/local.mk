@@ -70,6 +70,8 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/condense/inertia.c \
 	%D%/condense/inertia_amplitude.c \
 	%D%/condense/inertia.h \
+	%D%/condense/inertia_choice.c \
+	%D%/condense/inertia_choice.h \
 	%D%/condense/inertia_field.c \
 	%D%/condense/inertia_field.h \
 	%D%/energy/kernel.c \
@@ -98,6 +100,7 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/build/net.c \
 	%D%/build/net.h \
 	%D%/build/net_finer.c \
+	%D%/build/net_inertia.c \
 	%D%/build/net_load.c \
 	%D%/build/net_place.c \
 	%D%/file/open.c \

@@ -78,7 +78,7 @@ END2
 
 denies "an option of spans" 1 "\-\-points is for spans and spans over obstacles, and .* is a net" statics "$net" --points 20
 denies "an option of nets" 1 "\-\-profile is for nets and ropeways, and .* is a span" statics "$chairlift" --profile
-denies "a command of spans" 1 "is a net of cables, which hawser frf does not take; these commands do: plan, statics, modes" frf "$net"
+denies "a command of spans" 1 "is a net of cables, which hawser campbell does not take; these commands do: plan, statics, modes" campbell "$net"
 denies "an unknown method" 1 "must be one of automatic, interior-point" statics "$net" --method gauss
 denies "a part without support" 2 "the node X has no support in direction x" statics "$net" --set 'nodes.X={}'
 denies "modes of it" 2 "the node X has no support in direction x" modes "$net" --set 'nodes.X={}'

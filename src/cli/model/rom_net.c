@@ -15,14 +15,23 @@ struct cli_rom_net {
 	int kept[HAWSER_NET_ROM_MODES]; /* --keep */
 };
 
+/* candidates: of a choice, whose coordinates are modes alone. */
+static enum hawser_status build(struct hawser_rom *rom, struct cli_made_modes *modes,
+                                const struct cli_made *made, int n, const int *kept, int count,
+                                int candidates, struct hawser_report *report)
+{
+	const struct cli_rom_net *of = (const struct cli_rom_net *)made;
+	const struct hawser_net_rom_options options = {.n = n, .kept = kept, .count = count,
+	                                               .condensed = candidates};
+
+	return hawser_net_rom_build(rom, &modes->modes, &of->net, &options, report);
+}
+
 static enum hawser_status again(struct hawser_rom *rom, struct cli_made_modes *modes,
                                 const struct cli_made *made, int n, const int *kept, int count,
                                 struct hawser_report *report)
 {
-	const struct cli_rom_net *of = (const struct cli_rom_net *)made;
-	const struct hawser_net_rom_options options = {.n = n, .kept = kept, .count = count};
-
-	return hawser_net_rom_build(rom, &modes->modes, &of->net, &options, report);
+	return build(rom, modes, made, n, kept, count, !kept, report);
 }
 
 static enum hawser_status load(struct cli_model *model, const struct cli_common *common, int n,
@@ -41,8 +50,8 @@ static enum hawser_status load(struct cli_model *model, const struct cli_common 
 		status = hawser_net_refine(&of->net, report);
 	if (!status && common->lane.keep)
 		status = cli_made_keep(of->kept, &count, &n, common->lane.keep, &cli_maker_net, report);
-	return status ? status : again(&model->rom, &of->made.modes, &of->made, n,
-	                               count ? of->kept : NULL, count, report);
+	return status ? status : build(&model->rom, &of->made.modes, &of->made, n,
+	                               count ? of->kept : NULL, count, 0, report);
 }
 
 static void comments(struct hawser__table *table, const struct cli_model *model)
@@ -55,6 +64,10 @@ static void comments(struct hawser__table *table, const struct cli_model *model)
 		elements += of->net.cable[c].elements;
 	hawser__table_comment(table, "a net of %d cables with %ld elements", of->net.cables, elements);
 	cli_made_chosen(table, model);
+	if (model->rom.inertia.shift > 0.0)
+		hawser__table_comment(table, "inertia of what follows: frequencies of resonance lower by up to %.1e, "
+		                      "of which %d second-order shapes leave %.1e", model->rom.inertia.shift,
+		                      model->rom.inertia.shapes, model->rom.inertia.left);
 	for (int k = 0; k < modes->n; k++)
 		hawser__table_comment(table, "u_%d: mode %d, %.9g rad/s%s", k + 1, modes->mode[k].place,
 		                      modes->mode[k].omega/modes->time_unit,

@@ -264,7 +264,7 @@ static void fill_columns(double left[COLUMNS], double right[COLUMNS], const stru
 	right[6] = aa;
 }
 
-static enum hawser_status pair_up(struct hawser__nexpand *t, struct hawser_report *report)
+enum hawser_status hawser__nexpand_pairs(struct hawser__nexpand *t, struct hawser_report *report)
 {
 	size_t pairs = (size_t)t->pairs, width = COLUMNS*BLOCK;
 	double *left = hawser__numbers(pairs, width), *right = hawser__numbers(pairs, width);
@@ -301,7 +301,7 @@ double hawser__nexpand_fourth(const struct hawser__nexpand *t, const int index[4
 	return sum;
 }
 
-enum hawser_status hawser__nexpand_fill(struct hawser__nexpand *t, struct hawser_report *report)
+enum hawser_status hawser__nexpand_follow(struct hawser__nexpand *t, struct hawser_report *report)
 {
 	enum hawser_status status;
 
@@ -310,7 +310,5 @@ enum hawser_status hawser__nexpand_fill(struct hawser__nexpand *t, struct hawser
 			hawser__nexpand_slope(t->slope[(size_t)j*(size_t)t->mesh->elements + (size_t)e], t, e,
 			                      (const double (*)[3])t->shape + (size_t)j*(size_t)t->mesh->nodes);
 	status = fill_third(t, report);
-	if (!status)
-		status = follow(t, report);
-	return status ? status : pair_up(t, report);
+	return status ? status : follow(t, report);
 }

@@ -35,9 +35,12 @@ static inline int hawser__nexpand_pair(int j, int k)
 enum hawser_status hawser__nexpand_open(struct hawser__nexpand *t,
                                         const struct hawser__net_modal *modal, double energy, int n,
                                         int modes, struct hawser_report *report) HAWSER_MUST_CHECK;
-/* The slopes of the shapes, then all derivatives and what follows. */
-enum hawser_status hawser__nexpand_fill(struct hawser__nexpand *t,
-                                        struct hawser_report *report) HAWSER_MUST_CHECK;
+/* The slopes of the shapes, third derivatives, and what follows; then `pairing`, which is right for a
+ * part of what follows, too, if the rest of it is orthogonal to that part in stiffness. */
+enum hawser_status hawser__nexpand_follow(struct hawser__nexpand *t,
+                                          struct hawser_report *report) HAWSER_MUST_CHECK;
+enum hawser_status hawser__nexpand_pairs(struct hawser__nexpand *t,
+                                         struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser__nexpand_clear(struct hawser__nexpand *t);
 
 double hawser__nexpand_fourth(const struct hawser__nexpand *t, const int index[4]);

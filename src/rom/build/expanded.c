@@ -12,12 +12,13 @@
 static enum hawser_status set_quads(struct hawser_rom *rom, const struct hawser__expanded *e, int n,
                                     int least, struct hawser_report *report)
 {
-	size_t equations = (size_t)rom->n, width = (size_t)n;
+	int modes = rom->n - rom->inertia.shapes;
+	size_t equations = (size_t)modes, width = (size_t)n;
 
 	rom->Q = malloc((equations*width*(width + 1)/2 + 1)*sizeof *rom->Q);
 	if (!rom->Q)
 		return hawser__no_memory(report, "line rom");
-	for (int j = 0; j < rom->n; j++)
+	for (int j = 0; j < modes; j++)
 		for (int k = 0; k < n; k++)
 			for (int l = k > least ? k : least; l < n; l++) {
 				double value = e->third[((size_t)j*(size_t)e->n + (size_t)k)*(size_t)e->n + (size_t)l];
@@ -37,12 +38,13 @@ static double share(int k, int l, int m)
 static enum hawser_status set_cubics(struct hawser_rom *rom, const struct hawser__expanded *e, int n,
                                      int least, struct hawser_report *report)
 {
-	size_t equations = (size_t)rom->n, width = (size_t)n;
+	int modes = rom->n - rom->inertia.shapes;
+	size_t equations = (size_t)modes, width = (size_t)n;
 
 	rom->C = malloc((equations*width*(width + 1)*(width + 2)/6 + 1)*sizeof *rom->C);
 	if (!rom->C)
 		return hawser__no_memory(report, "line rom");
-	for (int j = 0; j < rom->n; j++)
+	for (int j = 0; j < modes; j++)
 		for (int k = 0; k < n; k++)
 			for (int l = k; l < n; l++)
 				for (int m = l > least ? l : least; m < n; m++) {

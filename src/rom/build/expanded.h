@@ -1,7 +1,8 @@
 /* rom/build/expanded.h - terms of a model from an energy that is expanded in shapes: of a rope over
  * sheaves (ropeway/expand/expand.h), or of a net (net/expand/expand.h).
  *
- * The first shapes are the coordinates of the model; behind them come fields, whose motion is known:
+ * The first shapes are the modes that are coordinates of the model (second-order shapes that are, too,
+ * are none of these shapes); behind them come fields, whose motion is known:
  * the static response to the load of the modes that are not kept.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -48,7 +49,7 @@ struct hawser__answers {
 };
 void hawser__answers_clear(struct hawser__answers *answers);
 
-/* Entries of Q and C of the rom->n equations, in the first n shapes, of which the last of an entry is at
+/* Entries of Q and C of the equations of the modes, in the first n shapes, of which the last of an entry is at
  * least number `least`. */
 enum hawser_status hawser__expanded_tensors(struct hawser_rom *rom, const struct hawser__expanded *e,
                                             int n, int least, struct hawser_report *report);

@@ -19,6 +19,11 @@
 #include "rom/condense/known.h"
 #include "rom/terms/ends.h"
 
+static int modes_of(const struct hawser_rom *rom)
+{
+	return rom->n - rom->inertia.shapes;
+}
+
 enum { ORDERS = 2 }; /* static response, first correction for inertia */
 
 void hawser__answers_clear(struct hawser__answers *answers)
@@ -153,13 +158,13 @@ enum hawser_status hawser__expanded_lift(struct hawser_rom *rom, const struct ha
 	if (!h->answer || !h->answer_line || !h->known)
 		return hawser__no_memory(report, "line rom");
 	for (int p = 0; p < rom->shapes.points; p++) {
-		e->shape_at(h->answer + 4*p, slope, e->of, rom->n + i, p);
+		e->shape_at(h->answer + 4*p, slope, e->of, modes_of(rom) + i, p);
 		h->answer[4*p + 3] = slope[0];
 	}
 	for (int p = 0; p < rom->line.points; p++) {
 		double u[3];
 
-		e->shape_at(u, slope, e->of, rom->n + i, rom->shapes.points + p);
+		e->shape_at(u, slope, e->of, modes_of(rom) + i, rom->shapes.points + p);
 		h->answer_line[p] = slope[0];
 	}
 	return HAWSER_OK;
@@ -176,7 +181,7 @@ static void note_slopes(struct hawser_rom *rom, const struct hawser__expanded *e
 	for (int p = 0; p < points + rom->line.points; p++) {
 		double *to = p < points ? slope + 3*p : line + 3*(p - points);
 
-		e->shape_at(u, to, e->of, rom->n + i, p);
+		e->shape_at(u, to, e->of, modes_of(rom) + i, p);
 		to[0] = 0.0;
 	}
 }
@@ -185,9 +190,10 @@ enum hawser_status hawser__expanded_fields(struct hawser_rom *rom, const struct 
                                            const struct hawser__answers *answers,
                                            struct hawser_report *report)
 {
-	struct hawser__fields fields = {.size = rom->n, .moving = rom->n, .count = answers->fields,
+	int modes = modes_of(rom);
+	struct hawser__fields fields = {.size = rom->n, .moving = modes, .count = answers->fields,
 	                                .ends = answers->ends};
-	struct hawser_rom tensors = {.n = rom->n};
+	struct hawser_rom tensors = {.n = modes};
 	enum hawser_status status;
 	int matter = answers->ends > 0;
 
@@ -195,12 +201,12 @@ enum hawser_status hawser__expanded_fields(struct hawser_rom *rom, const struct 
 		double factor = answers->field[i].factor;
 		int k = answers->field[i].k;
 
-		matter |= factor*factor*e->tightens(e->of, rom->n + i) >= HAWSER__FAINT_FIELD;
+		matter |= factor*factor*e->tightens(e->of, modes + i) >= HAWSER__FAINT_FIELD;
 		*(answers->field[i].sine ? &fields.signal[i].s[k] : &fields.signal[i].c[k]) = factor;
 	}
 	if (!matter)
 		return HAWSER_OK;
-	status = hawser__expanded_tensors(&tensors, e, e->n, rom->n, report);
+	status = hawser__expanded_tensors(&tensors, e, e->n, modes, report);
 	if (!status)
 		status = hawser__fields_sort(&fields, &tensors, report);
 	if (!status)
@@ -211,7 +217,7 @@ enum hawser_status hawser__expanded_fields(struct hawser_rom *rom, const struct 
 		note_slopes(rom, e, i);
 	if (!status)
 		hawser__expanded_second(rom->ends->second_shape, rom->ends->second_slope,
-		                        rom->ends->second_line, rom, e, rom->n*(rom->n + 1)/2,
+		                        rom->ends->second_line, rom, e, modes*(modes + 1)/2,
 		                        (int)hawser__ends_pairs(rom->ends));
 	free(tensors.Q);
 	free(tensors.C);

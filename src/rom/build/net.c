@@ -104,6 +104,9 @@ static enum hawser_status find_like(struct hawser__net_source *source, int *alig
 	source->mass = fine->mass;
 	source->EA = fine->EA;
 	source->n = fine->n;
+	source->inertia.found = fine->inertia.found;
+	source->inertia.pairs = fine->inertia.pairs;
+	source->inertia.by = fine->inertia.by;
 	status = allocate(source, report);
 	return status ? status : hawser__net_align(aligned, source, fine, report);
 }
@@ -236,11 +239,14 @@ static enum hawser_status answer(struct hawser__answers *answers, struct hawser_
 
 /* --- the expansion --- */
 
+/* find: look for second-order shapes. */
 static enum hawser_status expand(struct hawser__net_source *source, double *omega2,
-                                 const struct hawser__answers *answers, struct hawser_report *report)
+                                 const struct hawser__answers *answers, int find,
+                                 struct hawser_report *report)
 {
 	struct hawser__nexpand *t = &source->t;
 	int nodes = source->modal.mesh.nodes, at = source->n;
+	enum hawser_status status;
 
 	t->omega2 = omega2;
 	for (int j = 0; j < source->n; j++) {
@@ -254,27 +260,69 @@ static enum hawser_status expand(struct hawser__net_source *source, double *omeg
 	for (int i = 0; i < source->waves && at < t->n; i++)
 		if (source->wave[i].power == 0)
 			hawser__net_spread(t->shape + (size_t)at++*(size_t)nodes, source, answers->driven[i].field);
-	return hawser__nexpand_fill(t, report);
+	status = hawser__nexpand_follow(t, report);
+	if (!status && find)
+		status = hawser__net_inertia_find(source, report);
+	if (!status)
+		status = hawser__net_inertia_make(source, report);
+	return status ? status : hawser__nexpand_pairs(t, report);
 }
 
 /* --- the model --- */
 
-static void set_matrices(struct hawser_rom *rom, const struct hawser__net_source *source)
+/* The row of a coordinate. */
+static const double *row_of(const struct hawser__net_source *source, int j)
+{
+	size_t unknowns = (size_t)source->modal.mesh.unknowns;
+
+	return j < source->n ? source->mode + (size_t)j*unknowns
+	                     : source->inertia.row + (size_t)(j - source->n)*unknowns;
+}
+
+static enum hawser_status set_matrices(struct hawser_rom *rom, const struct hawser__net_source *source,
+                                       struct hawser_report *report)
 {
 	double unit = inertia_of(source)/source->time;
-	int unknowns = source->modal.mesh.unknowns, nodes = source->modal.mesh.nodes, n = rom->n;
+	double (*shape)[3] = calloc((size_t)source->modal.mesh.nodes + 1, sizeof *shape);
+	int n = rom->n;
 
+	if (!shape)
+		return hawser__no_memory(report, "net rom");
 	for (int j = 0; j < n; j++) {
-		double omega = omega_of(source, j);
-
+		rom->K[j*(n + 1)] = j < source->n ? omega_of(source, j)*omega_of(source, j)
+		                                  : source->inertia.kappa2[j - source->n];
+		hawser__net_spread(shape, source, row_of(source, j));
 		for (int k = 0; k <= j; k++)
 			rom->D[j*n + k] = rom->D[k*n + j] =
-				hawser__net_damping(source, (const double (*)[3])source->t.shape +
-				                    (size_t)k*(size_t)nodes,
-				                    source->mode + (size_t)j*(size_t)unknowns)/unit;
-		rom->K[j*(n + 1)] = omega*omega;
-		rom->D[j*(n + 1)] += 2.0*source->net->ratio*omega;
+				hawser__net_damping(source, (const double (*)[3])shape, row_of(source, k))/unit;
+		rom->D[j*(n + 1)] += 2.0*source->net->ratio*sqrt(rom->K[j*(n + 1)]);
 	}
+	free(shape);
+	return HAWSER_OK;
+}
+
+/* T_jkpsi u_j u_k/2 in the equation of a second-order shape, and T_jkpsi u_k psi in those of modes. */
+static enum hawser_status set_follow(struct hawser_rom *rom, const struct hawser__net_source *source,
+                                     struct hawser_report *report)
+{
+	int n = source->n, pairs = n*(n + 1)/2;
+	struct hawser_quad *Q = realloc(rom->Q, ((size_t)rom->quads + 3*(size_t)pairs*
+	                                         (size_t)rom->inertia.shapes + 1)*sizeof *Q);
+
+	if (!Q)
+		return hawser__no_memory(report, "net rom");
+	rom->Q = Q;
+	for (int i = 0; i < rom->inertia.shapes; i++)
+		for (int k = 0; k < n; k++)
+			for (int j = 0; j <= k; j++) {
+				double value = source->inertia.third[i*pairs + hawser__nexpand_pair(j, k)];
+
+				Q[rom->quads++] = (struct hawser_quad){n + i, j, k, j == k ? 0.5*value : value};
+				Q[rom->quads++] = (struct hawser_quad){j, k, n + i, value};
+				if (j < k)
+					Q[rom->quads++] = (struct hawser_quad){k, j, n + i, value};
+			}
+	return HAWSER_OK;
 }
 
 /* Forces on the coordinates, and the stiffness by the static response of the others. */
@@ -283,6 +331,7 @@ static enum hawser_status set_harmonics(struct hawser_rom *rom, const struct haw
                                         struct hawser_report *report)
 {
 	int unknowns = source->modal.mesh.unknowns, elements = source->modal.mesh.elements, n = rom->n;
+	int modes = source->n;
 	double (*slope)[3] = calloc((size_t)elements + 1, sizeof *slope);
 
 	rom->harmonic = calloc((size_t)source->waves + 1, sizeof *rom->harmonic);
@@ -297,10 +346,10 @@ static enum hawser_status set_harmonics(struct hawser_rom *rom, const struct haw
 			break;
 		for (int e = 0; e < elements; e++)
 			hawser__nexpand_row_slope(slope[e], &source->t, e, answers->driven[i].field);
-		for (int j = 0; j < n; j++) {
+		for (int j = 0; j < modes; j++) {
 			h->f[j] = cblas_ddot(unknowns, source->mode + (size_t)j*(size_t)unknowns, 1, wave->row, 1)/
 			          (source->t.energy*pow(source->time, wave->power));
-			for (int k = 0; k < n; k++)
+			for (int k = 0; k < modes; k++)
 				h->K[j*n + k] = hawser__nexpand_third(&source->t, j, k, (const double (*)[3])slope);
 		}
 	}
@@ -317,13 +366,13 @@ static enum hawser_status set_labels(struct hawser_rom *rom, const struct hawser
 
 	rom->label = calloc((size_t)rom->n, sizeof *rom->label);
 	for (int j = 0; rom->label && j < rom->n; j++) {
-		int k = source->kept[j];
-		const char *side = modes->symmetry.flat ? hawser_net_plane_side(modes->parity[k][0]) : NULL;
+		int k = j < source->n ? source->kept[j] : -1;
+		const char *side = k >= 0 && modes->symmetry.flat ? hawser_net_plane_side(modes->parity[k][0]) : NULL;
 		char text[48];
 
 		snprintf(text, sizeof text, "mode %d%s%s%s", k + 1, side ? " (" : "", side ? side : "",
 		         side ? ")" : "");
-		rom->label[j] = strdup(text);
+		rom->label[j] = strdup(k < 0 ? "second-order shape" : text);
 		if (!rom->label[j])
 			return hawser__no_memory(report, "net rom");
 	}
@@ -331,7 +380,7 @@ static enum hawser_status set_labels(struct hawser_rom *rom, const struct hawser
 }
 
 static enum hawser_status set_places(struct hawser_rom *rom, struct hawser__net_source *source,
-                                     const struct hawser__expanded *e, struct hawser_report *report)
+                                     struct hawser_report *report)
 {
 	int points = source->net->nodes + 6*source->net->cables, n = rom->n;
 	char **name = calloc((size_t)points, sizeof *name);
@@ -364,11 +413,11 @@ static enum hawser_status set_places(struct hawser_rom *rom, struct hawser__net_
 			double unused[3];
 
 			if (own)
-				e->shape_at(rom->shapes.shape + 3*(j*points + p), rom->shapes.slope + 3*(j*points + p),
-				            e->of, j, p);
+				hawser__net_at(rom->shapes.shape + 3*(j*points + p),
+				               rom->shapes.slope + 3*(j*points + p), source, row_of(source, j), p);
 			else
-				e->shape_at(unused, rom->line.slope + 3*(j*(source->places - points) + p - points),
-				            e->of, j, p);
+				hawser__net_at(unused, rom->line.slope + 3*(j*(source->places - points) + p - points),
+				               source, row_of(source, j), p);
 		}
 	}
 	return status;
@@ -378,10 +427,11 @@ static enum hawser_status set_second(struct hawser_rom *rom, const struct hawser
                                      struct hawser_report *report)
 {
 	enum hawser_status status = hawser__rom_init_second(rom, report);
+	int modes = rom->n - rom->inertia.shapes;
 
 	if (!status)
 		hawser__expanded_second(rom->shapes.second_shape, rom->shapes.second_slope,
-		                        rom->line.second_slope, rom, e, 0, rom->n*(rom->n + 1)/2);
+		                        rom->line.second_slope, rom, e, 0, modes*(modes + 1)/2);
 	return status;
 }
 
@@ -389,7 +439,7 @@ static enum hawser_status fill(struct hawser_rom *rom, struct hawser__net_source
                                const struct hawser__answers *answers, struct hawser_report *report)
 {
 	const struct hawser__expanded e = hawser__net_expanded(source);
-	enum hawser_status status = hawser__rom_init(rom, source->n, report);
+	enum hawser_status status = hawser__rom_init(rom, source->n + source->inertia.found.shapes, report);
 
 	if (status)
 		return status;
@@ -397,12 +447,16 @@ static enum hawser_status fill(struct hawser_rom *rom, struct hawser__net_source
 	rom->time = source->time;
 	rom->force = source->force;
 	rom->scaled = 1;
-	set_matrices(rom, source);
-	status = hawser__expanded_tensors(rom, &e, rom->n, 0, report);
+	rom->inertia = source->inertia.found;
+	status = set_matrices(rom, source, report);
+	if (!status)
+		status = hawser__expanded_tensors(rom, &e, source->n, 0, report);
+	if (!status)
+		status = set_follow(rom, source, report);
 	if (!status)
 		status = set_labels(rom, source, report);
 	if (!status)
-		status = set_places(rom, source, &e, report);
+		status = set_places(rom, source, report);
 	if (!status)
 		status = set_second(rom, &e, report);
 	if (!status)
@@ -421,9 +475,11 @@ static void clear(struct hawser__net_source *source)
 	hawser__hold_clear(&source->hold);
 }
 
-/* The model of a mesh whose modes are found. */
+/* The model of a mesh whose modes are found. find: with second-order shapes that matter; else with those
+ * of `source`. */
 static enum hawser_status build(struct hawser_rom *rom, struct hawser__net_source *source,
-                                const struct hawser_net_rom_options *o, struct hawser_report *report)
+                                const struct hawser_net_rom_options *o, int find,
+                                struct hawser_report *report)
 {
 	struct hawser__answers answers = {.count = 0};
 	double omega2[HAWSER_NET_ROM_MODES];
@@ -441,7 +497,7 @@ static enum hawser_status build(struct hawser_rom *rom, struct hawser__net_sourc
 		status = hawser__nexpand_open(&source->t, &source->modal, source->force*source->length,
 		                              source->n + answers.fields, source->n, report);
 	if (!status)
-		status = expand(source, omega2, &answers, report);
+		status = expand(source, omega2, &answers, find, report);
 	if (!status)
 		status = fill(rom, source, &answers, report);
 	hawser__answers_clear(&answers);
@@ -463,7 +519,7 @@ static enum hawser_status extrapolate(struct hawser_rom *rom, const struct hawse
 	if (!status)
 		status = find_like(&source, &aligned, fine, report);
 	if (!status && aligned)
-		status = build(&coarse, &source, o, report);
+		status = build(&coarse, &source, o, 0, report);
 	if (!status && aligned)
 		status = hawser__net_mix(rom, &coarse, report);
 	hawser_rom_clear(&coarse);
@@ -509,7 +565,7 @@ enum hawser_status hawser_net_rom_build(struct hawser_rom *rom, struct hawser_mo
 	if (!status)
 		status = find_modes(&source, options, report);
 	if (!status)
-		status = build(rom, &source, options, report);
+		status = build(rom, &source, options, !options->bare && !options->condensed, report);
 	if (!status && !options->raw)
 		status = extrapolate(rom, &source, net, options, report);
 	if (!status)

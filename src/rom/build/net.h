@@ -7,6 +7,7 @@
 
 #include "net/expand/expand.h"
 #include "rom/build/expanded.h"
+#include "rom/condense/inertia_choice.h"
 
 /* Between two nodes of the mesh, with the strains of two elements. */
 struct hawser__net_place {
@@ -28,6 +29,16 @@ struct hawser__net_lift {
 	double (*shape)[3];    /* [nodes] m */
 };
 
+/* Second-order shapes that are coordinates behind the modes. */
+struct hawser__net_inertia {
+	struct hawser_rom_inertia found;
+	int pairs;
+	double *by;            /* [shapes][pairs] what they are made of */
+	double *row, (*slope)[3]; /* [shapes][unknowns] m; [shapes][elements] */
+	double kappa2[HAWSER__INERTIA_MOST]; /* their stiffness */
+	double *third;         /* [shapes][pairs of modes] third derivatives of the energy */
+};
+
 struct hawser__net_source {
 	struct hawser__net_modal modal;
 	struct hawser__nexpand t;
@@ -40,6 +51,7 @@ struct hawser__net_source {
 	int waves, lifts;
 	struct hawser__net_wave *wave;
 	struct hawser__net_lift *lift;
+	struct hawser__net_inertia inertia;
 	double *scratch;           /* [unknowns] */
 	struct hawser__hold hold;
 };
@@ -55,6 +67,12 @@ double hawser__net_damping(const struct hawser__net_source *source, const double
 /* shape [nodes][3] of a row. */
 void hawser__net_spread(double (*shape)[3], const struct hawser__net_source *source, const double *row);
 
+/* net_inertia.c: which shapes matter, from what follows; the shapes, whose part of that is taken out. */
+enum hawser_status hawser__net_inertia_find(struct hawser__net_source *source,
+                                            struct hawser_report *report) HAWSER_MUST_CHECK;
+enum hawser_status hawser__net_inertia_make(struct hawser__net_source *source,
+                                            struct hawser_report *report) HAWSER_MUST_CHECK;
+
 /* net_finer.c: the net with the elements that models have, or half of them; free its `cable`. */
 enum hawser_status hawser__net_finer(struct hawser_net *to, const struct hawser_net *net, int half,
                                      struct hawser_report *report) HAWSER_MUST_CHECK;
@@ -68,6 +86,9 @@ enum hawser_status hawser__net_align(int *aligned, struct hawser__net_source *co
 enum hawser_status hawser__net_mix(struct hawser_rom *to, const struct hawser_rom *from,
                                    struct hawser_report *report) HAWSER_MUST_CHECK;
 
+/* u and slope at a place of a row of unknowns. net_place.c. */
+void hawser__net_at(double u[3], double slope[3], const struct hawser__net_source *source,
+                    const double *row, int place);
 /* net_place.c: the places; the expansion as that of a model. */
 enum hawser_status hawser__net_places(struct hawser__net_source *source, char **name,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;

@@ -232,7 +232,7 @@ static int matches(const struct hawser_rom *to, const struct hawser_rom *from)
 static void mix_places(struct hawser_rom *to, const struct hawser_rom *from)
 {
 	size_t n = (size_t)to->n, points = (size_t)to->shapes.points, line = (size_t)to->line.points;
-	size_t pairs = n*(n + 1)/2, moved;
+	size_t modes = n - (size_t)to->inertia.shapes, pairs = modes*(modes + 1)/2, moved;
 
 	mix(to->shapes.stretch, from->shapes.stretch, points);
 	mix(to->shapes.shape, from->shapes.shape, 3*n*points);

@@ -171,9 +171,9 @@ static void shape_at(double u[3], double slope[3], const void *of, int shape, in
 	strains(slope, source, p, own[place->element[0]], own[place->element[1]]);
 }
 
-static void field_at(double u[3], double slope[3], const void *of, const double *row, int p)
+void hawser__net_at(double u[3], double slope[3], const struct hawser__net_source *source,
+                    const double *row, int p)
 {
-	const struct hawser__net_source *source = of;
 	const struct hawser__net_place *place = &source->place[p];
 	double from[3], to[3], left[3], right[3];
 
@@ -185,11 +185,16 @@ static void field_at(double u[3], double slope[3], const void *of, const double 
 	strains(slope, source, p, left, right);
 }
 
+static void field_at(double u[3], double slope[3], const void *of, const double *row, int p)
+{
+	hawser__net_at(u, slope, of, row, p);
+}
+
 static void pair_at(double u[3], double slope[3], const void *of, int pair, int p)
 {
 	const struct hawser__net_source *source = of;
 
-	field_at(u, slope, of, source->t.second + (size_t)pair*(size_t)source->modal.mesh.unknowns, p);
+	hawser__net_at(u, slope, source, source->t.second + (size_t)pair*(size_t)source->modal.mesh.unknowns, p);
 }
 
 /* --- derivatives --- */

@@ -27,7 +27,6 @@
 #include "config.h"
 
 #include <cblas.h>
-#include <lapacke.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -38,12 +37,10 @@
 #include "modes/label.h"
 #include "rom/condense/bend.h"
 #include "rom/condense/inertia.h"
+#include "rom/condense/inertia_choice.h"
 #include "rom/condense/inertia_field.h"
 
-#define MOST 8       /* largest number of shapes; chosen */
-#define PAIRS 48     /* largest number of pairs that are examined; chosen to limit the cost */
-#define TRIFLE 0.01  /* ignored effect of a pair, relative to the allowed error; chosen */
-#define DEPENDENT 1e-10 /* relative mass of linearly dependent pairs: far above round-off */
+enum { MOST = HAWSER__INERTIA_MOST, PAIRS = HAWSER__INERTIA_PAIRS };
 
 struct work {
 	const struct hawser_modes *modes;
@@ -57,11 +54,10 @@ struct work {
 	double *strain, *root; /* [rows + MOST][width] a, b, c, likewise; [width] roots of the weights */
 	double *stiff;    /* [width] and of weight times stiffness against a, b, c */
 	double *scratch;  /* [2*width] */
-	double *square;   /* [rows] remaining mean square of a pair: its (d/a)^2 */
+	double *square;   /* [rows] mean square of a pair: its (d/a)^2 */
 	double *scaled;   /* [PAIRS][width] */
-	double *gram;     /* [4][PAIRS][PAIRS] */
-	double *value;    /* [PAIRS] omega^2 of vibrations, 0 if used */
-	double *combination; /* [count][own] */
+	double *gram;     /* [2][PAIRS][PAIRS] */
+	double *combination; /* [MOST][count] */
 	struct hawser__bend *bend; /* or NULL */
 	double *bent;        /* [PAIRS] rows of bend.h */
 	double omega[MOST];
@@ -89,9 +85,8 @@ static int work_make(struct work *work)
 	work->scratch = hawser__hold(&work->hold, 2*width, sizeof *work->scratch);
 	work->square = hawser__hold(&work->hold, count, sizeof *work->square);
 	work->scaled = hawser__hold(&work->hold, PAIRS*width, sizeof *work->scaled);
-	work->gram = hawser__hold(&work->hold, 4*PAIRS*PAIRS, sizeof *work->gram);
-	work->value = hawser__hold(&work->hold, PAIRS, sizeof *work->value);
-	work->combination = hawser__hold(&work->hold, PAIRS*PAIRS, sizeof *work->combination);
+	work->gram = hawser__hold(&work->hold, 2*PAIRS*PAIRS, sizeof *work->gram);
+	work->combination = hawser__hold(&work->hold, MOST*PAIRS, sizeof *work->combination);
 	return !work->hold.short_of_memory;
 }
 
@@ -249,110 +244,33 @@ static void products(double *gram, const struct work *work, const double *rows, 
 	            work->scaled, work->width, 0.0, gram, work->count);
 }
 
-/* The vibration modes in the space of the pairs: combination[count][own] of the rows, orthonormal
- * in mass, diagonal in stiffness, value[own] = omega^2. Returns own, 0 on failure, -1 when out of
- * memory. */
-static int vibrations(struct work *work)
-{
-	int count = work->count, own = 0;
-	double *mass = work->gram, *K = mass + count*count, *half = K + count*count;
-	double *turned = half + count*count;
-	int info;
-
-	products(mass, work, work->rest, work->root);
-	products(K, work, work->strain, work->stiff);
-	hawser__bend_gram(K, work->bend, work->bent, work->strain, work->width, count);
-	info = LAPACKE_dsyevd(LAPACK_ROW_MAJOR, 'V', 'L', count, mass, count, work->value);
-	if (info)
-		return hawser__lapack_starved(info) ? -1 : 0;
-	while (own < count && work->value[count - 1 - own] > DEPENDENT*work->value[count - 1])
-		own++;
-	for (int x = 0; x < count; x++)
-		for (int i = 0; i < own; i++)
-			half[x*own + i] = mass[x*count + count - own + i]/
-			                  sqrt(work->value[count - own + i]);
-	cblas_dsymm(CblasRowMajor, CblasLeft, CblasLower, count, own, 1.0, K, count, half, own, 0.0,
-	            turned, own);
-	cblas_dgemm(CblasRowMajor, CblasTrans, CblasNoTrans, own, own, count, 1.0, half, own, turned,
-	            own, 0.0, mass, own);
-	info = LAPACKE_dsyevd(LAPACK_ROW_MAJOR, 'V', 'L', own, mass, own, work->value);
-	if (info)
-		return hawser__lapack_starved(info) ? -1 : 0;
-	cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, count, own, own, 1.0, half, own, mass,
-	            own, 0.0, work->combination, own);
-	return own;
-}
-
 /* to[width] = combination i of the rows. */
-static void combine(double *to, const struct work *work, const double *rows, int own, int i)
+static void combine(double *to, const struct work *work, const double *rows, int i)
 {
 	cblas_dgemv(CblasRowMajor, CblasTrans, work->count, work->width, 1.0, rows, work->width,
-	            work->combination + i, own, 0.0, to, 1);
+	            work->combination + i*work->count, 1, 0.0, to, 1);
 }
 
-/* Choose the vibration mode that contributes most to the pair with the largest remainder, and
- * subtract its contribution from square[]. Its shape is stored behind the rows of `rest`, its
- * strain behind those of `strain`. */
-static void take_shape(struct work *work, int own, int shape)
-{
-	size_t width = (size_t)work->width;
-	const double *row = work->rest;
-	double most = -1.0, *to = work->rest + (size_t)(work->rows + shape)*width;
-	int best = 0;
-
-	for (int x = 1; x < work->count; x++)
-		if (work->square[x] > work->square[(row - work->rest)/(ptrdiff_t)width])
-			row = work->rest + (size_t)x*width;
-	for (int i = 0; i < own; i++) {
-		double part;
-
-		if (work->value[i] <= 0.0)
-			continue;
-		combine(to, work, work->rest, own, i);
-		part = fabs(product(work, row, to));
-		if (part > most) {
-			most = part;
-			best = i;
-		}
-	}
-	combine(to, work, work->rest, own, best);
-	combine(work->strain + (size_t)(work->rows + shape)*width, work, work->strain, own, best);
-	for (int x = 0; x < work->count; x++)
-		work->square[x] -= pow(product(work, work->rest + (size_t)x*width, to), 2);
-	work->omega[shape] = sqrt(work->value[best]);
-	work->value[best] = 0.0;
-}
-
-static double largest(const struct work *work)
-{
-	double most = 0.0;
-
-	for (int x = 0; x < work->count; x++)
-		most = fmax(most, work->square[x]);
-	return most;
-}
-
+/* Their displacements are stored behind the rows of `rest`, their strains behind those of `strain`. */
 static enum hawser_status find_shapes(struct hawser_rom_inertia *inertia, struct work *work,
                                       double allowed, struct hawser_report *report)
 {
-	int own;
+	double *mass = work->gram, *K = mass + PAIRS*PAIRS;
+	size_t width = (size_t)work->width;
+	enum hawser_status status = HAWSER_OK;
 
-	shorten(work, TRIFLE*allowed);
-	inertia->shift = inertia->left = largest(work);
-	if (!(inertia->left > allowed))
-		return HAWSER_OK;
-	own = vibrations(work);
-	if (own < 0)
-		return hawser__no_memory(report, "rom");
-	if (own == 0)
-		return hawser__fail(report, HAWSER_ERR_NAN, "rom",
-		                    "the second-order shapes of %d kept modes could not be computed: "
-		                    "check EA, rho and the tension of the span", work->modes->n);
-	while (inertia->left > allowed && inertia->shapes < MOST && inertia->shapes < own) {
-		take_shape(work, own, inertia->shapes++);
-		inertia->left = largest(work);
+	shorten(work, HAWSER__INERTIA_TRIFLE*allowed);
+	products(mass, work, work->rest, work->root);
+	products(K, work, work->strain, work->stiff);
+	hawser__bend_gram(K, work->bend, work->bent, work->strain, work->width, work->count);
+	if (work->count > 0)
+		status = hawser__inertia_choose(inertia, work->combination, work->omega, mass, K, work->count,
+		                                allowed, report);
+	for (int i = 0; i < inertia->shapes && !status; i++) {
+		combine(work->rest + (size_t)(work->rows + i)*width, work, work->rest, i);
+		combine(work->strain + (size_t)(work->rows + i)*width, work, work->strain, i);
 	}
-	return HAWSER_OK;
+	return status;
 }
 
 /* Append behind the others, ascending. */

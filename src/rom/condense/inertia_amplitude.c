@@ -5,8 +5,7 @@
 #include <math.h>
 
 #include "rom/condense/inertia.h"
-
-#define SLOPE 0.15   /* largest expected slope of a motion (r.m.s.), within the expansion; chosen */
+#include "rom/condense/inertia_choice.h"
 
 /* Mean square of the slopes of mode j. */
 static double turning(const struct hawser_modes *modes, int j)
@@ -25,7 +24,7 @@ static double turning(const struct hawser_modes *modes, int j)
 double hawser__inertia_amplitude(const struct hawser_modes *modes, int j, double load,
                                  double damping)
 {
-	double most = SLOPE/sqrt(turning(modes, j)), resonance = fabs(load);
+	double most = HAWSER__INERTIA_SLOPE/sqrt(turning(modes, j)), resonance = fabs(load);
 
 	if (!(resonance > 0.0))
 		return 0.0;

@@ -146,6 +146,7 @@ enum hawser_status hawser_accuracy_among(struct hawser_accuracy_fixed *fixed,
 		status = hawser__marks_find(&marks, frf, NULL, NULL, 0.0, report);
 	if (!status)
 		status = hawser__weigh_response(choice, rom, frf, &marks, BETWEEN, report);
+	choice->followed = fmax(choice->followed, rom->inertia.left);
 	if (!status)
 		hawser__accuracy_add_up(fixed, choice, hawser__marks_located(&marks));
 	fixed->seconds = now() - start;

@@ -1,0 +1,24 @@
+/* rom/condense/inertia_choice.h - which second-order shapes become coordinates: see inertia.c.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_ROM_INERTIA_CHOICE_H
+#define HAWSER_ROM_INERTIA_CHOICE_H
+
+#include <hawser/rom.h>
+
+enum { HAWSER__INERTIA_MOST = 8,    /* largest number of shapes; chosen */
+       HAWSER__INERTIA_PAIRS = 48 }; /* largest number of pairs that are examined; chosen to limit the
+                                      * cost */
+#define HAWSER__INERTIA_TRIFLE 0.01 /* ignored effect of a pair, relative to the allowed error; chosen */
+#define HAWSER__INERTIA_SLOPE 0.15  /* largest expected slope of a motion (r.m.s.), within the expansion;
+                                     * chosen */
+
+/* Of `count` weighted motions of condensed modes, whose products in mass and in stiffness are given,
+ * [count][count]: as many vibrations in their space as leave an error of at most `allowed`, as
+ * combination [shapes][count] of the motions, of mass 1, and omega [shapes]. The diagonal of mass is
+ * the error by each motion. */
+enum hawser_status hawser__inertia_choose(struct hawser_rom_inertia *inertia, double *combination,
+                                          double *omega, const double *mass, const double *stiffness,
+                                          int count, double allowed,
+                                          struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif
