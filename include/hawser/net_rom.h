@@ -29,8 +29,9 @@ struct hawser_net_rom_options {
 	int count;
 	int raw;            /* 1: of one mesh, without extrapolation: for comparison */
 	int condensed;      /* 1: without coordinates for the inertia of what follows */
-	int bare;           /* 1: the same, and the static response of the modes that are not kept to the load
-	                     * changes the stiffness alone, and is no field of the energy: for comparison */
+	int bare;           /* 1: the same, and the static response to the load of the modes that are not
+	                     * kept changes the stiffness alone, without a field of the energy: for
+	                     * comparison */
 };
 
 /* A model, and in *modes n, mode and time_unit of its coordinates. The frequency Omega of the model is

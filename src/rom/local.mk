@@ -99,6 +99,7 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/build/model.h \
 	%D%/build/net.c \
 	%D%/build/net.h \
+	%D%/build/net_fill.c \
 	%D%/build/net_finer.c \
 	%D%/build/net_inertia.c \
 	%D%/build/net_load.c \

@@ -1,10 +1,11 @@
-/* Reduced models of nets against numbers of a prototype in another language, with elements of degree 6
- * to 8 and its own harmonic balance (7 to 9 harmonics), with which the response of its models by this
- * program agrees to 1e-7: two stays in a row on a hanger, a line of three spans with two hangers, a mesh
- * of 4 x 4 cells with a pair of equal frequencies, two strings with a tie, a float on three moorings,
- * and a span as a net of one cable, under a load and with an end that moves. They are models without
- * the field of the load (`bare`), whose frequencies are those of the energy to fourth order and of
- * static condensation alone.
+/* Reduced models of nets against numbers of a prototype in another language, with elements of degree
+ * 6 to 8 and its own harmonic balance (7 to 9 harmonics), with which the response of its models by
+ * this program agrees to 1e-7: two stays in a row on a hanger, a line of three spans with two
+ * hangers, a mesh of 4 x 4 cells with a pair of equal frequencies, two strings with a tie, a float on
+ * three moorings, and a span as a net of one cable, under a load and with an end that moves. They are
+ * models without the field of the load (`bare`), whose frequencies are those of the energy to fourth
+ * order and of static condensation alone. A mass on a massless cable is a pendulum, which one shape
+ * for the inertia of what follows makes soften.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -83,8 +84,50 @@ static void folds(const struct hawser_rom *rom, const struct expected *expected)
 	hawser_frf_clear(&frf);
 }
 
+/* Frequency of the largest amplitude over that of the mode. */
+static void swing(void)
+{
+	const struct hawser_net_rom_options options = {.n = 2};
+	static char name[] = "swing";
+	struct hawser_net_node node[2] = {{.name = "P", .placed = 1, .held = {1, 1, 1}, .support = 1},
+	                                  {.name = "M", .mass = 100.0}};
+	struct hawser_net_cable cable = {.name = "c", .to = 1, .EA = 3e7, .value = 2.0, .elements = 1};
+	struct hawser_net_load load = {.node = 1, .cable = -1, .value = {3.92387169}, .harmonic = 1,
+	                               .multiple = 1};
+	struct hawser_net net = {.name = name, .g = 9.81, .node = node, .cable = &cable, .load = &load,
+	                         .nodes = 2, .cables = 1, .loads = 1, .mass_rate = 0.044293745};
+	struct hawser_modes modes;
+	struct hawser_rom rom;
+	struct hawser_frf frf;
+	struct hawser_frf_options choice = {.method = "balance", .unjudged = 1, .step_max = 0.02,
+	                                    .samples = HAWSER_NONE};
+	double omega, *probe, a, b;
+	int best = 1;
+
+	if (!ok(!hawser_net_rom_build(&rom, &modes, &net, &options, &report), "swing %s", report.message))
+		return;
+	ok(rom.inertia.shapes == 1 && rom.n == 3, "  one shape beside two modes");
+	omega = sqrt(rom.K[0]);
+	choice.from = 0.99*omega;
+	choice.to = 1.005*omega;
+	if (ok(!hawser_frf_trace(&frf, &rom, &choice, &report), "  response %s", report.message)) {
+		for (int i = 1; i + 1 < frf.points; i++)
+			best = frf.probe[3*i] > frf.probe[3*best] ? i : best;
+		probe = frf.probe + 3*best;
+		a = (probe[3] - probe[0])/(frf.point[best + 1].omega - frf.point[best].omega);
+		b = (probe[0] - probe[-3])/(frf.point[best].omega - frf.point[best - 1].omega);
+		close_to((frf.point[best].omega + frf.point[best - 1].omega)/2.0/omega +
+		         b*(frf.point[best + 1].omega - frf.point[best - 1].omega)/2.0/omega/(b - a),
+		         0.9975209, 1e-5, "  resonance");
+		hawser_frf_clear(&frf);
+	}
+	hawser_rom_clear(&rom);
+	hawser_modes_clear(&modes);
+}
+
 CASE(reference_net_rom)
 {
+	swing();
 	for (size_t i = 0; i < sizeof scenes/sizeof *scenes; i++) {
 		const struct scene *scene = &scenes[i];
 		struct hawser_rom rom;
@@ -93,9 +136,9 @@ CASE(reference_net_rom)
 			continue;
 		for (int j = 0; j < scene->modes && scene->omega[j] > 0.0; j++)
 			close_to(sqrt(rom.K[j*(rom.n + 1)])/rom.time, scene->omega[j], 1e-6, "  omega");
-		for (int k = 0; k < 2 && scene->response[k].from > 0.0 && (!scene->slow || getenv("HAWSER_LONG"));
-		     k++)
-			folds(&rom, &scene->response[k]);
+		for (int k = 0; k < 2 && (!scene->slow || getenv("HAWSER_LONG")); k++)
+			if (scene->response[k].from > 0.0)
+				folds(&rom, &scene->response[k]);
 		hawser_rom_clear(&rom);
 	}
 	return done_testing();

@@ -6,7 +6,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "cli/frame/cli.h"
+#include "cli/model/made.h"
 #include "core/report.h"
 
 /* Modes up to this multiple of the forcing frequency are added. The response of the modes above,
@@ -15,8 +15,9 @@ static const double above = 4.0;
 /* For a mode at 1/part times the forcing frequency the two terms have an error of 0.08 of the
  * static response; for lower modes it grows without limit. */
 static const double part = 0.5;
-/* A range that nobody gave ends at this multiple of the highest mode of a ropeway or net, past its peak: others
- * follow within some percent, and a response beyond has their peaks as if they were linear. Chosen. */
+/* A range that nobody gave ends at this multiple of the highest mode of a ropeway or net, past its
+ * peak: others follow within some percent, and a response beyond has their peaks as if they were
+ * linear. Chosen. */
 static const double last = 1.1;
 /* Models of scenes are off by 1e-5 at best, by what they leave out; chosen. Looser ones let steps
  * jump: with 1e-5 the folds of the chairlift had six curves more. */
@@ -83,7 +84,9 @@ double cli_tolerance(double given, const struct cli_model *model)
 
 double cli_modes_end(const struct cli_model *model)
 {
-	return model->made && model->naturals > 0 ? last*model->natural[model->naturals - 1] : INFINITY;
+	const struct hawser_modes *modes = model->made ? &model->made->modes.modes : NULL;
+
+	return modes && modes->n > 0 ? last*modes->mode[modes->n - 1].omega : INFINITY;
 }
 
 void cli_known_warn(const struct cli_model *model, double omega)

@@ -83,7 +83,7 @@ enum hawser_status cli_made_error(struct hawser_accuracy_fixed *fixed, const str
 	return status;
 }
 
-/* Keep all modes of clusters of which one is kept: split, the model misses how they drive each other. */
+/* Keep all modes of clusters of which one is kept: else the model misses how they drive each other. */
 static int join(struct hawser_choice *choice)
 {
 	int changed = 0;
@@ -174,7 +174,8 @@ enum hawser_status cli_made_response(struct hawser_frf *frf, struct cli_model *m
 	for (; tries < TRIES && !status && !cli_interrupted(); tries++) {
 		status = hawser_accuracy_among(&fixed, &c.choice, c.rom.n ? &c.rom : &model->rom,
 		                               c.rom.n ? &c.frf : frf, &why);
-		if (status || fixed.estimated <= wanted || !choose(&c.choice, tries == 0, model->made->by->clusters))
+		if (status || fixed.estimated <= wanted ||
+		    !choose(&c.choice, tries == 0, model->made->by->clusters))
 			break;
 		status = again(&c, model->made, options, &why);
 	}

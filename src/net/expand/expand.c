@@ -195,7 +195,8 @@ static void push(double *row, const struct hawser__nexpand *t, int j, int k)
 
 		force_of(f, t, e, j, k);
 		for (int i = 0; i < 3; i++) {
-			double force = scale*(f[0]*t->axes[e][0][i] + f[1]*t->axes[e][1][i] + f[2]*t->axes[e][2][i]);
+			const double (*axes)[3] = (const double (*)[3])t->axes[e];
+			double force = scale*(f[0]*axes[0][i] + f[1]*axes[1][i] + f[2]*axes[2][i]);
 			int from = mesh->unknown[mesh->end[e][0]][i], to = mesh->unknown[mesh->end[e][1]][i];
 
 			if (from >= 0)

@@ -30,8 +30,8 @@ static inline int hawser__nexpand_pair(int j, int k)
 	return j <= k ? k*(k + 1)/2 + j : j*(j + 1)/2 + k;
 }
 
-/* The elements, and room for n shapes, of which the caller fills `shape` and omega2. Clear it, on failure
- * too. HAWSER_ERR_NO_SOLUTION: a slack element that moves. */
+/* The elements, and room for n shapes, of which the caller fills `shape` and omega2. Clear it, on
+ * failure too. HAWSER_ERR_NO_SOLUTION: a slack element that moves. */
 enum hawser_status hawser__nexpand_open(struct hawser__nexpand *t,
                                         const struct hawser__net_modal *modal, double energy, int n,
                                         int modes, struct hawser_report *report) HAWSER_MUST_CHECK;

@@ -152,8 +152,10 @@ enum hawser_status hawser__eigen_open(struct hawser__eigen *eigen, const struct 
 		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "net", "%s: nothing that can move has a "
 		                    "mass, so that there are no modes: give a cable a rho, or a node a mass",
 		                    net->name);
-	if (n == 0)
-		eigen->n = eigen->massive < DEFAULT ? eigen->massive : DEFAULT;
+	if (n <= 0) {
+		eigen->n = n ? -n : DEFAULT;
+		eigen->n = eigen->massive < eigen->n ? eigen->massive : eigen->n;
+	}
 	if (!status && (eigen->n < 1 || eigen->n > eigen->massive))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s: the mesh has %d unknowns with "
 		                    "mass: ask for 1 to %d modes, not %d", net->name, eigen->massive,

@@ -32,7 +32,8 @@ struct hawser__eigen {
 };
 #define HAWSER__EIGEN_EQUAL 1e-7 /* relative gap of omega^2 up to which modes belong together */
 #define HAWSER__EIGEN_ABOVE 0.01 /* relative distance of the shift from the last mode, at most */
-/* n: 0 for the default, 6. Refuses more than there are, and an equilibrium without stiffness. */
+/* n: 0 for the default, 6; negative: -n, or all if there are fewer. Refuses more than there are, and an
+ * equilibrium without stiffness. */
 enum hawser_status hawser__eigen_open(struct hawser__eigen *eigen, const struct hawser__mesh *mesh,
                                       const double *T, const struct hawser_net *net, int n,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;

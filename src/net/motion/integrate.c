@@ -241,9 +241,9 @@ static enum hawser_status check(const struct hawser_net *net, struct hawser_repo
 		key = (i < net->loads ? net->load[i] : net->motion[i - net->loads]).multiple > 0
 		      ? "multiple in place of Omega" : NULL;
 	return !key ? HAWSER_OK
-	       : hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s: %s is for models, as of frf: the motion "
-	                      "of the mesh has damping.alpha and damping.axial, and loads with a frequency",
-	                      net->name, key);
+	       : hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s: %s is for models, as of frf: the "
+	                      "motion of the mesh has damping.alpha and damping.axial, and loads with "
+	                      "a frequency", net->name, key);
 }
 
 static enum hawser_status prepare(struct run *run, struct hawser_report *report)

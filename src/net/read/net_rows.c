@@ -24,8 +24,8 @@
 #define LOAD_OF_CABLE(path) \
 	LOAD_OF(path, ".per_length", "N/m", "force per unstretched length along x, y, z") \
 	NUMBER(path ".harmonic.wavelength", OPTIONAL, "m", ANY, LOAD_AT(wavelength), NULL, \
-	       "unstretched length over which the phase falls by 2 pi, of a load that runs towards its end; " \
-	       "negative: towards its begin")
+	       "unstretched length over which the phase falls by 2 pi, of a load that runs towards its " \
+	       "end; negative: towards its begin")
 #define MOTION(path, k) \
 	MAPPING(path, OPTIONAL, "harmonic motion in this direction") \
 	NUMBER(path ".amplitude", REQUIRED, "m", ANY, LOAD_AT(value[k]), NULL, \

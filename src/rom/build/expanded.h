@@ -49,8 +49,8 @@ struct hawser__answers {
 };
 void hawser__answers_clear(struct hawser__answers *answers);
 
-/* Entries of Q and C of the equations of the modes, in the first n shapes, of which the last of an entry is at
- * least number `least`. */
+/* Entries of Q and C of the equations of the modes, in the first n shapes, of which the last of an
+ * entry is at least number `least`. */
 enum hawser_status hawser__expanded_tensors(struct hawser_rom *rom, const struct hawser__expanded *e,
                                             int n, int least, struct hawser_report *report);
 /* Displacement and strains of `pairs` pairs of the expansion, from number `first` on, at the shape
@@ -61,7 +61,8 @@ void hawser__expanded_second(double *shape, double *slope, double *line, const s
 enum hawser_status hawser__expanded_answers(struct hawser_rom *rom, const struct hawser__expanded *e,
                                             const struct hawser__answers *answers,
                                             struct hawser_report *report);
-/* The displacement by moving supports that is field i, as a harmonic without force. expanded_answer.c. */
+/* The displacement by moving supports that is field i, as a harmonic without force.
+ * expanded_answer.c. */
 enum hawser_status hawser__expanded_lift(struct hawser_rom *rom, const struct hawser__expanded *e,
                                          const struct hawser__answers *answers, int i,
                                          struct hawser_report *report);

@@ -11,12 +11,10 @@
 
 #include <cblas.h>
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "core/report.h"
-#include "rom/build/model.h"
 #include "rom/build/net.h"
 
 enum { DEFAULT = 6, CLUSTER = 4 }; /* modes; most that join the default ones */
@@ -116,18 +114,15 @@ static enum hawser_status find_modes(struct hawser__net_source *source,
                                      struct hawser_report *report)
 {
 	struct hawser__net_modal *modal = &source->modal;
-	int n = o->n > 0 ? o->n : DEFAULT + CLUSTER;
-	enum hawser_status status = hawser__net_modal_open(modal, source->net, n, HAWSER__NET_SPACE, report);
+	int n = o->n == 0 ? -DEFAULT - CLUSTER : o->condensed && !o->kept ? -o->n : o->n;
+	enum hawser_status status = hawser__net_modal_open(modal, source->net, n, HAWSER__NET_SPACE,
+	                                                   report);
 	size_t unknowns;
 
-	if (status && o->n == 0 && status != HAWSER_ERR_MEMORY) { /* fewer unknowns with mass */
-		hawser__net_modal_clear(modal);
-		status = hawser__net_modal_open(modal, source->net, 0, HAWSER__NET_SPACE, report);
-	}
 	if (status)
 		return status;
 	set_units(source);
-	source->n = o->kept ? o->count : o->n > 0 ? o->n : joined(&modal->modes);
+	source->n = o->kept ? o->count : o->n > 0 ? modal->modes.n : joined(&modal->modes);
 	status = allocate(source, report);
 	if (status)
 		return status;
@@ -141,17 +136,6 @@ static enum hawser_status find_modes(struct hawser__net_source *source,
 	return HAWSER_OK;
 }
 
-static double omega_of(const struct hawser__net_source *source, int j)
-{
-	return source->modal.modes.omega[source->kept[j]]*source->time;
-}
-
-/* kg m^2, the mass of a coordinate. */
-static double inertia_of(const struct hawser__net_source *source)
-{
-	return source->mass*source->length*source->length;
-}
-
 /* --- the response of the modes that are not kept --- */
 
 static void remove_kept(const struct hawser__net_source *source, double *row)
@@ -161,13 +145,15 @@ static void remove_kept(const struct hawser__net_source *source, double *row)
 	for (int j = 0; j < source->n; j++) {
 		const double *mode = source->mode + (size_t)j*(size_t)unknowns;
 
-		cblas_daxpy(unknowns, -hawser__net_mass(source, mode, row)/inertia_of(source), mode, 1, row, 1);
+		double part = hawser__net_mass(source, mode, row)/hawser__net_unit(source);
+
+		cblas_daxpy(unknowns, -part, mode, 1, row, 1);
 	}
 }
 
 static double product(const void *of, const double *x, const double *y)
 {
-	return hawser__net_mass(of, x, y)/inertia_of(of);
+	return hawser__net_mass(of, x, y)/hawser__net_unit(of);
 }
 
 static enum hawser_status follow(const void *of, double *to, const double *from,
@@ -250,7 +236,7 @@ static enum hawser_status expand(struct hawser__net_source *source, double *omeg
 
 	t->omega2 = omega2;
 	for (int j = 0; j < source->n; j++) {
-		omega2[j] = omega_of(source, j)*omega_of(source, j);
+		omega2[j] = hawser__net_omega(source, j)*hawser__net_omega(source, j);
 		hawser__net_spread(t->shape + (size_t)j*(size_t)nodes, source,
 		                   source->mode + (size_t)j*(size_t)source->modal.mesh.unknowns);
 	}
@@ -270,204 +256,6 @@ static enum hawser_status expand(struct hawser__net_source *source, double *omeg
 
 /* --- the model --- */
 
-/* The row of a coordinate. */
-static const double *row_of(const struct hawser__net_source *source, int j)
-{
-	size_t unknowns = (size_t)source->modal.mesh.unknowns;
-
-	return j < source->n ? source->mode + (size_t)j*unknowns
-	                     : source->inertia.row + (size_t)(j - source->n)*unknowns;
-}
-
-static enum hawser_status set_matrices(struct hawser_rom *rom, const struct hawser__net_source *source,
-                                       struct hawser_report *report)
-{
-	double unit = inertia_of(source)/source->time;
-	double (*shape)[3] = calloc((size_t)source->modal.mesh.nodes + 1, sizeof *shape);
-	int n = rom->n;
-
-	if (!shape)
-		return hawser__no_memory(report, "net rom");
-	for (int j = 0; j < n; j++) {
-		rom->K[j*(n + 1)] = j < source->n ? omega_of(source, j)*omega_of(source, j)
-		                                  : source->inertia.kappa2[j - source->n];
-		hawser__net_spread(shape, source, row_of(source, j));
-		for (int k = 0; k <= j; k++)
-			rom->D[j*n + k] = rom->D[k*n + j] =
-				hawser__net_damping(source, (const double (*)[3])shape, row_of(source, k))/unit;
-		rom->D[j*(n + 1)] += 2.0*source->net->ratio*sqrt(rom->K[j*(n + 1)]);
-	}
-	free(shape);
-	return HAWSER_OK;
-}
-
-/* T_jkpsi u_j u_k/2 in the equation of a second-order shape, and T_jkpsi u_k psi in those of modes. */
-static enum hawser_status set_follow(struct hawser_rom *rom, const struct hawser__net_source *source,
-                                     struct hawser_report *report)
-{
-	int n = source->n, pairs = n*(n + 1)/2;
-	struct hawser_quad *Q = realloc(rom->Q, ((size_t)rom->quads + 3*(size_t)pairs*
-	                                         (size_t)rom->inertia.shapes + 1)*sizeof *Q);
-
-	if (!Q)
-		return hawser__no_memory(report, "net rom");
-	rom->Q = Q;
-	for (int i = 0; i < rom->inertia.shapes; i++)
-		for (int k = 0; k < n; k++)
-			for (int j = 0; j <= k; j++) {
-				double value = source->inertia.third[i*pairs + hawser__nexpand_pair(j, k)];
-
-				Q[rom->quads++] = (struct hawser_quad){n + i, j, k, j == k ? 0.5*value : value};
-				Q[rom->quads++] = (struct hawser_quad){j, k, n + i, value};
-				if (j < k)
-					Q[rom->quads++] = (struct hawser_quad){k, j, n + i, value};
-			}
-	return HAWSER_OK;
-}
-
-/* Forces on the coordinates, and the stiffness by the static response of the others. */
-static enum hawser_status set_harmonics(struct hawser_rom *rom, const struct hawser__net_source *source,
-                                        const struct hawser__answers *answers,
-                                        struct hawser_report *report)
-{
-	int unknowns = source->modal.mesh.unknowns, elements = source->modal.mesh.elements, n = rom->n;
-	int modes = source->n;
-	double (*slope)[3] = calloc((size_t)elements + 1, sizeof *slope);
-
-	rom->harmonic = calloc((size_t)source->waves + 1, sizeof *rom->harmonic);
-	for (int i = 0; i < source->waves && rom->harmonic && slope; i++) {
-		const struct hawser__net_wave *wave = &source->wave[i];
-		struct hawser_harmonic *h = &rom->harmonic[rom->harmonics++];
-
-		*h = (struct hawser_harmonic){.k = wave->k, .phase = wave->sine ? HAWSER_SIN : HAWSER_COS,
-			.omega_power = wave->power, .f = hawser__numbers((size_t)n, 1),
-			.K = hawser__numbers((size_t)n, (size_t)n)};
-		if (!h->f || !h->K)
-			break;
-		for (int e = 0; e < elements; e++)
-			hawser__nexpand_row_slope(slope[e], &source->t, e, answers->driven[i].field);
-		for (int j = 0; j < modes; j++) {
-			h->f[j] = cblas_ddot(unknowns, source->mode + (size_t)j*(size_t)unknowns, 1, wave->row, 1)/
-			          (source->t.energy*pow(source->time, wave->power));
-			for (int k = 0; k < modes; k++)
-				h->K[j*n + k] = hawser__nexpand_third(&source->t, j, k, (const double (*)[3])slope);
-		}
-	}
-	free(slope);
-	return rom->harmonics == source->waves && rom->harmonic &&
-	       (!rom->harmonics || rom->harmonic[rom->harmonics - 1].K) ? HAWSER_OK
-	       : hawser__no_memory(report, "net rom");
-}
-
-static enum hawser_status set_labels(struct hawser_rom *rom, const struct hawser__net_source *source,
-                                     struct hawser_report *report)
-{
-	const struct hawser_net_modes *modes = &source->modal.modes;
-
-	rom->label = calloc((size_t)rom->n, sizeof *rom->label);
-	for (int j = 0; rom->label && j < rom->n; j++) {
-		int k = j < source->n ? source->kept[j] : -1;
-		const char *side = k >= 0 && modes->symmetry.flat ? hawser_net_plane_side(modes->parity[k][0]) : NULL;
-		char text[48];
-
-		snprintf(text, sizeof text, "mode %d%s%s%s", k + 1, side ? " (" : "", side ? side : "",
-		         side ? ")" : "");
-		rom->label[j] = strdup(k < 0 ? "second-order shape" : text);
-		if (!rom->label[j])
-			return hawser__no_memory(report, "net rom");
-	}
-	return rom->label ? HAWSER_OK : hawser__no_memory(report, "net rom");
-}
-
-static enum hawser_status set_places(struct hawser_rom *rom, struct hawser__net_source *source,
-                                     struct hawser_report *report)
-{
-	int points = source->net->nodes + 6*source->net->cables, n = rom->n;
-	char **name = calloc((size_t)points, sizeof *name);
-	enum hawser_status status = name ? hawser__net_places(source, name, report)
-	                                 : hawser__no_memory(report, "net rom");
-
-	points = source->shapes;
-	if (!status)
-		status = hawser__rom_init_shapes(rom, points, report);
-	if (!status)
-		status = hawser__rom_init_line(rom, source->places - points, report);
-	for (int p = 0; name && p < points; p++) {
-		if (status)
-			free(name[p]);
-		else
-			rom->shapes.name[p] = name[p];
-	}
-	free(name);
-	rom->shapes.EA = source->EA;
-	for (int p = 0; p < source->places && !status; p++) {
-		int own = p < points;
-		double *s = own ? rom->shapes.s + p : rom->line.s + (p - points);
-		double *stretch = own ? rom->shapes.stretch + p : rom->line.stretch + (p - points);
-
-		*s = source->place[p].s/source->length;
-		*stretch = hawser__net_place_stretch(source, p);
-		if (own)
-			rom->shapes.tangent[2*p] = 1.0;
-		for (int j = 0; j < n; j++) {
-			double unused[3];
-
-			if (own)
-				hawser__net_at(rom->shapes.shape + 3*(j*points + p),
-				               rom->shapes.slope + 3*(j*points + p), source, row_of(source, j), p);
-			else
-				hawser__net_at(unused, rom->line.slope + 3*(j*(source->places - points) + p - points),
-				               source, row_of(source, j), p);
-		}
-	}
-	return status;
-}
-
-static enum hawser_status set_second(struct hawser_rom *rom, const struct hawser__expanded *e,
-                                     struct hawser_report *report)
-{
-	enum hawser_status status = hawser__rom_init_second(rom, report);
-	int modes = rom->n - rom->inertia.shapes;
-
-	if (!status)
-		hawser__expanded_second(rom->shapes.second_shape, rom->shapes.second_slope,
-		                        rom->line.second_slope, rom, e, 0, modes*(modes + 1)/2);
-	return status;
-}
-
-static enum hawser_status fill(struct hawser_rom *rom, struct hawser__net_source *source,
-                               const struct hawser__answers *answers, struct hawser_report *report)
-{
-	const struct hawser__expanded e = hawser__net_expanded(source);
-	enum hawser_status status = hawser__rom_init(rom, source->n + source->inertia.found.shapes, report);
-
-	if (status)
-		return status;
-	rom->length = source->length;
-	rom->time = source->time;
-	rom->force = source->force;
-	rom->scaled = 1;
-	rom->inertia = source->inertia.found;
-	status = set_matrices(rom, source, report);
-	if (!status)
-		status = hawser__expanded_tensors(rom, &e, source->n, 0, report);
-	if (!status)
-		status = set_follow(rom, source, report);
-	if (!status)
-		status = set_labels(rom, source, report);
-	if (!status)
-		status = set_places(rom, source, report);
-	if (!status)
-		status = set_second(rom, &e, report);
-	if (!status)
-		status = set_harmonics(rom, source, answers, report);
-	if (!status)
-		status = hawser__expanded_answers(rom, &e, answers, report);
-	for (int i = 0; i < answers->ends && !status; i++)
-		status = hawser__expanded_lift(rom, &e, answers, i, report);
-	return status ? status : hawser__expanded_fields(rom, &e, answers, report);
-}
-
 static void clear(struct hawser__net_source *source)
 {
 	hawser__nexpand_clear(&source->t);
@@ -475,8 +263,8 @@ static void clear(struct hawser__net_source *source)
 	hawser__hold_clear(&source->hold);
 }
 
-/* The model of a mesh whose modes are found. find: with second-order shapes that matter; else with those
- * of `source`. */
+/* The model of a mesh whose modes are found. find: with second-order shapes that matter; else with
+ * those of `source`. */
 static enum hawser_status build(struct hawser_rom *rom, struct hawser__net_source *source,
                                 const struct hawser_net_rom_options *o, int find,
                                 struct hawser_report *report)
@@ -499,7 +287,7 @@ static enum hawser_status build(struct hawser_rom *rom, struct hawser__net_sourc
 	if (!status)
 		status = expand(source, omega2, &answers, find, report);
 	if (!status)
-		status = fill(rom, source, &answers, report);
+		status = hawser__net_fill(rom, source, &answers, report);
 	hawser__answers_clear(&answers);
 	return status;
 }

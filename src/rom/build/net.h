@@ -56,6 +56,14 @@ struct hawser__net_source {
 	struct hawser__hold hold;
 };
 
+/* net_fill.c: frequency of coordinate j, a mode; mass of a coordinate, kg m^2; the model, of whose
+ * coordinates, loads and answers all are known. */
+double hawser__net_omega(const struct hawser__net_source *source, int j);
+double hawser__net_unit(const struct hawser__net_source *source);
+enum hawser_status hawser__net_fill(struct hawser_rom *rom, struct hawser__net_source *source,
+                                    const struct hawser__answers *answers,
+                                    struct hawser_report *report) HAWSER_MUST_CHECK;
+
 /* net_load.c: waves and lifts of the scene. */
 enum hawser_status hawser__net_loads_of(struct hawser__net_source *source,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
@@ -67,7 +75,7 @@ double hawser__net_damping(const struct hawser__net_source *source, const double
 /* shape [nodes][3] of a row. */
 void hawser__net_spread(double (*shape)[3], const struct hawser__net_source *source, const double *row);
 
-/* net_inertia.c: which shapes matter, from what follows; the shapes, whose part of that is taken out. */
+/* net_inertia.c: which shapes matter, from what follows; and those, whose part of it is taken out. */
 enum hawser_status hawser__net_inertia_find(struct hawser__net_source *source,
                                             struct hawser_report *report) HAWSER_MUST_CHECK;
 enum hawser_status hawser__net_inertia_make(struct hawser__net_source *source,

@@ -1,13 +1,13 @@
 /* rom/build/net_inertia.c - second-order shapes as coordinates of a net's model
- * (rom/condense/inertia.c). A mass on a short cable swings up as far as the square of its amplitude, and
- * what it lifts follows: without their inertia its frequency rises where it falls.
+ * (rom/condense/inertia.c). A mass on a short cable swings up as far as the square of its amplitude,
+ * and what it lifts follows: without their inertia its frequency rises where it falls.
  *
  *   w_jk     what follows the modes j and k
  *   A_j      expected amplitude of mode j: its linear resonance, or a slope that the expansion bears
  *   psi      a vibration in the space of all w_jk, of the mass 1, of stiffness kappa^2
  *
- * psi is orthogonal to the modes in mass and stiffness, as the w_jk are, and w_jk then has no part along
- * it. The load is on what remains static, so that psi has the force - 1/2 T_jkpsi u_j u_k alone.
+ * psi is orthogonal to the modes in mass and stiffness, as the w_jk are, and w_jk then has no part
+ * along it. The load is on what remains static, so that psi has the force - 1/2 T_jkpsi u_j u_k alone.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -22,11 +22,6 @@
 #include "rom/build/net.h"
 
 static const double allowed = 2e-4; /* relative error of resonance frequencies, as of spans; chosen */
-
-static double unit_of(const struct hawser__net_source *source)
-{
-	return source->mass*source->length*source->length;
-}
 
 static double *pair_row(const struct hawser__net_source *source, int pair)
 {
@@ -65,7 +60,7 @@ static double amplitude(const struct hawser__net_source *source, int j)
 	}
 	damping = hawser__net_damping(source, (const double (*)[3])source->t.shape +
 	                              (size_t)j*(size_t)source->modal.mesh.nodes, mode)/
-	          unit_of(source)*source->time + 2.0*source->net->ratio*omega;
+	          hawser__net_unit(source)*source->time + 2.0*source->net->ratio*omega;
 	return force > 0.0 ? fmin(force/(damping*omega),
 	                          HAWSER__INERTIA_SLOPE/sqrt(turning(source, j))) : 0.0;
 }
@@ -111,7 +106,7 @@ static void find_pairs(struct work *w, const struct hawser__net_source *source)
 			if (!(A[j]*A[k] > 0.0))
 				continue;
 			square = factor*factor*hawser__net_mass(source, pair_row(source, pair),
-			                                        pair_row(source, pair))/unit_of(source);
+			                                        pair_row(source, pair))/hawser__net_unit(source);
 			if (square > HAWSER__INERTIA_TRIFLE*allowed)
 				enter(w, pair, factor, square);
 		}
@@ -122,7 +117,7 @@ static void find_pairs(struct work *w, const struct hawser__net_source *source)
 static void products(double *mass, double *stiffness, const struct hawser__net_source *source,
                      const double *x, const double *y)
 {
-	*mass = hawser__net_mass(source, x, y)/unit_of(source);
+	*mass = hawser__net_mass(source, x, y)/hawser__net_unit(source);
 	hawser__eigen_stiffness(source->scratch, x, &source->modal.eigen);
 	*stiffness = cblas_ddot(source->modal.mesh.unknowns, source->scratch, 1, y, 1)/source->t.energy;
 }
@@ -188,7 +183,8 @@ static enum hawser_status orthogonalise(struct hawser__net_inertia *of,
 		return hawser__fail(report, HAWSER_ERR_NAN, "net rom", "%s: the second-order shapes are not "
 		                    "independent", source->net->name);
 	for (int i = 0; i < n; i++) {
-		double sign = stiffness[cblas_idamax(n, stiffness + i, n)*(size_t)n + (size_t)i] < 0.0 ? -1.0 : 1.0;
+		size_t most = cblas_idamax(n, stiffness + i, n)*(size_t)n + (size_t)i;
+		double sign = stiffness[most] < 0.0 ? -1.0 : 1.0;
 
 		for (int x = 0; x < n; x++)
 			cblas_daxpy((int)unknowns, sign*stiffness[x*n + i], raw + (size_t)x*unknowns, 1,
@@ -202,7 +198,8 @@ enum hawser_status hawser__net_inertia_make(struct hawser__net_source *source,
 {
 	struct hawser__net_inertia *of = &source->inertia;
 	size_t unknowns = (size_t)source->modal.mesh.unknowns, shapes = (size_t)of->found.shapes,
-	       elements = (size_t)source->modal.mesh.elements, pairs = (size_t)(source->n*(source->n + 1)/2);
+	       elements = (size_t)source->modal.mesh.elements,
+	       pairs = (size_t)(source->n*(source->n + 1)/2);
 	double *raw;
 	enum hawser_status status;
 

@@ -194,7 +194,8 @@ static void pair_at(double u[3], double slope[3], const void *of, int pair, int 
 {
 	const struct hawser__net_source *source = of;
 
-	hawser__net_at(u, slope, source, source->t.second + (size_t)pair*(size_t)source->modal.mesh.unknowns, p);
+	hawser__net_at(u, slope, source,
+	               source->t.second + (size_t)pair*(size_t)source->modal.mesh.unknowns, p);
 }
 
 /* --- derivatives --- */

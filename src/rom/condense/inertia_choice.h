@@ -8,9 +8,10 @@
 enum { HAWSER__INERTIA_MOST = 8,    /* largest number of shapes; chosen */
        HAWSER__INERTIA_PAIRS = 48 }; /* largest number of pairs that are examined; chosen to limit the
                                       * cost */
-#define HAWSER__INERTIA_TRIFLE 0.01 /* ignored effect of a pair, relative to the allowed error; chosen */
-#define HAWSER__INERTIA_SLOPE 0.15  /* largest expected slope of a motion (r.m.s.), within the expansion;
-                                     * chosen */
+/* Ignored effect of a pair, relative to the allowed error; largest expected slope of a motion (r.m.s.),
+ * within the expansion; chosen. */
+#define HAWSER__INERTIA_TRIFLE 0.01
+#define HAWSER__INERTIA_SLOPE 0.15
 
 /* Of `count` weighted motions of condensed modes, whose products in mass and in stiffness are given,
  * [count][count]: as many vibrations in their space as leave an error of at most `allowed`, as

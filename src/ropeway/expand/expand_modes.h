@@ -42,7 +42,8 @@ void hawser__lexpand_second_at(double shape[3], double slope[3], const struct ha
 void hawser__lexpand_shape_at(double shape[3], double slope[3], const struct hawser__lexpand *t, int i,
                               int piece, double s, double angle);
 
-/* The same of a displacement of the whole rope, in a row: the states, then the strains, of all systems. */
+/* The same of a displacement of the whole rope, in a row: the states of all systems, then the
+ * strains. */
 void hawser__lexpand_field_at(double shape[3], double slope[3], const struct hawser__lmode *rope,
                               const double *row, int piece, double s, double angle);
 
