@@ -40,6 +40,7 @@ struct hawser_net_cable {
 	char name[HAWSER_NET_NAME];
 	int from, to;       /* nodes */
 	double EA, rho;     /* N, kg/m per unstretched length */
+	double axial;       /* s, of its own, beside that of the net: a damper */
 	enum hawser_net_given given;
 	double value;       /* of what is given */
 	int elements, elements_given; /* elements_given: 1 if the scene has them, 0: the default */

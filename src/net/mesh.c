@@ -74,6 +74,7 @@ static enum hawser_status allocate(struct hawser__mesh *mesh, const struct hawse
 	mesh->EA = hawser__hold(&mesh->hold, elements, sizeof *mesh->EA);
 	mesh->density = hawser__hold(&mesh->hold, elements, sizeof *mesh->density);
 	mesh->rho = hawser__hold(&mesh->hold, elements, sizeof *mesh->rho);
+	mesh->axial = hawser__hold(&mesh->hold, elements, sizeof *mesh->axial);
 	mesh->q = hawser__hold(&mesh->hold, nodes, sizeof *mesh->q);
 	mesh->unknown = hawser__hold(&mesh->hold, nodes, sizeof *mesh->unknown);
 	mesh->mass = hawser__hold(&mesh->hold, nodes, sizeof *mesh->mass);
@@ -84,7 +85,8 @@ static enum hawser_status allocate(struct hawser__mesh *mesh, const struct hawse
 }
 
 /* Elements of one cable, and its inner nodes from number `node`. */
-static void chain(struct hawser__mesh *mesh, const struct hawser_net_cable *cable, int number, int node)
+static void chain(struct hawser__mesh *mesh, const struct hawser_net_cable *cable, int number, int node,
+                  double axial)
 {
 	int first = mesh->first[number], n = cable->elements;
 	const double *a = mesh->q[cable->from], *b = mesh->q[cable->to];
@@ -98,6 +100,7 @@ static void chain(struct hawser__mesh *mesh, const struct hawser_net_cable *cabl
 		mesh->cable[e] = number;
 		mesh->EA[e] = cable->EA;
 		mesh->rho[e] = cable->rho;
+		mesh->axial[e] = axial + cable->axial;
 		mesh->length0[e] = cable->given == HAWSER_NET_LENGTH0 ? cable->value/n : 0.0;
 		for (int k = 0; i < n - 1 && k < 3; k++)
 			mesh->q[node + i][k] = a[k] + (b[k] - a[k])*(i + 1)/n;
@@ -181,7 +184,6 @@ enum hawser_status hawser__mesh_build(struct hawser__mesh *mesh, const struct ha
 	}
 	mesh->g = net->g;
 	mesh->alpha = net->alpha;
-	mesh->axial = net->axial;
 	for (int i = 0; i < net->nodes; i++) {
 		memcpy(mesh->q[i], net->node[i].x, sizeof mesh->q[i]);
 		mesh->mass[i] = net->node[i].mass;
@@ -189,7 +191,7 @@ enum hawser_status hawser__mesh_build(struct hawser__mesh *mesh, const struct ha
 			mesh->unknown[i][k] = net->node[i].held[k] ? -1 : 0;
 	}
 	for (int i = 0; i < net->cables; i++) {
-		chain(mesh, &net->cable[i], i, node);
+		chain(mesh, &net->cable[i], i, node, net->axial);
 		node += net->cable[i].elements - 1;
 		mesh->first[i + 1] = mesh->first[i] + net->cable[i].elements;
 	}

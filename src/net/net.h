@@ -27,6 +27,7 @@ struct hawser__mesh {
 	double *density;       /* [elements] N/m; positive only within form finding, where the tension
 	                        * of the element is density*l */
 	double *rho;           /* [elements] kg/m per unstretched length */
+	double *axial;         /* [elements] s: T = EA*(strain + axial*its rate) */
 	double (*q)[3];        /* [nodes] positions: of supports as given; of the others as last solved */
 	int (*unknown)[3];     /* [nodes] index of the unknown of each direction; -1 if it is held */
 	double (*frame)[3][3]; /* [nodes] rows: these directions, unit vectors at right angles to each
@@ -37,7 +38,7 @@ struct hawser__mesh {
 	struct hawser__mesh_wave *wave; /* [waves] harmonic loads, at mesh nodes */
 	struct hawser__mesh_wave *motion; /* [motions] harmonic displacements of held directions */
 	int waves, motions;
-	double g, alpha, axial; /* as in struct hawser_net */
+	double g, alpha;       /* as in struct hawser_net */
 	struct hawser__touch *touch; /* [touches] each node that can move, with each obstacle */
 	int touches;
 	int surfaces_rest;     /* 1: the surfaces of obstacles do not move: before a motion */

@@ -32,7 +32,7 @@ options() {
 		integrate-net) echo '--until 0.2 --every 0.1' ;;
 		integrate-rod) echo '--until 0.02 --every 0.01 --no-error --set "rod.inertia=[8e-5,4e-5,4e-5]"' ;;
 		integrate-*) echo '--Omega 0.9w1 --until 1T --every 0.5T -n 1' ;;
-		frf-net) echo '--from 0.9w1 --to 0.91w1 -n 1 --max-points 2 --set "loads.J={force: [0 N, 0 N, 1 N], harmonic: {multiple: 1}}"' ;;
+		frf-net) echo '--from 0.9w1 --to 0.91w1 -n 1 --max-points 2 --set "loads.J={force: [0, 0, 1], harmonic: {multiple: 1}}"' ;;
 		frf-*) echo '--from 0.9w1 --to 0.91w1 -n 1 --max-points 2' ;;
 		nnm-*) echo '-n 1 --max-points 3' ;;
 		rom-*) echo '-n 1' ;;

@@ -86,7 +86,11 @@ double cli_modes_end(const struct cli_model *model)
 {
 	const struct hawser_modes *modes = model->made ? &model->made->modes.modes : NULL;
 
-	return modes && modes->n > 0 ? last*modes->mode[modes->n - 1].omega : INFINITY;
+	if (!modes || modes->n == 0 || model->naturals == 0)
+		return INFINITY;
+	/* the highest frequencies may be those of second-order shapes */
+	return last*(model->rom.inertia.shapes > 0 ? modes->mode[modes->n - 1].omega
+	                                           : model->natural[model->naturals - 1]);
 }
 
 void cli_known_warn(const struct cli_model *model, double omega)

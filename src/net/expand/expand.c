@@ -51,30 +51,16 @@ static double set_axes(double axes[3][3], const struct hawser__mesh *mesh, int e
 	return length;
 }
 
-static int moves(const struct hawser__mesh *mesh, int e)
-{
-	for (int i = 0; i < 6; i++)
-		if (mesh->unknown[mesh->end[e][i/3]][i%3] >= 0)
-			return 1;
-	return 0;
-}
-
-static enum hawser_status place(struct hawser__nexpand *t, const struct hawser__net_modal *modal,
-                                struct hawser_report *report)
+static void place(struct hawser__nexpand *t)
 {
 	const struct hawser__mesh *mesh = t->mesh;
 
 	for (int e = 0; e < mesh->elements; e++) {
 		double length = set_axes(t->axes[e], mesh, e);
 
-		if (!(modal->T[e] > 0.0) && moves(mesh, e))
-			return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "net rom", "%s: an element is slack at "
-			                    "rest: the model is of cables that stay taut; shorten it, load it, or "
-			                    "leave it out", modal->eigen.name);
 		t->weight[e] = mesh->EA[e]*mesh->length0[e]/t->energy;
 		t->strain[e] = (length - mesh->length0[e])/mesh->length0[e];
 	}
-	return HAWSER_OK;
 }
 
 enum hawser_status hawser__nexpand_open(struct hawser__nexpand *t,
@@ -94,7 +80,10 @@ enum hawser_status hawser__nexpand_open(struct hawser__nexpand *t,
 	t->third = hawser__hold(&t->hold, count*count*count, sizeof *t->third);
 	t->pairing = hawser__hold(&t->hold, pairs*pairs, sizeof *t->pairing);
 	t->second = hawser__hold(&t->hold, pairs*(size_t)mesh->unknowns, sizeof *t->second);
-	return t->hold.short_of_memory ? hawser__no_memory(report, "net rom") : place(t, modal, report);
+	if (t->hold.short_of_memory)
+		return hawser__no_memory(report, "net rom");
+	place(t);
+	return HAWSER_OK;
 }
 
 /* --- slopes --- */
@@ -263,6 +252,18 @@ static void fill_columns(double left[COLUMNS], double right[COLUMNS], const stru
 	right[5] = sigma;
 	left[6] = sigma;
 	right[6] = aa;
+}
+
+double hawser__nexpand_own(const struct hawser__nexpand *t, int j)
+{
+	double left[COLUMNS], right[COLUMNS], sum = 0.0;
+
+	for (int e = 0; e < t->mesh->elements; e++) {
+		fill_columns(left, right, t, e, j, j);
+		for (int c = 0; c < COLUMNS; c++)
+			sum += 3.0*left[c]*right[c];
+	}
+	return sum;
 }
 
 enum hawser_status hawser__nexpand_pairs(struct hawser__nexpand *t, struct hawser_report *report)

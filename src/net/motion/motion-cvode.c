@@ -142,12 +142,15 @@ static double slow(const struct hawser__motion *motion)
 /* Whether Kelvin-Voigt damping makes the fastest axial wave of an element aperiodic. */
 static int overdamped(const struct hawser__motion *motion)
 {
-	double fastest = 0.0;
+	double most = 0.0;
 
-	for (int e = 0; e < motion->elements; e++)
-		if (motion->element[e].m > 0.0)
-			fastest = fmax(fastest, 2.0*sqrt(motion->element[e].k/motion->element[e].m));
-	return motion->mesh->axial*fastest > 2.0;
+	for (int e = 0; e < motion->elements; e++) {
+		const struct hawser__motion_element *el = &motion->element[e];
+
+		if (el->m > 0.0)
+			most = fmax(most, el->c/el->k*2.0*sqrt(el->k/el->m));
+	}
+	return most > 2.0;
 }
 
 static void look(struct hawser__cvode *cvode)

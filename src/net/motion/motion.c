@@ -82,7 +82,7 @@ static void refer(struct hawser__motion *motion, int balanced, const unsigned ch
 		el->l_ref = sqrt(el->D[0]*el->D[0] + el->D[1]*el->D[1] + el->D[2]*el->D[2]);
 		el->p_ref = el->l_ref - L0;
 		el->k = mesh->EA[e]/L0;
-		el->c = el->k*mesh->axial;
+		el->c = el->k*mesh->axial[e];
 		motion->damps = fmax(motion->damps, el->c);
 		el->m = mesh->rho[e]*L0;
 		el->drag = mesh->alpha*L0;

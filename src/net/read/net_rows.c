@@ -49,6 +49,9 @@ static const struct hawser__tree_key net_rows[] = {
 	NUMBER("net.cables[].EA", REQUIRED, "N", POSITIVE, CABLE_AT(EA), NULL, "axial stiffness")
 	NUMBER("net.cables[].rho", REQUIRED, "kg/m", NOT_NEGATIVE, CABLE_AT(rho), NULL,
 	       "mass per unstretched length; 0: without weight")
+	NUMBER("net.cables[].axial", OPTIONAL, "s", NOT_NEGATIVE, CABLE_AT(axial), NULL,
+	       "damping of its own, beside damping.axial: T = EA (strain + axial d strain/dt), as of a "
+	       "damper")
 	CHOICE("net.cables[].length0", "m", CABLE_AT(value), CABLE_AT(given), "unstretched length")
 	CHOICE("net.cables[].tension", "N", CABLE_AT(value), CABLE_AT(given),
 	       "mean tension, from which the length follows")

@@ -64,6 +64,23 @@ static void set_units(struct hawser__net_source *source)
 	source->time = sqrt(source->mass*source->length/source->force);
 }
 
+static enum hawser_status check_taut(const struct hawser__net_source *source,
+                                     struct hawser_report *report)
+{
+	const struct hawser__mesh *mesh = &source->modal.mesh;
+
+	for (int i = 0; i < 6*mesh->elements; i++) {
+		int e = i/6, node = mesh->end[e][i%2];
+
+		if (!(source->modal.T[e] > 0.0) && mesh->unknown[node][i%3] >= 0)
+			return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "net rom", "%s: cable %s is slack at "
+			                    "rest, and the model is of cables that stay taut: shorten it, load it, "
+			                    "or leave it out", source->net->name,
+			                    source->net->cable[mesh->cable[e]].name);
+	}
+	return HAWSER_OK;
+}
+
 /* The default number, and those near the last one. */
 static int joined(const struct hawser_net_modes *modes)
 {
@@ -119,6 +136,9 @@ static enum hawser_status find_modes(struct hawser__net_source *source,
 	                                                   report);
 	size_t unknowns;
 
+	if (status)
+		return status;
+	status = check_taut(source, report);
 	if (status)
 		return status;
 	set_units(source);

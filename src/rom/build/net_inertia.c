@@ -3,7 +3,7 @@
  * and what it lifts follows: without their inertia its frequency rises where it falls.
  *
  *   w_jk     what follows the modes j and k
- *   A_j      expected amplitude of mode j: its linear resonance, or a slope that the expansion bears
+ *   A_j      expected amplitude of mode j: at its resonance, or a slope that the expansion bears
  *   psi      a vibration in the space of all w_jk, of the mass 1, of stiffness kappa^2
  *
  * psi is orthogonal to the modes in mass and stiffness, as the w_jk are, and w_jk then has no part
@@ -46,6 +46,19 @@ static double turning(const struct hawser__net_source *source, int j)
 	return most;
 }
 
+/* Amplitude A at resonance, of a force over its damping: A Omega = size, with the frequency Omega^2 =
+ * omega^2 + harder A^2 of the mode alone to the first order. */
+static double resonance(const struct hawser__net_source *source, int j, double size)
+{
+	const struct hawser__nexpand *t = &source->t;
+	double square = t->omega2[j], quad = 0.5*t->third[(j*t->n + j)*t->n + j];
+	double harder = 0.75*hawser__nexpand_own(t, j)/6.0 - 5.0/6.0*quad*quad/square;
+
+	if (!(harder*size*size > 1e-6*square*square))
+		return size/sqrt(square);
+	return sqrt((sqrt(square*square + 4.0*harder*size*size) - square)/(2.0*harder));
+}
+
 static double amplitude(const struct hawser__net_source *source, int j)
 {
 	int unknowns = source->modal.mesh.unknowns;
@@ -61,7 +74,7 @@ static double amplitude(const struct hawser__net_source *source, int j)
 	damping = hawser__net_damping(source, (const double (*)[3])source->t.shape +
 	                              (size_t)j*(size_t)source->modal.mesh.nodes, mode)/
 	          hawser__net_unit(source)*source->time + 2.0*source->net->ratio*omega;
-	return force > 0.0 ? fmin(force/(damping*omega),
+	return force > 0.0 ? fmin(resonance(source, j, force/damping),
 	                          HAWSER__INERTIA_SLOPE/sqrt(turning(source, j))) : 0.0;
 }
 

@@ -86,10 +86,10 @@ static void add_damping(double *row, const struct hawser__net_source *source, do
 		double slope[3];
 
 		add_element(row, mesh, e, factor*mesh->alpha*mesh->length0[e], x);
-		if (!(mesh->axial > 0.0))
+		if (!(mesh->axial[e] > 0.0))
 			continue;
 		hawser__nexpand_slope(slope, &source->t, e, x);
-		add_strains(row, source, e, factor*mesh->axial*mesh->EA[e], 0.0, slope);
+		add_strains(row, source, e, factor*mesh->axial[e]*mesh->EA[e], 0.0, slope);
 	}
 }
 

@@ -257,15 +257,18 @@ static enum hawser_status find_shapes(struct hawser_rom_inertia *inertia, struct
 {
 	double *mass = work->gram, *K = mass + PAIRS*PAIRS;
 	size_t width = (size_t)work->width;
-	enum hawser_status status = HAWSER_OK;
+	enum hawser_status status;
 
 	shorten(work, HAWSER__INERTIA_TRIFLE*allowed);
+	for (int x = 0; x < work->count; x++)
+		inertia->shift = inertia->left = fmax(inertia->left, work->square[x]);
+	if (!(inertia->left > allowed))
+		return HAWSER_OK;
 	products(mass, work, work->rest, work->root);
 	products(K, work, work->strain, work->stiff);
 	hawser__bend_gram(K, work->bend, work->bent, work->strain, work->width, work->count);
-	if (work->count > 0)
-		status = hawser__inertia_choose(inertia, work->combination, work->omega, mass, K, work->count,
-		                                allowed, report);
+	status = hawser__inertia_choose(inertia, work->combination, work->omega, mass, K, work->count,
+	                                allowed, report);
 	for (int i = 0; i < inertia->shapes && !status; i++) {
 		combine(work->rest + (size_t)(work->rows + i)*width, work, work->rest, i);
 		combine(work->strain + (size_t)(work->rows + i)*width, work, work->strain, i);
