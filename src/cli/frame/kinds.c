@@ -149,6 +149,7 @@ void cli_kind_print(FILE *to, int index, int forced)
 		return;
 	list_commands(names, sizeof names, index, 1);
 	fprintf(to, "those for which it lacks %s: %s\n", index == CLI_NUMBER_MODEL
-	        ? "a harmonic force" : "a load, a moving end or a travel.fluctuation", names);
+	        ? "a harmonic force" : index == CLI_NUMBER_NET ? "a load or motion with harmonic"
+	        : "a load, a moving end or a travel.fluctuation", names);
 }
 

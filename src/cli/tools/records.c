@@ -7,7 +7,8 @@
 #include "cli/statics/statics_kinds.h"
 #include "cli/tools/init_scenes.h"
 
-/* The entry `look` of a kind whose scene is a struct hawser_NAME; `facts` writes the lines. */
+/* The entry `look` of a kind whose scene is a struct hawser_NAME; `facts` writes the lines, and may say
+ * that nothing forces it. */
 #define LOOK(name, facts) \
 	static enum hawser_status look_##name(char *text, int *forced, const struct cli_common *common, \
 	                                      struct hawser_report *report) \
@@ -15,19 +16,21 @@
 		struct hawser_##name of; \
 		enum hawser_status status = cli_read_##name(&of, common, report); \
 	\
-		(void)forced; /* nothing is asked */ \
 		if (status) \
 			return status; \
-		facts(text, &of); \
+		facts(text, forced, &of); \
 		hawser_##name##_clear(&of); \
 		return HAWSER_OK; \
 	}
 
-static void net_facts(char *text, const struct hawser_net *net)
+static void net_facts(char *text, int *forced, const struct hawser_net *net)
 {
 	long elements = 0;
 	int supports = 0;
 
+	*forced = net->motions > 0;
+	for (int i = 0; i < net->loads; i++)
+		*forced = *forced || net->load[i].harmonic;
 	for (int i = 0; i < net->cables; i++)
 		elements += net->cable[i].elements;
 	for (int i = 0; i < net->nodes; i++)
@@ -38,23 +41,26 @@ static void net_facts(char *text, const struct hawser_net *net)
 }
 LOOK(net, net_facts)
 
-static void obstacles_facts(char *text, const struct hawser_obstacles *of)
+static void obstacles_facts(char *text, int *forced, const struct hawser_obstacles *of)
 {
+	(void)forced;
 	snprintf(text, CLI_SCENE_FACTS, "  obstacles: %d\n", of->line.sheaves);
 }
 LOOK(obstacles, obstacles_facts)
 
-static void ropeway_facts(char *text, const struct hawser_ropeway *rw)
+static void ropeway_facts(char *text, int *forced, const struct hawser_ropeway *rw)
 {
+	(void)forced;
 	snprintf(text, CLI_SCENE_FACTS, "  lanes: %d; towers: %d\n  load cases: %d\n%s", rw->lanes,
 	         rw->towers, rw->cases, rw->spacing > 0.0 ? "" : "  no carriers\n");
 }
 LOOK(ropeway, ropeway_facts)
 
-static void rod_facts(char *text, const struct hawser_rod *rod)
+static void rod_facts(char *text, int *forced, const struct hawser_rod *rod)
 {
 	long elements = 0;
 
+	(void)forced;
 	for (int i = 0; i < rod->segments; i++)
 		elements += rod->segment[i].elements;
 	snprintf(text, CLI_SCENE_FACTS, "  segments: %d, with %ld elements; length: %.6g m\n"
@@ -62,10 +68,11 @@ static void rod_facts(char *text, const struct hawser_rod *rod)
 }
 LOOK(rod, rod_facts)
 
-static void tow_facts(char *text, const struct hawser_tow *tow)
+static void tow_facts(char *text, int *forced, const struct hawser_tow *tow)
 {
 	static const char *const body[] = {"none", "a point", "a ring"};
 
+	(void)forced;
 	snprintf(text, CLI_SCENE_FACTS, "  path: %s\n  parts of the cable: %d\n  body: %s\n",
 	         hawser_path_name(tow->path.kind), tow->segments,
 	         body[tow->body.kind == HAWSER_TOW_RING ? 2 : tow->body.kind == HAWSER_TOW_MASS]);

@@ -14,6 +14,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "core/hold.h"
 #include "core/report.h"
 #include "rom/build/expanded.h"
 #include "rom/condense/known.h"
@@ -152,10 +153,11 @@ enum hawser_status hawser__expanded_lift(struct hawser_rom *rom, const struct ha
 	h += rom->harmonics++;
 	*h = (struct hawser_harmonic){.k = answers->field[i].k,
 		.phase = answers->field[i].sine ? HAWSER_SIN : HAWSER_COS,
+		.f = hawser__numbers((size_t)rom->n, 1), /* 0; a file asks for one */
 		.answer = calloc(ORDERS*points + 1, sizeof *h->answer),
 		.answer_line = calloc(ORDERS*line + 1, sizeof *h->answer_line),
 		.known = calloc((size_t)rom->known.modes + 1, sizeof *h->known)};
-	if (!h->answer || !h->answer_line || !h->known)
+	if (!h->f || !h->answer || !h->answer_line || !h->known)
 		return hawser__no_memory(report, "line rom");
 	for (int p = 0; p < rom->shapes.points; p++) {
 		e->shape_at(h->answer + 4*p, slope, e->of, modes_of(rom) + i, p);
