@@ -51,7 +51,7 @@ refused() { # what, status, words, sed, arguments
 refused "no end" 1 "the scene is a rod: give the end of its motion" ''
 refused "no mass" 1 "rod.rho is 0: what moves needs a mass" 's/rho: 1 /rho: 0 /' --until 1
 refused "no inertia" 1 "rod.inertia is missing" 's/, inertia: .*kg.m\]//' --until 1
-refused "an option of models" 1 "--Omega is for spans, ropeways and reduced models" '' --until 1 --Omega 3
+refused "an option of models" 1 "--Omega is for spans, nets, ropeways and reduced models" '' --until 1 --Omega 3
 refused "another scheme" 1 "the scheme.* of rods" '' --until 1 --method gauss
 refused "a probe beyond the end" 1 "the rod ends at 2 m" '' --until 1 --probe 3
 refused "no probe" 1 "at most 64 places" '' --until 1 --probe ,

@@ -30,11 +30,11 @@ static const struct settings defaults = {
 
 static const struct cli_option options[] = {
 	{"Omega", 0, "FREQUENCY", "forcing frequency; required if there is a load",
-	 CLI_TEXT_FOR(omega, CLI_MODELLED)},
+	 CLI_TEXT_FOR(omega, CLI_MODELLED | CLI_NET)},
 	{"until", 0, "TIME", "end of the run (100T)", CLI_TEXT(until)},
 	{"every", 0, "TIME", "interval between output rows (0.01T)", CLI_TEXT(every)},
-	{"modes", 'n', "N", "number of modes (the scene's model.modes)",
-	 CLI_INTEGER_FOR(n, CLI_MODELLED), .excludes = "model=fe"},
+	{"modes", 'n', "N", "number of modes (the scene's model.modes); of nets: a model in place of the mesh",
+	 CLI_INTEGER_FOR(n, CLI_MODELLED | CLI_NET), .excludes = "model=fe"},
 	{"initial", 0, "FILE",
 	 "state, or FILE#LABEL of a response, to start from (rest)", CLI_TEXT(initial),
 	 .excludes = "model=fe, continue"},
@@ -312,12 +312,22 @@ static enum hawser_status write_result(struct cli_integrate_result *result, stru
 	return status;
 }
 
+/* Whether it is of a net, and of its model. */
+static int of_net(const struct settings *settings)
+{
+	return settings->n > 0 && cli_kind(&settings->common) == HAWSER_KIND_NET;
+}
+
 /* A kind whose motion is not that of a model. */
 static enum hawser_status run_kind(const struct settings *settings, const struct cli_part *part,
                                    struct hawser_report *report)
 {
 	struct cli_integrate_net net = settings->net;
 
+	if (settings->omega)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate", "--Omega %s is of a model of the "
+		                    "net: give -n, too; the mesh has the frequencies of the scene",
+		                    settings->omega);
 	net.common = &settings->common;
 	net.until = settings->until != defaults.until ? settings->until : NULL;
 	net.every = settings->every != defaults.every ? settings->every : NULL;
@@ -366,7 +376,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 
 	if (!status)
 		status = hawser__file_check(net->state, report);
-	if (!status && part->run)
+	if (!status && part->run && !of_net(settings))
 		return run_kind(settings, part, report);
 	if (!status && settings->model && strcmp(settings->model, "fe") == 0)
 		return run_span(settings, report);
