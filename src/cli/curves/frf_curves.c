@@ -176,9 +176,12 @@ void cli_frf_curves(struct cli_frf_picture *of, int panel)
 {
 	const struct cli_frf_result *result = of->result;
 
-	for (int k = 0; k < result->model->naturals && !result->over; k++)
-		hawser__figure_upright(&of->figure, NULL, result->model->natural[k]*of->per_omega,
-		                       "lc rgb '#808080' lw 0.6 dt (4,4) back");
+	for (int k = 0; k < result->model->naturals && !result->over; k++) {
+		double omega = result->model->natural[k]*of->per_omega;
+
+		if (omega >= of->low && omega <= of->high)
+			hawser__figure_upright(&of->figure, NULL, omega, "lc rgb '#808080' lw 0.6 dt (4,4) back");
+	}
 	cli_tori_bands(of, panel);
 	for (int c = 0; c < of->curves; c++)
 		for (int s = 0; s < result->overlays && of->curve[c].panel == panel; s++)
