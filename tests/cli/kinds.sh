@@ -33,7 +33,8 @@ for kind in $kinds model; do
 		*) run init "$kind" && cp "$scratch/out" scene.yaml ;;
 	esac
 	run check scene.yaml
-	listed=", $(sed -n 's/^commands that take it: //p' "$scratch/out"),"
+	listed=", $(sed -n 's/^commands that take it: //p; s/^those for which it lacks [^:]*: //p' "$scratch/out" | tr '\n' ',' |
+		sed 's/,\([^ ]\)/, \1/g') "
 	for command in $takers; do
 		case $command in *_*) words="${command%%_*} ${command#*_}" ;; *) words=$command ;; esac
 		# shellcheck disable=SC2086 # a name of two words

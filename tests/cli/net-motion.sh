@@ -60,7 +60,7 @@ try "they are one run" cmp held.state all.state
 sed -e 's/elements: [0-9]*/elements: 1/' -e 's/0.5 kg.m/0/' -e '/^masses/d' net.yaml >massless.yaml
 denies "no end" 1 "give the end of its motion" integrate net.yaml
 denies "no mass" 1 "node J has none" integrate massless.yaml --until "1 s"
-denies "an option of models" 1 "\-\-Omega is for spans, ropeways and reduced models" integrate net.yaml --until "1 s" --Omega 1
+denies "an option of models" 1 "\-\-Omega 1 is of a model of the net: give -n" integrate net.yaml --until "1 s" --Omega 1
 denies "an option of nets" 1 "\-\-step is for the mesh of --model fe: give that" integrate "$chairlift" --Omega 1 --step 1
 denies "an unknown scheme" 1 "the schemes of nets are" integrate net.yaml --until "1 s" --method gauss
 denies "one in the scene, by its place" 1 "there is no scheme gauss: the schemes are energy, alpha" integrate net.yaml --until "1 s" --set 'dynamics={scheme: gauss}'
