@@ -44,6 +44,8 @@ noinst_LTLIBRARIES += %D%/libmodes.la
 	%D%/krylov.h \
 	%D%/label.c \
 	%D%/label.h \
+	%D%/pairing.c \
+	%D%/pairing.h \
 	%D%/methods.c \
 	%D%/methods.h \
 	%D%/complex/quadratic.c \

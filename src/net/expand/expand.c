@@ -135,30 +135,14 @@ double hawser__nexpand_third(const struct hawser__nexpand *t, int j, int k, cons
 	for (int e = 0; e < t->mesh->elements; e++) {
 		double g = 1.0 + t->strain[e];
 
-		sum += t->weight[e]/(g*g)*(x[e][0]*across(y[e], field[e]) + y[e][0]*across(x[e], field[e]) +
-		                           field[e][0]*across(x[e], y[e]));
+		sum += t->weight[e]/(g*g)*hawser__third_at(x[e], y[e], field[e]);
 	}
 	return sum;
 }
 
-static enum hawser_status fill_third(struct hawser__nexpand *t, struct hawser_report *report)
+static double third(const void *of, int j, int k, int l)
 {
-	int n = t->n;
-
-	for (int j = 0; j < n; j++)
-		for (int k = j; k < n; k++)
-			for (int l = k; l < n; l++) {
-				double value = hawser__nexpand_third(t, j, k, slopes_of(t, l));
-
-				if (!isfinite(value))
-					return hawser__fail(report, HAWSER_ERR_NAN, "net rom", "the tensor Q is %g for "
-					                    "modes %d, %d, %d: their shapes are not finite", value, j + 1,
-					                    k + 1, l + 1);
-				t->third[(j*n + k)*n + l] = t->third[(j*n + l)*n + k] = value;
-				t->third[(k*n + j)*n + l] = t->third[(k*n + l)*n + j] = value;
-				t->third[(l*n + j)*n + k] = t->third[(l*n + k)*n + j] = value;
-			}
-	return HAWSER_OK;
+	return hawser__nexpand_third(of, j, k, slopes_of(of, l));
 }
 
 /* --- what follows --- */
@@ -217,7 +201,7 @@ static enum hawser_status follow(struct hawser__nexpand *t, struct hawser_report
 
 	for (int k = 0; k < t->n && !status; k++)
 		for (int j = 0; j <= k && !status; j++) {
-			double *row = t->second + (size_t)hawser__nexpand_pair(j, k)*(size_t)t->mesh->unknowns;
+			double *row = t->second + (size_t)hawser__pair(j, k)*(size_t)t->mesh->unknowns;
 
 			push(row, t, j, k);
 			status = hawser__sparse_solve(row, t->sparse, report);
@@ -233,7 +217,7 @@ static void fill_columns(double left[COLUMNS], double right[COLUMNS], const stru
                          int e, int j, int k)
 {
 	const double *x = slopes_of(t, j)[e], *y = slopes_of(t, k)[e];
-	const double *row = t->second + (size_t)hawser__nexpand_pair(j, k)*(size_t)t->mesh->unknowns;
+	const double *row = t->second + (size_t)hawser__pair(j, k)*(size_t)t->mesh->unknowns;
 	double strain = t->strain[e], g = 1.0 + strain, weight = t->weight[e], f[3], w[3];
 	double sigma = across(x, y), aa = -2.0*weight/(g*g*g)*x[0]*y[0], A;
 
@@ -277,7 +261,7 @@ enum hawser_status hawser__nexpand_pairs(struct hawser__nexpand *t, struct hawse
 
 		for (int k = 0; k < t->n; k++)
 			for (int j = 0; j <= k; j++) {
-				size_t row = (size_t)hawser__nexpand_pair(j, k)*width;
+				size_t row = (size_t)hawser__pair(j, k)*width;
 
 				for (int e = 0; e < count; e++)
 					fill_columns(left + row + (size_t)(COLUMNS*e), right + row + (size_t)(COLUMNS*e),
@@ -291,18 +275,6 @@ enum hawser_status hawser__nexpand_pairs(struct hawser__nexpand *t, struct hawse
 	return good ? HAWSER_OK : hawser__no_memory(report, "net rom");
 }
 
-double hawser__nexpand_fourth(const struct hawser__nexpand *t, const int index[4])
-{
-	static const int way[3][4] = {{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2}};
-	double sum = 0.0;
-
-	for (int i = 0; i < 3; i++)
-		sum += t->pairing[(size_t)hawser__nexpand_pair(index[way[i][0]], index[way[i][1]])*
-		                  (size_t)t->pairs +
-		                  (size_t)hawser__nexpand_pair(index[way[i][2]], index[way[i][3]])];
-	return sum;
-}
-
 enum hawser_status hawser__nexpand_follow(struct hawser__nexpand *t, struct hawser_report *report)
 {
 	enum hawser_status status;
@@ -311,6 +283,6 @@ enum hawser_status hawser__nexpand_follow(struct hawser__nexpand *t, struct haws
 		for (int e = 0; e < t->mesh->elements; e++)
 			hawser__nexpand_slope(t->slope[(size_t)j*(size_t)t->mesh->elements + (size_t)e], t, e,
 			                      (const double (*)[3])t->shape + (size_t)j*(size_t)t->mesh->nodes);
-	status = fill_third(t, report);
+	status = hawser__third_fill(t->third, t->n, third, t, "net rom", report);
 	return status ? status : follow(t, report);
 }

@@ -4,6 +4,7 @@
 #define HAWSER_NET_EXPAND_H
 
 #include "core/hold.h"
+#include "modes/pairing.h"
 #include "net/modes/eigen.h"
 
 /* Units are m, and `energy` for energies. A displacement is a row of the mesh's unknowns; one of the
@@ -25,11 +26,6 @@ struct hawser__nexpand {
 	struct hawser__hold hold;
 };
 
-static inline int hawser__nexpand_pair(int j, int k)
-{
-	return j <= k ? k*(k + 1)/2 + j : j*(j + 1)/2 + k;
-}
-
 /* The elements, and room for n shapes, of which the caller fills `shape` and omega2. All elements that
  * move are taut. Clear it, on failure too. */
 enum hawser_status hawser__nexpand_open(struct hawser__nexpand *t,
@@ -43,9 +39,7 @@ enum hawser_status hawser__nexpand_pairs(struct hawser__nexpand *t,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser__nexpand_clear(struct hawser__nexpand *t);
 
-/* Fourth derivatives of the energy. */
-double hawser__nexpand_fourth(const struct hawser__nexpand *t, const int index[4]);
-/* The same by four times shape j, after _follow. */
+/* Fourth derivative of the energy by four times shape j, after _follow. */
 double hawser__nexpand_own(const struct hawser__nexpand *t, int j);
 /* a, b, c at an element of displacements [nodes][3] or of a row of unknowns. */
 void hawser__nexpand_slope(double slope[3], const struct hawser__nexpand *t, int element,

@@ -202,7 +202,7 @@ static enum hawser_status passing(struct hawser_rom *rom, const struct hawser__l
 		for (int l = 0; l <= j; l++) {
 			if (modes->mode[j].plane != modes->mode[l].plane)
 				continue;
-			field.pair = hawser__lexpand_pair(l, j);
+			field.pair = hawser__pair(l, j);
 			project(sum, &field, o->lane, wave, waves);
 			for (int k = 0; k < waves; k++)
 				h[k]->K[j*rom->n + l] = h[k]->K[l*rom->n + j] = -sum[k];

@@ -67,7 +67,7 @@ static enum hawser_status set_follow(struct hawser_rom *rom, const struct hawser
 	for (int i = 0; i < rom->inertia.shapes; i++)
 		for (int k = 0; k < n; k++)
 			for (int j = 0; j <= k; j++) {
-				double value = source->inertia.third[i*pairs + hawser__nexpand_pair(j, k)];
+				double value = source->inertia.third[i*pairs + hawser__pair(j, k)];
 
 				Q[rom->quads++] = (struct hawser_quad){n + i, j, k, j == k ? 0.5*value : value};
 				Q[rom->quads++] = (struct hawser_quad){j, k, n + i, value};

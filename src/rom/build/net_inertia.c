@@ -113,7 +113,7 @@ static void find_pairs(struct work *w, const struct hawser__net_source *source)
 	for (int k = 0; k < source->n; k++) {
 		A[k] = amplitude(source, k);
 		for (int j = 0; j <= k; j++) {
-			int pair = hawser__nexpand_pair(j, k);
+			int pair = hawser__pair(j, k);
 			double factor = j == k ? 0.5*A[j] : A[j]*A[k]/hypot(A[j], A[k]), square;
 
 			if (!(A[j]*A[k] > 0.0))
@@ -241,7 +241,7 @@ enum hawser_status hawser__net_inertia_make(struct hawser__net_source *source,
 			hawser__nexpand_row_slope(slope[e], &source->t, (int)e, row);
 		for (int k = 0; k < source->n; k++)
 			for (int j = 0; j <= k; j++) {
-				size_t pair = (size_t)hawser__nexpand_pair(j, k);
+				size_t pair = (size_t)hawser__pair(j, k);
 				double third = hawser__nexpand_third(&source->t, j, k, (const double (*)[3])slope);
 
 				of->third[i*pairs + pair] = third;

@@ -202,7 +202,9 @@ static void pair_at(double u[3], double slope[3], const void *of, int pair, int 
 
 static double fourth(const void *of, const int index[4])
 {
-	return hawser__nexpand_fourth(&((const struct hawser__net_source *)of)->t, index);
+	const struct hawser__nexpand *t = &((const struct hawser__net_source *)of)->t;
+
+	return hawser__pairings(t->pairing, t->pairs, index);
 }
 
 static int even(const void *of, const int index[4])

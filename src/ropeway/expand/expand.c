@@ -27,9 +27,7 @@ static double free_third(const struct hawser__lexpand *t, int j, int k, int l)
 	double sum = 0.0;
 
 	for (int p = 0; p < t->points; p++, x += 3, y += 3, z += 3)
-		sum += t->weight[p]/(t->stretch[p]*t->stretch[p]*t->rope->epsilon)*
-		       (x[0]*(y[1]*z[1] + y[2]*z[2]) + y[0]*(x[1]*z[1] + x[2]*z[2]) +
-		        z[0]*(x[1]*y[1] + x[2]*y[2]));
+		sum += t->weight[p]/(t->stretch[p]*t->stretch[p]*t->rope->epsilon)*hawser__third_at(x, y, z);
 	return sum;
 }
 
@@ -58,37 +56,18 @@ static double arcs(const struct hawser__lexpand *t, const int *index, int count)
 	return sum;
 }
 
-static enum hawser_status fill_third(struct hawser__lexpand *t, struct hawser_report *report)
+static double third(const void *of, int j, int k, int l)
 {
-	int n = t->n;
+	const struct hawser__lexpand *t = of;
+	const int index[3] = {j, k, l};
 
-	for (int j = 0; j < n; j++)
-		for (int k = j; k < n; k++)
-			for (int l = k; l < n; l++) {
-				const int index[3] = {j, k, l};
-				double value = free_third(t, j, k, l) + arcs(t, index, 3) +
-				               hawser__lexpand_ends_third(t, j, k, l);
-
-				if (!isfinite(value))
-					return hawser__fail(report, HAWSER_ERR_NAN, "line rom", "the tensor Q is %g for "
-					                    "modes %d, %d, %d: their shapes are not finite", value, j + 1,
-					                    k + 1, l + 1);
-				t->third[(j*n + k)*n + l] = t->third[(j*n + l)*n + k] = value;
-				t->third[(k*n + j)*n + l] = t->third[(k*n + l)*n + j] = value;
-				t->third[(l*n + j)*n + k] = t->third[(l*n + k)*n + j] = value;
-			}
-	return HAWSER_OK;
+	return free_third(t, j, k, l) + arcs(t, index, 3) + hawser__lexpand_ends_third(t, j, k, l);
 }
 
 double hawser__lexpand_fourth(const struct hawser__lexpand *t, const int index[4])
 {
-	static const int way[3][4] = {{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2}};
-	double sum = arcs(t, index, 4) + hawser__lexpand_ends_fourth(t, index);
-
-	for (int i = 0; i < 3; i++)
-		sum += t->pairing[hawser__lexpand_pair(index[way[i][0]], index[way[i][1]])*t->pairs +
-		                  hawser__lexpand_pair(index[way[i][2]], index[way[i][3]])];
-	return sum;
+	return arcs(t, index, 4) + hawser__lexpand_ends_fourth(t, index) +
+	       hawser__pairings(t->pairing, t->pairs, index);
 }
 
 static enum hawser_status check(const struct hawser__lexpand *t, struct hawser_report *report)
@@ -127,7 +106,7 @@ enum hawser_status hawser__lexpand_open(struct hawser__lexpand *t, struct hawser
 	status = t->third && t->pairing ? hawser__lexpand_points(t, report)
 	         : hawser__no_memory(report, "line rom");
 	if (!status)
-		status = fill_third(t, report);
+		status = hawser__third_fill(t->third, t->n, third, t, "line rom", report);
 	if (!status)
 		status = hawser__lexpand_follow(t, report);
 	if (status)

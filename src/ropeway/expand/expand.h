@@ -5,6 +5,7 @@
 #define HAWSER_ROPEWAY_EXPAND_H
 
 #include "core/hold.h"
+#include "modes/pairing.h"
 #include "ropeway/modes/modes.h"
 
 /* A shape: a state of one system of the rope, with its strains. */
@@ -69,12 +70,6 @@ struct hawser__lexpand {
 	double **second, **second_strain; /* [systems] */
 	struct hawser__hold hold; /* its arrays */
 };
-
-/* Index of the pair j <= k. */
-static inline int hawser__lexpand_pair(int j, int k)
-{
-	return j <= k ? k*(k + 1)/2 + j : j*(j + 1)/2 + k;
-}
 
 /* The systems of the rope must have their grids and factors, and none may circulate. `rope` is
  * kept, and used for static solutions. HAWSER_ERR_ARGUMENT (what the expansion does not cover),

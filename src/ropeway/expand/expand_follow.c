@@ -186,7 +186,7 @@ static void answer(const struct work *w, size_t column, int i, int j, int k)
 {
 	struct hawser__lexpand *t = w->t;
 	struct hawser__lmode_system *system = &t->rope->system[i];
-	size_t pair = (size_t)hawser__lexpand_pair(j, k);
+	size_t pair = (size_t)hawser__pair(j, k);
 	double *x = t->second[i] + pair*(size_t)system->size;
 	double *strain = t->second_strain[i] + pair*(size_t)system->strains;
 	const struct hawser__lmode_given given = {w->source, (const double (*)[HAWSER__ENDS][2])w->lift};
@@ -205,7 +205,7 @@ static void answer(const struct work *w, size_t column, int i, int j, int k)
 static void remove_modes(const struct work *w, size_t column, int j, int k)
 {
 	struct hawser__lexpand *t = w->t;
-	size_t pair = (size_t)hawser__lexpand_pair(j, k);
+	size_t pair = (size_t)hawser__pair(j, k);
 
 	for (int s = 0; s < t->n; s++) {
 		const struct hawser__lexpand_shape *mode = &t->shape[s];
@@ -262,7 +262,7 @@ enum hawser_status hawser__lexpand_follow(struct hawser__lexpand *t, struct haws
 
 	for (int k = 0; k < t->n && !status; k++)
 		for (int j = 0; j <= k; j++) {
-			size_t pair = (size_t)hawser__lexpand_pair(j, k), column = FIELDS*(size_t)t->points;
+			size_t pair = (size_t)hawser__pair(j, k), column = FIELDS*(size_t)t->points;
 
 			fill_points(w.left + pair*w.width, w.right + pair*w.width, t, j, k);
 			for (int i = 0; i < t->rope->systems; i++) {
