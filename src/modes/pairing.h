@@ -1,5 +1,5 @@
-/* modes/pairing.h - derivatives of an energy by shapes: of third order by three of them, of fourth order
- * as the sum over the three ways to pair four. SPDX-License-Identifier: GPL-3.0-or-later */
+/* modes/pairing.h - derivatives of an energy by shapes: of third order by three of them, of fourth
+ * order as the sum over the three ways to pair four. SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_MODES_PAIRING_H
 #define HAWSER_MODES_PAIRING_H
 

@@ -207,6 +207,7 @@ enum hawser_status cli_natural(struct cli_model *model, struct hawser_report *re
 	int most = model->automatic ? model->modes.n : model->rom.n;
 	enum hawser_status status = HAWSER_OK;
 
+	free(model->natural); /* of a model that has been made again */
 	model->natural = calloc((size_t)most + 1, sizeof *model->natural);
 	if (!model->natural)
 		return hawser__no_memory(report, "natural");
