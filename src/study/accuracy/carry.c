@@ -23,9 +23,9 @@
 #include "rom/terms/terms.h"
 
 #define FAR 0.3    /* largest distance from an orbit to its counterpart, in the metric; chosen */
-#define PART 1e-5  /* smallest harmonic that is taken over, relative to the orbit, both by the root of their
-                    * energies: small motions along the cable stretch it. Chosen: an orbit carried to its
-                    * own model then moves by some 5e-3 in the metric, with 1e-4 by 0.1 */
+#define PART 1e-5  /* smallest harmonic that is taken over, relative to the orbit, both by the roots of
+                    * their energies: small motions along the cable stretch it. Chosen: an orbit
+                    * carried to its own model then moves by 5e-3 in the metric; by 0.1 with 1e-4 */
 
 static size_t length_of(const struct hawser__series *series, int n)
 {
