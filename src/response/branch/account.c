@@ -52,19 +52,20 @@ static int can_change(const struct hawser__circle *a, const struct hawser__circl
 	return (least <= width && width <= most) || (least <= -width && -width <= most);
 }
 
-static int explained(const struct hawser__station *a, const struct hawser__station *b, int width,
-                     int sure)
+static int explained(const struct hawser__account *account, const struct hawser__station *a,
+                     const struct hawser__station *b, int width)
 {
-	struct hawser__circle before = hawser__station_circle(a, sure);
-	struct hawser__circle after = hawser__station_circle(b, sure);
+	struct hawser__circle before = hawser__station_circle(a, account->sure);
+	struct hawser__circle after = hawser__station_circle(b, account->sure);
 
-	return can_change(&before, &after, width);
+	return account->uncounted || can_change(&before, &after, width);
 }
 
 enum hawser_status hawser__account_init(struct hawser__account *account,
                                         const struct hawser__orbit *orbit,
                                         struct hawser_report *report)
 {
+	account->uncounted = orbit->unjudged;
 	return hawser__station_init(&account->scratch, orbit, report);
 }
 
@@ -176,7 +177,7 @@ static int may_meet(const struct hawser__account *account, const struct hawser__
 {
 	return hawser__station_crossed(a, b, HAWSER_FOLD, account->sure) &&
 	       hawser__station_crossed(a, b, HAWSER_BRANCH_POINT, account->sure) &&
-	       explained(a, b, 0, account->sure);
+	       explained(account, a, b, 0);
 }
 
 /* The station at the fraction s of the part, or one of its ends; NULL if the corrector fails. */
@@ -233,7 +234,7 @@ static enum hawser_status meet(struct hawser__account *account, int *done, struc
 			status = beside(&right, &account->station[depth + 1], orbit, a, b, s + ONE_PLACE,
 			                account->tolerance, report);
 		*done = !status && left && right && may_meet(account, left, right) &&
-		        explained(a, left, 0, account->sure) && explained(right, b, 0, account->sure);
+		        explained(account, a, left, 0) && explained(account, right, b, 0);
 		account->event[events].kind = HAWSER_BRANCH_POINT;
 		account->event[events].turns = 1;
 		if (*done && watch)
@@ -304,9 +305,9 @@ static enum hawser_status resolve(struct hawser__account *account, struct hawser
 	int gaps = account->gaps;
 	enum hawser_status status;
 
-	if (count == 0 && explained(a, b, 0, account->sure))
+	if (count == 0 && explained(account, a, b, 0))
 		return HAWSER_OK;
-	if (count == 1 && explained(a, b, width, account->sure)) {
+	if (count == 1 && explained(account, a, b, width)) {
 		for (int k = 0; k < HAWSER_TESTS; k++)
 			if (hawser__station_crossed(a, b, k, account->sure) &&
 			    (status = add_located(account, orbit, a, b, k, report)))
@@ -364,7 +365,7 @@ static enum hawser_status judge(struct hawser__account *account, const struct ha
 		account->event[i].unstable[0] = before->unstable;
 		account->event[i].unstable[1] = after->unstable;
 	}
-	if (attainable(account->event + first, events, 0, before, after))
+	if (account->uncounted || attainable(account->event + first, events, 0, before, after))
 		return HAWSER_OK;
 	account->unresolved++;
 	for (int i = first; i < first + events; i++)

@@ -31,6 +31,7 @@ struct hawser__account {
 	void (*watch)(void *context, const struct hawser_frf_event *event,
 	              const struct hawser__orbit *orbit, const double *y);
 	void *context;
+	int uncounted;          /* 1: there are no multipliers, whose count the events would explain */
 	/* Results of the last step. */
 	struct hawser_frf_event *event; /* [events], in order along the branch; `after` is the row of
 	                                 * `state`, -1: none */
