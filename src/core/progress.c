@@ -11,6 +11,8 @@
 
 #include "core/progress.h"
 
+#define WORTH 0.02 /* part of a whole above which a time left is told; chosen */
+
 double hawser__wall_seconds(void)
 {
 	struct timespec now;
@@ -35,6 +37,22 @@ struct hawser_progress_state hawser__progress_state(const char *stage, const cha
 	return (struct hawser_progress_state){.stage = stage, .unit = unit, .done = done,
 		.fresh = done, .fraction = NAN, .seconds = hawser__wall_seconds() - began, .left = NAN,
 		.omega = NAN, .load = NAN, .events = -1};
+}
+
+void hawser__span_stage(struct hawser__span *span, double from, double to)
+{
+	span->from = from;
+	span->to = to;
+}
+
+void hawser__span_foretell(struct hawser__span *span, struct hawser_progress_state *state)
+{
+	double inside = isnan(state->fraction) ? 0.0 : state->fraction;
+
+	span->reached = fmax(span->reached, span->from + inside*(span->to - span->from));
+	state->fraction = span->reached;
+	state->left = span->reached > WORTH ? (hawser__wall_seconds() - span->began)*
+	                                      (1.0/span->reached - 1.0) : NAN;
 }
 
 static void add(char **text, size_t *size, const char *format, ...) HAWSER_PRINTF(3, 4);

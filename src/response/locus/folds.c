@@ -26,6 +26,12 @@
 
 #define SAME_ORBIT 1e-5 /* relative distance below which two orbits are the same; chosen, above the
                          * errors of located folds */
+/* What is done of a search after the responses at the nominal load with their curves, at the largest one,
+ * at all loads, and after the detached curves: of shipped scenes, from 3 to 15 s. */
+#define NOMINAL 0.15
+#define LARGEST 0.3
+#define LEVELS HAWSER__FOLDS_LEVELS
+#define ISOLAS 0.7
 #define SAME_LOAD 1e-9 /* relative difference of their loads, likewise */
 
 void hawser_folds_settle(struct hawser_folds_options *options)
@@ -76,6 +82,27 @@ static enum hawser_status check(const struct hawser_rom *rom,
 	return HAWSER_OK;
 }
 
+void hawser__fold_part(struct hawser__fold_search *search, double from, double to)
+{
+	search->part[0] = from;
+	search->part[1] = to;
+	hawser__span_stage(&search->walk.span, from, to);
+}
+
+int hawser__fold_told_to_stop(struct hawser__fold_search *search, const char *stage, const char *unit,
+                              long done)
+{
+	struct hawser__span *span = &search->walk.span;
+	struct hawser_progress_state state;
+
+	if (!hawser__is_watched(&search->options->progress))
+		return 0;
+	state = hawser__progress_state(stage, unit, done, span->began);
+	hawser__span_foretell(span, &state);
+	search->folds->interrupted |= hawser__told_to_stop(&search->options->progress, &state);
+	return search->folds->interrupted;
+}
+
 int hawser__fold_watch(void *data, const struct hawser_progress_state *state)
 {
 	struct hawser__fold_watch *watch = data;
@@ -89,11 +116,12 @@ int hawser__fold_watch(void *data, const struct hawser_progress_state *state)
 	if (watch->same)
 		return 1;
 	told.stage = watch->stage;
+	hawser__span_foretell(watch->span, &told);
 	told.load = 1.0;
 	return hawser__told_to_stop(&watch->options->progress, &told);
 }
 
-struct hawser_frf_options hawser__fold_response(const struct hawser__fold_search *search,
+struct hawser_frf_options hawser__fold_response(struct hawser__fold_search *search,
                                                 struct hawser__fold_watch *watch)
 {
 	struct hawser_frf_options choice = {.method = search->options->method};
@@ -102,6 +130,7 @@ struct hawser_frf_options hawser__fold_response(const struct hawser__fold_search
 	choice.to = search->options->to;
 	choice.tolerance = search->options->tolerance;
 	choice.max_points = search->options->max_points;
+	watch->span = &search->walk.span;
 	choice.progress = (struct hawser_progress){hawser__fold_watch, watch};
 	return choice;
 }
@@ -333,12 +362,16 @@ static enum hawser_status search_curves(struct hawser__fold_search *search)
 {
 	struct hawser_folds *folds = search->folds;
 	struct hawser__fold_level level;
-	enum hawser_status status = nominal_load(search);
+	enum hawser_status status;
 
+	hawser__fold_part(search, 0.0, NOMINAL);
+	status = nominal_load(search);
+	hawser__fold_part(search, NOMINAL, LARGEST);
 	if (!status && !folds->interrupted && search->options->load_to > 1.0)
 		status = hawser__fold_level(search, search->options->load_to, 0, &level);
 	if (!status && !folds->interrupted)
 		status = hawser__fold_levels(search);
+	hawser__fold_part(search, LEVELS, ISOLAS);
 	if (!status && !search->options->skip_isolas && !folds->interrupted)
 		status = hawser__fold_isolas(search);
 	if (!status && !search->options->skip_isolas && !folds->interrupted)

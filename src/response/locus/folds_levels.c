@@ -22,6 +22,7 @@
 #include "response/locus/folds_search.h"
 
 #define BELOW 0.97 /* first load examined below the least known load, relative to it; chosen */
+#define FIRST_PART 0.3 /* of the whole search, done before these loads; measured, see folds.c */
 #define RATIO 0.6  /* ratio of successive loads; chosen */
 
 /* The least load at which a fold has been found. */
@@ -48,7 +49,11 @@ static enum hawser_status respond(struct hawser__fold_search *search, struct haw
 	struct hawser_frf_options choice = hawser__fold_response(search, &watch);
 	struct hawser_report local = {.status = HAWSER_OK};
 	int up = choice.to > choice.from;
+	double middle = 0.5*(search->part[0] + search->part[1]);
 	enum hawser_status status;
+
+	hawser__span_stage(&search->walk.span, reverse ? middle : search->part[0],
+	                   reverse ? search->part[1] : middle);
 
 	if (wide) {
 		choice.from = up ? search->walk.window_lo : search->walk.window_hi;
@@ -169,6 +174,15 @@ static double next_load(double at, double known)
 	return isfinite(known) && at > BELOW*known ? BELOW*at : RATIO*at;
 }
 
+/* Part of the whole search that is done before the responses at this load: their loads fall by RATIO. */
+static double part_at(const struct hawser__fold_search *search, double load)
+{
+	const struct hawser_folds_options *options = search->options;
+	double all = log(options->load_to/options->load_from);
+
+	return FIRST_PART + (HAWSER__FOLDS_LEVELS - FIRST_PART)*fmin(log(options->load_to/load)/all, 1.0);
+}
+
 enum hawser_status hawser__fold_levels(struct hawser__fold_search *search)
 {
 	struct hawser_folds *folds = search->folds;
@@ -183,6 +197,7 @@ enum hawser_status hawser__fold_levels(struct hawser__fold_search *search)
 		if (!first || isfinite(least(folds)))
 			load = fmax(next_load(load, least(folds)), floor);
 		first = 0;
+		hawser__fold_part(search, part_at(search, load), part_at(search, RATIO*load));
 		status = hawser__fold_level(search, load, 1, &level);
 		if (status)
 			return status;

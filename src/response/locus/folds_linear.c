@@ -170,7 +170,7 @@ static int near_states(const struct hawser_rom *rom, const struct hawser_frf *fr
 }
 
 /* Whether the response has the multipliers of a nearly linear one. It is traced again with them. */
-static int judged_linear(const struct hawser__fold_search *search, const struct hawser__load *load)
+static int judged_linear(struct hawser__fold_search *search, const struct hawser__load *load)
 {
 	struct hawser__fold_watch watch = {.options = search->options, .stage = "response"};
 	struct hawser_frf_options choice = hawser__fold_response(search, &watch);
@@ -185,7 +185,7 @@ static int judged_linear(const struct hawser__fold_search *search, const struct 
 	return linear;
 }
 
-int hawser__fold_linear(const struct hawser__fold_search *search, const struct hawser__load *load,
+int hawser__fold_linear(struct hawser__fold_search *search, const struct hawser__load *load,
                         const struct hawser_frf *frf)
 {
 	return frf->end == HAWSER_END_RANGE && near_states(&load->rom, frf) &&

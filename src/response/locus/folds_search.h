@@ -7,6 +7,9 @@
 #include "response/locus/folds_known.h"
 #include "response/locus/folds_walk.h"
 
+/* Part of a search that is done after the responses at all loads; see folds.c. */
+#define HAWSER__FOLDS_LEVELS 0.6
+
 struct hawser__fold_search {
 	struct hawser_folds *folds;
 	const struct hawser_rom *rom;
@@ -20,6 +23,7 @@ struct hawser__fold_search {
 	struct hawser__fold_known known;    /* points of the known curves */
 	int unfinished; /* 1: a curve ended because the corrector failed or a limit was reached */
 	double window[2]; /* scaled Omega: the range with margins */
+	double part[2]; /* of the whole search, of the responses at the present load */
 	double *decay;  /* [4n] real parts of the linear model's eigenvalues, falling, and workspace */
 	struct hawser_report *report;
 };
@@ -27,6 +31,7 @@ struct hawser__fold_search {
 /* Progress of responses and curves, as parts of the whole search. */
 struct hawser__fold_watch {
 	const struct hawser_folds_options *options;
+	struct hawser__span *span;
 	const char *stage;
 	const struct hawser_frf *other; /* a response, or NULL: a trace that begins on its last orbit is
 	                                 * stopped */
@@ -39,6 +44,11 @@ struct hawser__fold_level {
 	int linear; /* 1: both are the same curve, from end to end, and nearly linear */
 	int failed; /* 1: one could not be traced to its end */
 };
+/* folds.c: the responses at the next load are this part of the whole search. */
+void hawser__fold_part(struct hawser__fold_search *search, double from, double to);
+/* folds.c: tell progress between traces; 1: the search is to end. */
+int hawser__fold_told_to_stop(struct hawser__fold_search *search, const char *stage, const char *unit,
+                              long done);
 int hawser__fold_watch(void *data, const struct hawser_progress_state *state);
 
 /* folds_seed.c: trace a response and store its folds in search->seeds. */
@@ -66,7 +76,7 @@ enum hawser_status hawser__fold_keep(struct hawser__fold_search *search, struct 
 /* folds_linear.c: compute search->decay and search->window. */
 enum hawser_status hawser__fold_decay(struct hawser__fold_search *search);
 /* folds_linear.c: whether a response at this load is nearly linear. */
-int hawser__fold_linear(const struct hawser__fold_search *search, const struct hawser__load *load,
+int hawser__fold_linear(struct hawser__fold_search *search, const struct hawser__load *load,
                         const struct hawser_frf *frf);
 /* folds_levels.c: trace the curves through the folds at this load, within the range or, if `wide`,
  * within its window. If a response cannot be traced in the window, it is traced within the range. */
@@ -102,7 +112,7 @@ enum hawser_status hawser__fold_curves(struct hawser__fold_search *search,
 enum hawser_status hawser__fold_lost(struct hawser__fold_search *search, double omega, double load);
 
 /* folds.c: options of a response within the range. */
-struct hawser_frf_options hawser__fold_response(const struct hawser__fold_search *search,
+struct hawser_frf_options hawser__fold_response(struct hawser__fold_search *search,
                                                 struct hawser__fold_watch *watch);
 
 #endif

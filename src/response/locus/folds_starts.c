@@ -39,6 +39,7 @@
 #define ALIKE 1e-4    /* largest relative difference of amplitudes of the same orbit; chosen, above the
                        * errors of orbits and below their distances */
 #define SAME_POINT 1e-6 /* relative difference of Omega of two branch points that are one; chosen */
+#define STARTS_PART 0.7 /* of the whole search, done before; measured, see folds.c */
 #define MOST_NEW 8    /* curves after which the search ends: each may take as long as a response */
 
 struct hunt {
@@ -317,6 +318,10 @@ enum hawser_status hawser__fold_starts(struct hawser__fold_search *search)
 	for (int g = 0; !status && g < grid && !ended(&hunt); g++) {
 		double lo = search->walk.omega_lo, hi = search->walk.omega_hi;
 
+		hawser__fold_part(search, STARTS_PART + (1.0 - STARTS_PART)*g/grid,
+		                  STARTS_PART + (1.0 - STARTS_PART)*(g + 1)/grid);
+		if (hawser__fold_told_to_stop(search, "detached curves", "frequencies", g))
+			break;
 		folds->starts.frequencies++;
 		status = at_frequency(&hunt, lo + (hi - lo)*(g + 0.5)/grid);
 	}

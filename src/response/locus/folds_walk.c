@@ -43,7 +43,7 @@ enum hawser_status hawser__walk_open(struct hawser__fold_walk *walk, struct haws
 	struct hawser__fold_station *all[] = {&walk->start, &walk->prev, &walk->here, &walk->next,
 	                                      &walk->scratch, &walk->lo, &walk->hi};
 
-	*walk = (struct hawser__fold_walk){.began = hawser__wall_seconds(), .fold = fold,
+	*walk = (struct hawser__fold_walk){.span = {.began = hawser__wall_seconds()}, .fold = fold,
 		.options = options, .report = report,
 		.omega_lo = fmin(options->from, options->to),
 		.omega_hi = fmax(options->from, options->to)};
@@ -199,9 +199,10 @@ static int interrupted(void *owner, int tries)
 	(void)tries;
 	if (!hawser__is_watched(progress))
 		return walk->stopped;
-	state = hawser__progress_state(walk->stage, "points", walk->list->points, walk->began);
+	state = hawser__progress_state(walk->stage, "points", walk->list->points, walk->span.began);
 	state.omega = walk->here.z[size - 2]/hawser__fold_orbit(walk->fold)->rom->time;
 	state.load = walk->here.z[size - 1];
+	hawser__span_foretell(&walk->span, &state);
 	if (hawser__told_to_stop(progress, &state))
 		walk->stopped = 1;
 	return walk->stopped;

@@ -7,6 +7,7 @@
 #ifndef HAWSER_RESPONSE_FOLDS_WALK_H
 #define HAWSER_RESPONSE_FOLDS_WALK_H
 
+#include "core/progress.h"
 #include "response/branch/amplitude.h"
 #include "response/locus/folds.h"
 #include "response/locus/folds_store.h"
@@ -52,7 +53,7 @@ struct hawser__fold_walk {
 	int known;                 /* number of stations before here, and here itself */
 	int stopped;
 	const char *stage;
-	double began;              /* s, hawser__wall_seconds */
+	struct hawser__span span;  /* of the whole search */
 	struct hawser_report *report;
 	struct hawser__hold hold;
 };

@@ -17,6 +17,9 @@
 #include "rom/terms/terms.h"
 
 #define SAME 1e-6 /* distance in Omega of an event that a curve passes, relative to the range; chosen */
+/* Part of a search that is done after the first response, and after the others; of shipped scenes. */
+#define FIRST 0.1
+#define RESPONSES 0.2
 #define SAME_ORBIT 1e-5 /* relative distance of states that are one; chosen, above their errors */
 
 const char *hawser_locus_special_name(enum hawser_event_kind kind, enum hawser_locus_special special)
@@ -209,6 +212,7 @@ static enum hawser_status trace_from(struct hawser_locus *locus, struct hawser__
 	if (is_known(locus, walk->start.z[LOCUS_OMEGA], walk->locus->extent))
 		return HAWSER_OK; /* a resonance, which was interpolated before */
 	status = hawser__locus_follow(walk, &part[0], 1);
+	hawser__span_stage(&walk->span, 0.5*(walk->span.from + walk->span.to), walk->span.to);
 	if (!status && part[0].end != HAWSER_LOCUS_CLOSED && !walk->stopped)
 		status = hawser__locus_follow(walk, &part[1], -1);
 	if (!status)
@@ -306,6 +310,26 @@ static struct start nearest(const struct responses *all, const struct hawser_loc
 	return best;
 }
 
+/* Number of a response's events of that kind before this one. */
+static int count_before(const struct hawser_frf *frf, enum hawser_event_kind kind, int event)
+{
+	int count = 0;
+
+	for (int e = 0; e < event; e++)
+		count += frf->event[e].kind == kind;
+	return count;
+}
+
+/* After the responses, the curves from each of their events are what is to be done. */
+static void tell_part(struct hawser__locus_walk *walk, const struct hawser_frf *frf, int event)
+{
+	enum hawser_event_kind kind = walk->options->kind;
+	double each = (1.0 - RESPONSES)/count_before(frf, kind, frf->events);
+	double done = RESPONSES + each*count_before(frf, kind, event);
+
+	hawser__span_stage(&walk->span, done, done + each);
+}
+
 static enum hawser_status trace_events(struct hawser_locus *locus, struct hawser__locus_walk *walk,
                                        const struct hawser_frf *frf, int only, int *any,
                                        struct hawser_report *report)
@@ -318,6 +342,7 @@ static enum hawser_status trace_events(struct hawser_locus *locus, struct hawser
 		*any = 1;
 		if (is_known(locus, frf->event[e].parameter, walk->locus->extent))
 			continue;
+		tell_part(walk, frf, e);
 		if ((status = trace_from(locus, walk, frf, e, report)))
 			return status;
 	}
@@ -370,6 +395,21 @@ static enum hawser_status model_across(void *context, const struct hawser_rom **
 	return across->plane->model(across->plane->context, rom, p, report);
 }
 
+/* Progress of the responses. */
+struct told {
+	const struct hawser_progress *progress;
+	struct hawser__span *span;
+};
+
+static int tell(void *data, const struct hawser_progress_state *state)
+{
+	struct told *told = data;
+	struct hawser_progress_state shown = *state;
+
+	hawser__span_foretell(told->span, &shown);
+	return hawser__told_to_stop(told->progress, &shown);
+}
+
 enum hawser_status hawser_locus_trace(struct hawser_locus *locus,
                                       const struct hawser_rom_family *family,
                                       const struct hawser_locus_options *options,
@@ -380,7 +420,8 @@ enum hawser_status hawser_locus_trace(struct hawser_locus *locus,
 	struct across line = {own.plane, own.at};
 	struct hawser_rom_family across = {own.plane ? own.plane->omega : 0.0, model_across, &line};
 	struct hawser__locus system = {.n = 0};
-	struct hawser__locus_walk walk = {.locus = NULL};
+	struct hawser__locus_walk walk = {.span = {hawser__wall_seconds(), 0.0, FIRST, 0.0}};
+	struct told told = {&own.progress, &walk.span};
 	struct responses all = {.first = &locus->response};
 	enum hawser_status status;
 
@@ -395,7 +436,8 @@ enum hawser_status hawser_locus_trace(struct hawser_locus *locus,
 	choice.from = own.from;
 	choice.to = own.to;
 	choice.tolerance = own.tolerance;
-	choice.progress = own.progress;
+	if (hawser__is_watched(&own.progress))
+		choice.progress = (struct hawser_progress){tell, &told};
 	choice.samples = HAWSER_NONE;
 	choice.skip_events = own.kind == HAWSER_RESONANCE;
 	if (!status && own.kind == HAWSER_RESONANCE)
@@ -407,6 +449,7 @@ enum hawser_status hawser_locus_trace(struct hawser_locus *locus,
 		status = hawser_frf_trace(&locus->response, system.rom, &choice, report);
 	if (status == HAWSER_ERR_CONVERGENCE && locus->response.points > 0)
 		status = HAWSER_OK;
+	hawser__span_stage(&walk.span, FIRST, RESPONSES);
 	if (!status)
 		status = trace_others(&all, system.rom, &choice, report);
 	system.extent[0] = fabs(own.to - own.from);

@@ -51,7 +51,7 @@ enum hawser_status hawser__locus_walk_open(struct hawser__locus_walk *walk, stru
 	int failed = 0, room = hawser__locus_size(locus, locus->most) + locus->n;
 
 	*walk = (struct hawser__locus_walk){.locus = locus, .options = options, .report = report,
-		.room = room, .began = hawser__wall_seconds()};
+		.room = room, .span = walk->span};
 	for (size_t i = 0; i < sizeof all/sizeof *all; i++)
 		failed |= init_station(all[i], room, locus->n);
 	walk->weight = calloc(4*(size_t)room, sizeof(double));
@@ -212,7 +212,8 @@ static int interrupted(void *owner, int tries)
 	(void)tries;
 	if (!hawser__is_watched(progress))
 		return walk->stopped;
-	state = hawser__progress_state("locus", "points", walk->list->points, walk->began);
+	state = hawser__progress_state("locus", "points", walk->list->points, walk->span.began);
+	hawser__span_foretell(&walk->span, &state);
 	state.omega = walk->here.z[LOCUS_OMEGA]/walk->locus->time;
 	if (hawser__told_to_stop(progress, &state))
 		walk->stopped = 1;

@@ -4,6 +4,7 @@
 #define HAWSER_RESPONSE_LOCUS_WALK_H
 
 #include "continuation/curve.h"
+#include "core/progress.h"
 #include "response/locus/locus.h"
 
 struct hawser__locus_station {
@@ -42,7 +43,7 @@ struct hawser__locus_walk {
 	struct hawser__locus_list *list;
 	struct hawser__curve curve;
 	int known, stopped;
-	double began;
+	struct hawser__span span;    /* of the whole search; set by the caller */
 };
 
 enum hawser_status hawser__locus_walk_open(struct hawser__locus_walk *walk, struct hawser__locus *locus,

@@ -1,0 +1,172 @@
+#!/usr/bin/env python3
+# bench/practical.py HAWSER [SCENES [SEED [FIRST]]] (40, 1, 0): is the response of ordinary cables right by default?
+#
+# Random conductors, stays, guys, spans of chairlifts, mooring lines in air, hoist ropes and cables of footbridges, in
+# turn, each near its first or second resonance: `hawser frf` with all defaults against the exact energy on MORE
+# functions a component than that took itself, at least FEWEST. A scene depends on the seed and its number alone.
+#
+# Both largest peaks and all folds of a stable branch: a line each scene with the seconds of processor time, the largest
+# true error of these (of an amplitude or a frequency, relative), the stated error, and what is wrong. "lost": a peak or
+# fold has no counterpart within FAR in frequency. Only what lies in the ranges that both answered for is compared.
+# Last: how many are beyond the stated error, the ninth of ten of stated over true error and of the seconds.
+# SPDX-License-Identifier: GPL-3.0-or-later
+import json
+import math
+import os
+import random
+import resource
+import subprocess
+import sys
+import tempfile
+
+FEWEST, MORE = 18, 4
+LONGEST = 150  # s of processor time of a run
+FAR = 0.03
+SURE = 1e-4    # true errors below this are those of the reference
+
+
+def logarithmic(chance, low, high):
+    return math.exp(chance.uniform(math.log(low), math.log(high)))
+
+
+# name: EA of 1 kg/m of rope in MN; kg/m; m of the distance; degrees of the slope; sag over the length of the chord;
+# damping ratio; part of the load that lies across the plane of the cable, least and most
+KINDS = {
+    "conductor": ((14, 22), (0.8, 2.2), (200, 500), (-6, 6), (0.015, 0.045), (0.003, 0.01), (0, 1)),
+    "stay": ((21, 25), (30, 90), (60, 220), (22, 60), (2e-4, 1.5e-3), (0.001, 0.005), (0, 1)),
+    "guy": ((16, 22), (1.5, 6), (60, 250), (40, 60), (2e-3, 2e-2), (0.002, 0.01), (0, 1)),
+    "chairlift": ((16, 20), (5, 9), (80, 300), (5, 35), (0.008, 0.03), (0.005, 0.02), (0, 0.7)),
+    "mooring": ((8, 20), (20, 120), (150, 600), (15, 60), (0.03, 0.12), (0.01, 0.03), (0, 1)),
+    "hoist": ((14, 20), (3, 9), (100, 500), (82, 88), (1e-4, 2e-3), (0.003, 0.02), (0.3, 1)),
+    "footbridge": ((18, 22), (20, 60), (40, 140), (-3, 3), (0.05, 0.11), (0.004, 0.01), (0, 1)),
+}
+
+
+def draw(chance, kind):
+    stiff, mass, long, slope, sags, ratios, across = KINDS[kind]
+    rho = logarithmic(chance, *mass)
+    chord = chance.uniform(*long)
+    angle = math.radians(chance.uniform(*slope))
+    sag = logarithmic(chance, *sags)
+    d, h = chord*math.cos(angle), chord*math.sin(angle)
+    # of a parabola, whose sag is across the chord: the part of the weight there
+    H = rho*9.81*chord*math.cos(angle)**2/(8.0*sag)
+    ratio = logarithmic(chance, *ratios)
+    # the motion of a linear string at its first resonance: up to half the sag, or a hundredth of the chord
+    swing = chance.uniform(0.1, 1.0)*max(0.5*sag, 0.01)*chord
+    omega = math.pi/d*math.sqrt(H/rho)
+    q = swing*0.25*math.pi*rho*omega*omega*2.0*ratio
+    turn = chance.uniform(*across)*0.5*math.pi
+    text = (f"cable: {{EA: {1e6*rho*chance.uniform(*stiff):.6g}, rho: {rho:.6g}}}\nspan: {{d: {d:.6g}, h: {h:.6g}}}\n"
+            f"tension: {{H: {H:.6g}}}\ndamping: {{ratio: {ratio:.4g}}}\n"
+            f"load: {{frame: local, per_length: [0, {q*math.cos(turn):.5g}, {q*math.sin(turn):.5g}]}}\n")
+    return text, chance.choice((1, 1, 2))
+
+
+def respond(hawser, folder, scene, mode, more):
+    """The answer, or None and why not; seconds of processor time."""
+    result = os.path.join(folder, "result.json")
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    run = subprocess.run([hawser, "frf", scene, "--from", f"0.85w{mode}", "--to", f"1.2w{mode}", "-q", "--json", result,
+                          *more], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, stdin=subprocess.DEVNULL, check=False,
+                         env=dict(os.environ, OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1"), preexec_fn=lambda:
+                         resource.setrlimit(resource.RLIMIT_CPU, (LONGEST, LONGEST + 1)))
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    seconds = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+    if run.returncode:
+        said = run.stderr.decode(errors="replace").strip().split("\n")[-1]
+        return None, said[:100] if run.returncode > 0 else f"over {LONGEST} s", seconds
+    with open(result, encoding="utf-8") as stream:
+        return json.load(stream), "", seconds
+
+
+def landmarks(answer, lo, hi):
+    """(kind, Omega, size) of both largest stable peaks of a probe, and of the folds of stable motions."""
+    peaks = sorted((p for p in answer["peaks"] if p["component"] in ("y", "z") and p.get("stable") and lo < p["Omega"] < hi),
+                   key=lambda p: -p["size"])
+    found = [(f"peak {p['component']} {p['probe']}", p["Omega"], p["size"]) for p in peaks[:2]]
+    found += [("fold", e["Omega"], None) for e in answer["events"]
+              if e["kind"] == "fold" and 0 in (e["unstable_before"], e["unstable_after"]) and lo < e["Omega"] < hi]
+    return found
+
+
+def counterparts(answer):
+    return ([(f"peak {p['component']} {p['probe']}", p["Omega"], p["size"]) for p in answer["peaks"]] +
+            [("fold", e["Omega"], None) for e in answer["events"] if e["kind"] == "fold"])
+
+
+def distance(a, b):
+    apart = abs(b[1]/a[1] - 1.0)
+    return apart if a[2] is None else max(apart, abs(b[2]/a[2] - 1.0))
+
+
+def compare(own, exact):
+    """Largest error of the landmarks, and those that have no counterpart."""
+    lo = max(own["range"][0], exact["range"][0])*(1.0 + 1e-6)
+    hi = min(own["range"][1], exact["range"][1])*(1.0 - 1e-6)
+    worst, lost = 0.0, []
+    for one, other in ((own, exact), (exact, own)):
+        beside = counterparts(other)
+        for mark in landmarks(one, lo, hi):
+            near = [distance(mark, b) for b in beside if b[0] == mark[0] and abs(b[1]/mark[1] - 1.0) <= FAR]
+            if near:
+                worst = max(worst, min(near))
+            else:
+                lost.append(f"{mark[0]} at {mark[1]:.5g}" + (" (of the reference)" if one is exact else ""))
+    return worst, lost
+
+
+def model(answer):
+    kind = answer["scene"].get("model", {})
+    return f"exact {kind.get('basis')}" if kind.get("energy") == "exact" else "modes"
+
+
+def main():
+    hawser = os.path.abspath(sys.argv[1])
+    count, seed, first = (int(sys.argv[k]) if len(sys.argv) > k else default for k, default in ((2, 40), (3, 1), (4, 0)))
+    folder = tempfile.mkdtemp()
+    scene = os.path.join(folder, "scene.yaml")
+    beyond = losses = left = 0
+    seconds, ratios = [], []
+    for number in range(first, first + count):
+        kind = list(KINDS)[number % len(KINDS)]
+        text, mode = draw(random.Random(seed*100003 + number), kind)
+        with open(scene, "w", encoding="utf-8") as stream:
+            stream.write(text)
+        head = f"{number:3d} {kind:10s} w{mode}"
+        own, why, took = respond(hawser, folder, scene, mode, [])
+        seconds.append(took)
+        if not own:
+            left += 1
+            print(f"{head} {took:6.1f} s  no answer: {why}", flush=True)
+            continue
+        functions = max(FEWEST, MORE + (own["scene"]["model"]["basis"] if model(own) != "modes" else 0))
+        exact, why, longer = respond(hawser, folder, scene, mode, ["--set", "model.energy=exact", "--set",
+                                                                   f"model.basis={functions}", "--tolerance", "1e-7"])
+        head += f" {took:6.1f} s ({longer:.0f})  {model(own):8s}"
+        if not exact:
+            left += 1
+            print(f"{head} no reference: {why}", flush=True)
+            continue
+        error, lost = compare(own, exact)
+        stated = (own["model_error"] or {}).get("estimated")
+        wrong = [] if stated is None or error <= max(stated, SURE) else ["BEYOND"]
+        beyond += bool(wrong)
+        losses += bool(lost)
+        if stated is not None and not wrong:
+            ratios.append(stated/max(error, SURE))
+        wrong += [f"lost: {', '.join(lost)}"] if lost else []
+        wrong += [f"{len(own['warnings'])} warnings"] if own["warnings"] else []
+        print(f"{head} true {error:.1e} stated {f'{stated:.1e}' if stated is not None else '-':7s} {'; '.join(wrong)}",
+              flush=True)
+    seconds.sort()
+    ratios.sort()
+    ninth = (9*len(seconds) - 1)//10
+    print(f"{count} scenes: {beyond} beyond the stated error, {losses} with a peak or fold lost, {left} left out; seconds: "
+          f"median {seconds[len(seconds)//2]:.1f}, nine of ten {seconds[ninth]:.1f}, largest {seconds[-1]:.1f}" +
+          (f"; stated over true error: median {ratios[len(ratios)//2]:.1f}, nine of ten "
+           f"{ratios[(9*len(ratios) - 1)//10]:.1f}" if ratios else ""))
+
+
+if __name__ == "__main__":
+    sys.exit(main())
