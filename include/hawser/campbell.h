@@ -20,6 +20,7 @@
 
 #include <hawser/gyroscopic.h>
 #include <hawser/irvine.h>
+#include <hawser/progress.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -91,6 +92,7 @@ struct hawser_campbell_options {
 	double tolerance;   /* as in struct hawser_modes_options */
 	double correlation; /* as in struct hawser_irvine_options */
 	double crossing;    /* as in struct hawser_irvine_options */
+	struct hawser_progress progress; /* called after each station; its answer does not end the sweep */
 };
 
 /* *limit: the largest speed of a steady state (hawser_statics_limit, reduced by the effect of the

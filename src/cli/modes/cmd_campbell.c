@@ -7,6 +7,7 @@
 
 #include "cli/modes/campbell_result.h"
 #include "cli/modes/track_ropeway.h"
+#include "cli/frame/progress.h"
 #include "cli/frame/view.h"
 #include "core/report.h"
 
@@ -69,14 +70,17 @@ static enum hawser_status trace(struct cli_campbell_result *result,
                                 struct hawser_report *report)
 {
 	enum hawser_status status = cli_scene_load(&result->scene, result->common, 0, report);
+	struct cli_watch watch = {.progress = {.quiet = result->common->quiet}};
 	struct hawser_modes_options modes;
 
 	if (status)
 		return status;
+	choice->progress = (struct hawser_progress){cli_watch, &watch};
 	modes = cli_modes_options(&result->scene);
 	choice->basis = modes.basis;
 	choice->tolerance = modes.tolerance;
 	status = hawser_campbell_trace(&result->campbell, &result->scene, choice, report);
+	cli_progress_end(&watch.progress);
 	if (!status && result->harmonics > 0)
 		status = hawser_campbell_resonances(&result->resonance, &result->resonances,
 		                                    &result->campbell, result->spacing,

@@ -7,6 +7,7 @@
 #include <hawser/gyroscopic.h>
 #include <hawser/irvine.h>
 
+#include "core/progress.h"
 #include "modes/grid.h"
 
 enum {
@@ -94,7 +95,13 @@ struct hawser__branches {
 	                * frequency */
 	int at_capacity;
 	double least_correlation;
+	const struct hawser_progress *progress; /* NULL: none */
+	struct hawser__span done;
 };
+
+/* branches_follow.c: tell that this part of the present stage is done. */
+void hawser__branches_tell(struct hawser__branches *all, double fraction);
+
 
 /* branches_crossover.c: the two branches of a crossover. If they cross, swap their places in
  * all->at. Returns 0 if neither is one of the requested branches. To be called for the crossovers

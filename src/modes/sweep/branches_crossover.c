@@ -342,9 +342,11 @@ enum hawser_status hawser__branches_veerings(struct hawser__branches *all,
 
 	for (int i = 0; i < all->samples; i++)
 		most = all->sample[i].in > most ? all->sample[i].in : most;
-	for (int k = 0; k + 1 < most; k++)
+	for (int k = 0; k + 1 < most; k++) {
+		hawser__branches_tell(all, (double)k/most);
 		for (int i = 1; i + 1 < all->samples && !status; i++)
 			status = check_wide(all, k, i, report);
+	}
 	for (int i = 0; i < all->crossovers && !status; i++)
 		if (all->crossover[i].kind == HAWSER_VEERING)
 			status = add_samples(all, all->crossover + i, report);

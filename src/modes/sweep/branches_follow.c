@@ -305,6 +305,19 @@ static enum hawser_status begin(struct hawser__branches *all, double x, double s
 	return status ? status : hawser__branches_insert(all, 0, &sample, report);
 }
 
+void hawser__branches_tell(struct hawser__branches *all, double fraction)
+{
+	struct hawser_progress_state state;
+
+	if (!all->progress || !hawser__is_watched(all->progress))
+		return;
+	state = hawser__progress_state(all->sweep->where, "solutions", all->solves,
+	                               all->done.began);
+	state.fraction = fraction;
+	hawser__span_foretell(&all->done, &state);
+	(void)hawser__told_to_stop(all->progress, &state);
+}
+
 enum hawser_status hawser__branches_follow(struct hawser__branches *all, const double *x,
                                            int points, struct hawser_report *report)
 {
@@ -316,6 +329,8 @@ enum hawser_status hawser__branches_follow(struct hawser__branches *all, const d
 		status = make_sample(&next, all, x[i], x[i] - x[i - 1], report);
 		if (!status)
 			status = reach(all, &next, report);
+		/* the bases grow with the speed: time with its cube, measured on the travelling cables of B */
+		hawser__branches_tell(all, pow((i + 1.0)/points, 3.0));
 	}
 	return status;
 }

@@ -22,6 +22,9 @@
 static const char where[] = "campbell";
 /* Smallest step relative to the limit. */
 static const double least_step = 1e-11;
+/* Part of the time of a sweep when its branches have been followed, before veerings; measured on the
+ * travelling cables of B. */
+static const double followed = 0.95;
 
 const char *hawser_critical_name(enum hawser_critical_kind kind)
 {
@@ -214,8 +217,12 @@ enum hawser_status hawser_campbell_trace(struct hawser_campbell *campbell,
 	status = hawser__campbell_place(&x, &count, &asked, &o, campbell->limit, report);
 	if (!status)
 		status = hawser__branches_open(&all, report);
+	all.progress = &o.progress;
+	all.done.began = hawser__wall_seconds();
+	hawser__span_stage(&all.done, 0.0, followed);
 	if (!status)
 		status = hawser__branches_follow(&all, x, count, report);
+	hawser__span_stage(&all.done, followed, 1.0);
 	if (!status) {
 		mark_approach(&all, x[asked - 1]);
 		status = hawser__branches_veerings(&all, report);
