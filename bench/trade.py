@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Error over processor time of the ways to compute a response: raw models, condensed models, modes chosen
-for an accuracy, and full order, on six scenes of different kinds.
+for an accuracy, full order, and `hawser frf` with all defaults, on six scenes of different kinds.
 
     trade.py measure TABLE [--only SCENE]   runs `hawser compare` on each scene and writes the table
     trade.py draw TABLE PICTURE.svg         draws it with gnuplot
@@ -11,14 +11,20 @@ amplitude, and of the curve between them. Each scene is verified before times ar
 must be complete, and the largest smaller basis that ended within the limit must be close to it. A
 response that failed or did not end within the limit of processor time has no error in the table.
 
+That of the default is the one of bench/practical.py: of the largest peaks and of the folds of stable motions, from
+`hawser frf` with full order of that basis; its scene has no section "model".
+
 Exit status: 0; 1 when a reference is not verified or a command fails.
 SPDX-License-Identifier: GPL-3.0-or-later"""
 import argparse
 import json
 import os
+import re
 import subprocess
 import sys
 import tempfile
+
+import practical
 
 FIDELITIES = ("raw 3, raw 4, raw 5, raw 7, raw 9, raw 12, condensed 3, condensed 4, condensed 5, condensed 7, "
               "condensed 9, condensed 12, condensed 16, auto 5, auto 2, auto 1, auto 0.5, auto 0.1")
@@ -44,7 +50,8 @@ SCENES = [
 METHODS = [("raw", "raw: the 3 to 12 lowest modes, others at rest", "#D55E00"),
            ("condensed", "condensed: the 3 to 16 lowest modes, others following", "#0072B2"),
            ("auto", "auto: modes chosen for 5 to 0.1 %", "#009E73"),
-           ("full", "full order, 6 to 12 functions a component", "#606060")]
+           ("full", "full order, 6 to 12 functions a component", "#606060"),
+           ("default", "hawser frf, all defaults", "#000000")]
 COLUMNS = ("scene", "from", "to", "method", "number", "coordinates", "outcome", "points", "distance",
            "processor_s", "folds_missing_or_extra")
 
@@ -77,6 +84,24 @@ def measure(options, scene):
     return rows, wrong
 
 
+def measure_default(options, scene):
+    """The row of `hawser frf` with nothing said of a model."""
+    name, _, low, high, bases, changes = scene
+    with open(os.path.join(options.srcdir, "notebooks-data", "scenes", name + ".yaml"), encoding="utf-8") as text:
+        plain = re.sub(r"^model:.*\n(?:[ \t#].*\n|\n)*", "", text.read(), flags=re.M)
+    words = ["--from", low, "--to", high] + [word for change in changes for word in ("--set", change)]
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "scene.yaml")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(plain)
+        own, why, seconds = practical.respond(options.hawser, folder, path, words)
+        exact, _, _ = practical.respond(options.hawser, folder, path, words + [
+            "--set", "model.energy=exact", "--set", f"model.basis={bases[-1]}", "--tolerance", TOLERANCE])
+    distance, lost = practical.compare(own, exact) if own and exact else (None, [])
+    return (name, low, high, "default", "0", "", "complete" if own else why, len(own["points"]) if own else "",
+            "" if distance is None else f"{distance:.3g}", f"{seconds:.3g}", len(lost))
+
+
 def measure_all(options):
     failed = False
     with open(options.table, "w", encoding="utf-8") as table:
@@ -87,6 +112,7 @@ def measure_all(options):
             if options.only and options.only != scene[0]:
                 continue
             rows, wrong = measure(options, scene)
+            rows.append(measure_default(options, scene))
             failed |= wrong is not None
             print(f"{scene[0]}: {'NOT VERIFIED: ' + wrong if wrong else 'reference verified'}")
             for row in rows:
@@ -125,6 +151,10 @@ def read(table):
     return found
 
 
+def symbol(method):
+    return "pt 3 ps 1.1 lw 1.6" if method == "default" else "pt 7 ps 0.45"
+
+
 def panel(name, title, place, curves):
     """gnuplot's commands for a scene; place: column and row."""
     left, top = 0.075 + 0.312*place[0], 0.94 - 0.435*place[1]
@@ -139,7 +169,7 @@ def panel(name, title, place, curves):
         if method in curves:
             block = f"$d{name}_{method}".replace("-", "_").replace(".", "_")
             yield f"{block} << END\n" + "\n".join(f"{t} {e}" for t, e in curves[method]) + "\nEND"
-            parts.append(f"{block} with linespoints lt {k + 1} pt 7 ps 0.45")
+            parts.append(f"{block} with linespoints lt {k + 1} {symbol(method)}")
     yield "plot " + ", ".join(parts)
 
 
@@ -156,8 +186,8 @@ def draw(options):
                "set multiplot"]
     for k, (name, title, *_) in enumerate(SCENES):
         script += panel(name, title, (k % 3, k//3), found.get(name, {}))
-    keys = [f"NaN with linespoints lt {k + 1} pt 7 ps 0.45 title '{title}'"
-            for k, (_, title, _) in enumerate(METHODS)]
+    keys = [f"NaN with linespoints lt {k + 1} {symbol(method)} title '{title}'"
+            for k, (method, title, _) in enumerate(METHODS)]
     script += ["unset border", "unset tics", "unset grid", "unset xlabel", "unset ylabel", "unset title",
                "unset logscale", "set xrange [0:1]", "set yrange [0:1]", "set lmargin at screen 0.05",
                "set rmargin at screen 0.95", "set tmargin at screen 0.02", "set bmargin at screen 0.01",
