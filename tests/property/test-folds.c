@@ -19,12 +19,29 @@ static int open_model(struct hawser_rom *rom, const char *name)
 	return ok(!hawser_rom_open(rom, path, NULL), "%s read", path);
 }
 
+/* What is done of the search rises from 0 to 1. */
+struct told {
+	double last, largest_fall;
+	int count;
+};
+
+static int tell(void *data, const struct hawser_progress_state *state)
+{
+	struct told *told = data;
+
+	told->largest_fall = fmax(told->largest_fall, told->last - state->fraction);
+	told->last = state->fraction;
+	told->count += isfinite(state->fraction) && state->fraction <= 1.0;
+	return 0;
+}
+
 /* starts: pseudo-random motions, 0 for as many as by default, HAWSER_NONE where the curves are
  * found without. */
 static int trace(struct hawser_folds *folds, const struct hawser_rom *rom, double from, double to,
                  int starts)
 {
 	struct hawser_folds_options options = {.method = NULL};
+	struct told told = {.count = 0};
 	struct hawser_report report = {.message = ""};
 	enum hawser_status status;
 
@@ -32,9 +49,12 @@ static int trace(struct hawser_folds *folds, const struct hawser_rom *rom, doubl
 	options.to = to;
 	options.load_from = 0.05;
 	options.starts = starts;
+	options.progress = (struct hawser_progress){tell, &told};
 	options.method = "shooting"; /* the curves are computed by harmonic balance, the folds by
 	                              * another method */
 	status = hawser_folds_trace(folds, rom, &options, &report);
+	ok(told.count > 0 && told.largest_fall <= 0.0 && told.last > 0.5,
+	   "its progress rises, to %g", told.last);
 	return ok(!status, "traced %s", report.message);
 }
 
@@ -209,6 +229,26 @@ static void check_reverse(const struct hawser_folds *a, const struct hawser_rom 
 	hawser_folds_clear(&b);
 }
 
+/* Without multipliers a response has the same folds, and nothing else. */
+static void check_unjudged(const struct hawser_folds *folds, const struct hawser_rom *rom)
+{
+	struct hawser_frf_options options = {.from = 0.5, .to = 3.0, .unjudged = 1};
+	struct hawser_frf frf;
+	double worst = 0.0;
+	int all = 0, others = 0;
+	enum hawser_status status = hawser_frf_trace(&frf, rom, &options, NULL);
+
+	for (int e = 0; e < folds->response.events; e++)
+		all += folds->response.event[e].kind == HAWSER_FOLD;
+	for (int e = 0; e < frf.events; e++) {
+		others += frf.event[e].kind != HAWSER_FOLD;
+		worst = fmax(worst, passage(folds, frf.event[e].omega));
+	}
+	ok(!status && all > 1 && frf.events == all && others == 0 && worst < 1e-8,
+	   "without multipliers: %d of %d folds, %.1e away", frf.events, all, worst);
+	hawser_frf_clear(&frf);
+}
+
 /* All of it for one model, traced once. */
 static void check_absorber(void)
 {
@@ -220,6 +260,7 @@ static void check_absorber(void)
 	if (trace(&folds, &rom, 0.5, 3.0, 0)) {
 		check_nominal(&folds, "absorber");
 		check_isola(&folds, &rom);
+		check_unjudged(&folds, &rom);
 		check_reverse(&folds, &rom);
 	}
 	hawser_folds_clear(&folds);

@@ -41,6 +41,25 @@ static void clock_of_limited(void)
 	ok(!limits && least < 1e-4, "with limited processor time its clock moves on after %.1e s", least);
 }
 
+/* Halfway from 0.2 to 0.6 of the whole, 3 s after its beginning; then a stage that says nothing. */
+static void stages(double began)
+{
+	struct hawser__span span = {.began = began - 3.0};
+	struct hawser_progress_state state = hawser__progress_state("sweep", "points", 3, began);
+
+	hawser__span_foretell(&span, &state);
+	ok(state.fraction == 0.0 && isnan(state.left), "at the beginning no time is told");
+	hawser__span_stage(&span, 0.2, 0.6);
+	state.fraction = 0.5;
+	hawser__span_foretell(&span, &state);
+	close_to(state.fraction, 0.4, 1e-12, "part of the whole");
+	close_to(state.left, 4.5, 0.05, "what took 3 s for 0.4 takes another 4.5 s");
+	hawser__span_stage(&span, 0.3, 1.0);
+	state.fraction = NAN;
+	hawser__span_foretell(&span, &state);
+	close_to(state.fraction, 0.4, 1e-12, "it does not fall");
+}
+
 CASE(unit_progress)
 {
 	double began = hawser__wall_seconds();
@@ -76,6 +95,7 @@ CASE(unit_progress)
 	   "7 of at most 4 points: the function ends it");
 	state.done = 2;
 	ok(!hawser__told_to_stop(&progress, &state), "2 of at most 4: it goes on");
+	stages(began);
 	clock_of_limited();
 	return done_testing();
 }
