@@ -55,7 +55,7 @@ def draw(chance, kind):
     ratio = logarithmic(chance, *ratios)
     # the motion of a linear string at its first resonance: up to half the sag, or a hundredth of the chord
     swing = chance.uniform(0.1, 1.0)*max(0.5*sag, 0.01)*chord
-    omega = math.pi/d*math.sqrt(H/rho)
+    omega = math.pi/chord*math.sqrt(H/math.cos(angle)/rho)
     q = swing*0.25*math.pi*rho*omega*omega*2.0*ratio
     turn = chance.uniform(*across)*0.5*math.pi
     text = (f"cable: {{EA: {1e6*rho*chance.uniform(*stiff):.6g}, rho: {rho:.6g}}}\nspan: {{d: {d:.6g}, h: {h:.6g}}}\n"
