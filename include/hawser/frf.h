@@ -157,9 +157,9 @@ struct hawser_frf_options {
 	int max_points;        /* 0: 20000 */
 	double step_max;       /* largest change of Omega in a step, relative to the range; 0: 0.02 */
 	int skip_events;       /* 1: do not locate events */
-	int unjudged;          /* 1: no multipliers: every point counts as stable, and the only events are
-	                        * folds and slackness. With skip_events longer steps too, where only the
-	                        * shape of the curve matters */
+	int unjudged;          /* 1: no multipliers and longer steps, where only the shape of the curve
+	                        * matters: every point counts as stable, and the only events are folds and
+	                        * slackness */
 	int end_at_slack;      /* 1: end the branch where the least tension becomes zero: a cable bears no
 	                        * compression, so the model's motion beyond is not the cable's */
 	int most_unstable;     /* end the branch at the first point with more unstable multipliers: such

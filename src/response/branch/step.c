@@ -124,8 +124,7 @@ double hawser__trace_longest(void *owner)
 	const struct hawser__trace *trace = owner;
 	const struct hawser__orbit *orbit = trace->orbit;
 	double extent = hawser__orbit_extent(orbit, trace->here.y);
-	int coarse = (trace->watch && trace->watch->coarse) ||
-	             (trace->options.unjudged && trace->options.skip_events);
+	int coarse = (trace->watch && trace->watch->coarse) || trace->options.unjudged;
 	double part = coarse ? COARSE_TURN : trace->rom->exact ? EXACT_TURN : LARGEST_TURN;
 	double turn = fmin(part*extent, trace->options.step_max*(trace->hi - trace->lo));
 	/* Omega changes by |t_Omega| ds; if the branch is steep, only the change of the orbit limits

@@ -169,25 +169,9 @@ static int near_states(const struct hawser_rom *rom, const struct hawser_frf *fr
 	return !failed && gap <= NEARLY_LINEAR*largest;
 }
 
-/* Whether the response has the multipliers of a nearly linear one. It is traced again with them. */
-static int judged_linear(struct hawser__fold_search *search, const struct hawser__load *load)
-{
-	struct hawser__fold_watch watch = {.options = search->options, .stage = "response"};
-	struct hawser_frf_options choice = hawser__fold_response(search, &watch);
-	struct hawser_frf frf = {0};
-	int linear;
-
-	choice.samples = HAWSER_NONE;
-	choice.skip_events = 1;
-	linear = !hawser_frf_trace(&frf, &load->rom, &choice, NULL) && frf.end == HAWSER_END_RANGE &&
-	         near_multipliers(search, &frf);
-	hawser_frf_clear(&frf);
-	return linear;
-}
-
-int hawser__fold_linear(struct hawser__fold_search *search, const struct hawser__load *load,
+int hawser__fold_linear(const struct hawser__fold_search *search, const struct hawser__load *load,
                         const struct hawser_frf *frf)
 {
-	return frf->end == HAWSER_END_RANGE && near_states(&load->rom, frf) &&
-	       judged_linear(search, load);
+	return frf->end == HAWSER_END_RANGE && near_multipliers(search, frf) &&
+	       near_states(&load->rom, frf);
 }

@@ -76,7 +76,7 @@ enum hawser_status hawser__fold_keep(struct hawser__fold_search *search, struct 
 /* folds_linear.c: compute search->decay and search->window. */
 enum hawser_status hawser__fold_decay(struct hawser__fold_search *search);
 /* folds_linear.c: whether a response at this load is nearly linear. */
-int hawser__fold_linear(struct hawser__fold_search *search, const struct hawser__load *load,
+int hawser__fold_linear(const struct hawser__fold_search *search, const struct hawser__load *load,
                         const struct hawser_frf *frf);
 /* folds_levels.c: trace the curves through the folds at this load, within the range or, if `wide`,
  * within its window. If a response cannot be traced in the window, it is traced within the range. */
