@@ -14,8 +14,8 @@ double hawser__processor_seconds(void);
 struct hawser_progress_state hawser__progress_state(const char *stage, const char *unit, long done,
                                                     double began);
 
-/* A computation of several stages: of the whole, the part that is done where the present stage begins and
- * where it ends. What a stage takes is known from others of its kind only. */
+/* A computation of several stages: of the whole, the part that is done where the present stage
+ * begins and where it ends. What a stage takes is known from others of its kind only. */
 struct hawser__span {
 	double began;      /* s, hawser__wall_seconds */
 	double from, to;
@@ -23,7 +23,8 @@ struct hawser__span {
 };
 
 void hawser__span_stage(struct hawser__span *span, double from, double to);
-/* state->fraction, that of the stage (NAN: unknown), becomes that of the whole, and `left` the time left. */
+/* state->fraction, that of the stage (NAN: unknown), becomes that of the whole, and `left` the time
+ * left. */
 void hawser__span_foretell(struct hawser__span *span, struct hawser_progress_state *state);
 
 /* Whether the caller is to be asked. */

@@ -57,7 +57,7 @@ static void compare(struct hawser_rom *rom, const double *map)
 	struct hawser__trace_watch watch = hawser__orbits_watch(&orbits);
 	struct hawser_frf frf[3];
 	struct hawser__drawn_curve curve[3];
-	double apart = 1.0, carried = 0.0, again = 1.0;
+	double apart = 1.0, carried = 0.0, again = 1.0, peaks = 0.0;
 	int marks = 0, lost = 1, *mark;
 
 	if (!ok(!hawser__frf_trace(&frf[0], &rom[0], &options, &watch, &report) &&
@@ -72,11 +72,13 @@ static void compare(struct hawser_rom *rom, const double *map)
 	ok(!hawser__carry(&frf[2], &lost, &rom[1], &orbits, mark, marks, map, &options, &report) && !lost &&
 	   frf[2].points == marks, "%d counterparts, lost %d: %s", frf[2].points, lost, report.message);
 	ok(!hawser__curve_copy(&curve[2], &frf[2], &report) &&
-	   !hawser__curve_points_distance(&carried, &curve[0], mark, NULL, &curve[2], &report) &&
+	   !hawser__curve_points_distance(&carried, &curve[0], NULL, NULL, &curve[2], &report) &&
+	   !hawser__curve_points_distance(&peaks, &curve[0], mark, NULL, &curve[2], &report) &&
 	   !hawser__curve_distance(&apart, &curve[0], &curve[1], &report) &&
-	   !hawser__curve_points_distance(&again, &curve[1], mark, NULL, &curve[2], &report), "distances");
+	   !hawser__curve_points_distance(&again, &curve[1], NULL, NULL, &curve[2], &report), "distances");
 	/* the curves also differ by what is between their points; three times the distance is stated */
 	ok(carried < 1.1*apart && apart < 2.0*carried, "%.3e by marks, %.3e by curves", carried, apart);
+	ok(peaks > carried && peaks < 2.0*apart, "%.3e with the change of peaks", peaks);
 	ok(again < 0.1*apart, "counterparts are %.1e off the curve of their model", again);
 	for (int k = 0; k < 3; k++) {
 		hawser__curve_clear(&curve[k]);

@@ -26,12 +26,11 @@
 
 #define SAME_ORBIT 1e-5 /* relative distance below which two orbits are the same; chosen, above the
                          * errors of located folds */
-/* What is done of a search after the responses at the nominal load with their curves, at the largest one,
- * at all loads, and after the detached curves: of shipped scenes, from 3 to 15 s. */
-#define NOMINAL 0.15
-#define LARGEST 0.3
+/* Part of a search that is done, measured on shipped scenes (3 to 15 s): */
+#define NOMINAL 0.15 /* after the responses at the nominal load, with their curves; measured */
+#define LARGEST 0.3  /* after those at the largest one; measured */
 #define LEVELS HAWSER__FOLDS_LEVELS
-#define ISOLAS 0.7
+#define ISOLAS 0.7   /* after the detached curves; measured */
 #define SAME_LOAD 1e-9 /* relative difference of their loads, likewise */
 
 void hawser_folds_settle(struct hawser_folds_options *options)

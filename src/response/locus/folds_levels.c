@@ -173,7 +173,8 @@ static double next_load(double at, double known)
 	return isfinite(known) && at > BELOW*known ? BELOW*at : RATIO*at;
 }
 
-/* Part of the whole search that is done before the responses at this load: their loads fall by RATIO. */
+/* Part of the whole search that is done before the responses at this load: their loads fall by
+ * RATIO. */
 static double part_at(const struct hawser__fold_search *search, double load)
 {
 	const struct hawser_folds_options *options = search->options;

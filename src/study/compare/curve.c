@@ -13,6 +13,10 @@
  * The counterpart of a point near an end of the range may lie outside the range. A distance d_i >
  * e_i is therefore no evidence of a difference, and the result is the maximum of min(d_i, e_i).
  *
+ * Below a sharp peak the curve's flanks are nearer than its top: with 0.6 % of damping a peak that is
+ * off by 0.35 % is 0.04 % from the curve. Of points carried over from one model to another, those at
+ * extremes are therefore compared with their counterparts too.
+ *
  * The distance is taken to a refinement of the other curve by cubics in its arclength, so that the
  * chords between its points do not count as error.
  *
@@ -239,6 +243,15 @@ enum hawser_status hawser__curve_distance(double *distance, const struct hawser_
 	return status;
 }
 
+/* Whether column `column` has an extreme at point i. */
+static int turns(const struct hawser__drawn_curve *curve, int i, int column)
+{
+	if (i < 1 || i + 1 >= curve->points)
+		return 0;
+	return (at(curve, i, column) - at(curve, i - 1, column))*
+	       (at(curve, i + 1, column) - at(curve, i, column)) <= 0.0;
+}
+
 enum hawser_status hawser__curve_points_distance(double *distance,
                                                  const struct hawser__drawn_curve *curve,
                                                  const int *at_point,
@@ -271,19 +284,13 @@ enum hawser_status hawser__curve_points_distance(double *distance,
 			end = fmin(w - ends[0], ends[1] - w);
 			if (end > *distance)
 				*distance = fmax(*distance, to_line(&line, w, size/scale, end));
+			/* below a peak the curve's flanks are nearer than its top, and more so the sharper it is */
+			if (end > *distance && at_point && turns(curve, at_point[i], c))
+				*distance = fmax(*distance, fabs(size - at(curve, at_point[i], c))/scale);
 		}
 		free(line.wa);
 	}
 	return status;
-}
-
-/* Whether column `column` has an extreme at point i. */
-static int turns(const struct hawser__drawn_curve *curve, int i, int column)
-{
-	if (i < 1 || i + 1 >= curve->points)
-		return 0;
-	return (at(curve, i, column) - at(curve, i - 1, column))*
-	       (at(curve, i + 1, column) - at(curve, i, column)) <= 0.0;
 }
 
 enum hawser_status hawser__curve_marks(int *marks, int *count, const struct hawser__drawn_curve *curve,

@@ -26,8 +26,9 @@ enum hawser_status hawser__curve_distance(double *distance, const struct hawser_
                                           struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* The same of the counterparts of some points of a curve, at[a->points], in two other responses a and
- * b: the largest distance of a point of b from the curve, moved by what that of a is off. a == NULL:
- * from the curve itself. */
+ * b: the largest distance of a point of b from the curve, moved by what that of a is off, and at
+ * extremes of an amplitude the change of that. a == NULL: from the curve itself, and then at may be
+ * NULL, and extremes are points like others. */
 enum hawser_status hawser__curve_points_distance(double *distance,
                                                  const struct hawser__drawn_curve *curve,
                                                  const int *at,
