@@ -320,7 +320,7 @@ static void extend(struct hawser__balance *balance, struct hessenberg *H, int k)
  * iterations. */
 static int most_iterations(const struct hawser__balance *balance)
 {
-	return balance->blockwise && balance->fresh ? KRYLOV : OLD_KRYLOV;
+	return balance->base.rom->exact && balance->blockwise && balance->fresh ? KRYLOV : OLD_KRYLOV;
 }
 
 /* Whether old factors would need more than OLD_KRYLOV iterations, at the mean rate of the first k,

@@ -22,7 +22,7 @@
 #include "response/orbit/balance.h"
 #include "rom/terms/terms.h"
 
-#define FAR 0.3    /* largest distance from an orbit to its counterpart, in the metric; chosen */
+#define FAR 0.1    /* largest distance from an orbit to its counterpart, relative; chosen */
 #define PART 1e-5  /* smallest harmonic that is taken over, relative to the orbit, both by the roots of
                     * their energies: small motions along the cable stretch it. Chosen: an orbit
                     * carried to its own model then moves by 5e-3 in the metric; by 0.1 with 1e-4 */
@@ -147,24 +147,36 @@ static enum hawser_status adopt(struct hawser__balance *balance, const double *y
 	return hawser__balance_arrange(balance, report);
 }
 
+/* How far y is from `start`, relative to that, in Omega or in all coefficients. The metric of the orbits
+ * is of no use here: it sizes each coordinate by its own motion, and those that only the second model has
+ * begin at rest. */
+static double distance(const double *y, const double *start, int size)
+{
+	double off = 0.0, whole = cblas_dnrm2(size - 1, start, 1);
+
+	for (int i = 0; i < size - 1; i++)
+		off = hypot(off, y[i] - start[i]);
+	return fmax(off/whole, fabs(y[size - 1]/start[size - 1] - 1.0));
+}
+
 /* Correct station->y in the plane normal to station->t. */
 static enum hawser_status correct(struct hawser__station *station, int *lost,
-                                  struct hawser__orbit *orbit, double tolerance,
+                                  struct hawser__orbit *orbit, double *start, double tolerance,
                                   struct hawser_report *report)
 {
 	enum hawser_status status = HAWSER_OK;
-	double length, first = 0.0;
+	double length;
 	int again = 1;
 
+	memcpy(start, station->y, (size_t)orbit->size*sizeof *start);
 	orbit->ops->metric(orbit, station->y);
 	length = sqrt(hawser__orbit_dot(orbit, station->t, station->t));
 	for (int i = 0; i < orbit->size; i++)
 		station->t[i] /= length;
 	while (!status && again && !*lost) {
 		*lost = hawser__orbit_correct(orbit, station->y, &station->correction, station->t,
-		                              tolerance);
-		first += station->correction.first;
-		*lost |= !(first <= FAR);
+		                              tolerance) ||
+		        !(distance(station->y, start, orbit->size) <= FAR);
 		if (!*lost)
 			status = orbit->ops->refine(orbit, &again, tolerance,
 			                            hawser__orbit_omega(orbit, station->y), report);
@@ -187,6 +199,7 @@ enum hawser_status hawser__carry(struct hawser_frf *frf, int *lost, const struct
 	struct hawser__amplitude *amplitude = hawser__amplitude_new(rom);
 	struct hawser__station station = {.y = NULL};
 	struct hawser__orbit *orbit = NULL;
+	double *start = NULL;
 	enum hawser_status status = amplitude ? HAWSER_OK : hawser__no_memory(report, "frf");
 
 	*frf = (struct hawser_frf){.n = rom->n, .probes = rom->shapes.points, .branch = 1, .period = 1,
@@ -196,6 +209,8 @@ enum hawser_status hawser__carry(struct hawser_frf *frf, int *lost, const struct
 		status = hawser__balance_method.open(&orbit, rom, options, report);
 	if (!status)
 		status = hawser__station_init(&station, orbit, report);
+	if (!status && !(start = malloc((size_t)orbit->size*sizeof *start)))
+		status = hawser__no_memory(report, "frf");
 	for (int i = 0; !status && !*lost && i < count; i++) {
 		struct hawser__balance *balance = (struct hawser__balance *)orbit;
 		const struct hawser__series *from = &orbits->item[which[i]];
@@ -205,7 +220,7 @@ enum hawser_status hawser__carry(struct hawser_frf *frf, int *lost, const struct
 		station.arc = from->arc;
 		status = adopt(balance, station.y, from->order, report);
 		if (!status)
-			status = correct(&station, lost, orbit, options->tolerance, &last);
+			status = correct(&station, lost, orbit, start, options->tolerance, &last);
 		if (!status && !*lost)
 			status = hawser__record_point(frf, amplitude, &station, orbit, report);
 		if (!status && !*lost)
@@ -215,5 +230,6 @@ enum hawser_status hawser__carry(struct hawser_frf *frf, int *lost, const struct
 		orbit->ops->clear(orbit);
 	hawser__station_clear(&station);
 	hawser__amplitude_free(amplitude);
+	free(start);
 	return status;
 }
