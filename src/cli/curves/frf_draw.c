@@ -273,7 +273,8 @@ static void label_naturals(struct cli_frf_picture *of)
 				break;
 		}
 		for (int j = k; j < next; j++)
-			hawser__append(text, sizeof text, ", ", "ω_{%d}", j + 1);
+			hawser__append(text, sizeof text, ", ", "ω_{%d}",
+			                cli_natural_number(of->result->model, j));
 		hawser__figure_above(&of->figure, end > of->high + 0.5*width ? of->high : omega,
 		                     end > of->high + 0.5*width ? "right offset 1.5,0.6 tc rgb '#505050'"
 		                     : "left offset -0.5,0.6 tc rgb '#505050'", text);

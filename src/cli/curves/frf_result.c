@@ -149,8 +149,8 @@ void cli_frf_comments(struct hawser__table *table, const void *of)
 	if (result->scales)
 		cli_mms_equations(table, result->scales);
 	for (k = 0; k < model->naturals; k++)
-		hawser__table_comment(table, "natural frequency w%d = %.12g%s", k + 1,
-		                      model->natural[k]*per_omega, rad_s);
+		hawser__table_comment(table, "natural frequency w%d = %.12g%s",
+		                      cli_natural_number(model, k), model->natural[k]*per_omega, rad_s);
 	for (k = 0; k < frf->events; k++)
 		comment_event(table, result, k);
 	if (result->highest > 0)

@@ -208,6 +208,9 @@ void cli_drag_comment(struct hawser__table *table, const struct cli_model *model
 /* natural.c: K, D [n][n] of small motions about u = 0, with terms of one factor and constant ones. 1:
  * some terms depend on Omega, and are left out. */
 int cli_linear(double *K, double *D, const struct hawser_rom *rom);
+/* The number by which other commands know natural frequency k: of a model of chosen modes, that of
+ * the mode among all of the structure. */
+int cli_natural_number(const struct cli_model *model, int k);
 /* Sets `natural`: undamped, with gyroscopic forces, as hawser modes prints them. */
 enum hawser_status cli_natural(struct cli_model *model,
                                struct hawser_report *report) HAWSER_MUST_CHECK;

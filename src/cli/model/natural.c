@@ -26,6 +26,7 @@
 #include <lapacke.h>
 
 #include "cli/frame/cli.h"
+#include "cli/model/made.h"
 #include "core/order.h"
 #include "core/report.h"
 
@@ -200,6 +201,13 @@ static enum hawser_status of_travel(struct cli_model *model, struct hawser_repor
 	hawser_modes_clear(&modes);
 	qsort(model->natural, (size_t)model->naturals, sizeof *model->natural, hawser__ascending);
 	return HAWSER_OK;
+}
+
+int cli_natural_number(const struct cli_model *model, int k)
+{
+	const struct hawser_modes *modes = model->made ? &model->made->modes.modes : NULL;
+
+	return modes && k < modes->n ? modes->mode[k].place : k + 1;
 }
 
 enum hawser_status cli_natural(struct cli_model *model, struct hawser_report *report)

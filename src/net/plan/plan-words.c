@@ -148,6 +148,11 @@ static void law(struct hawser__net_planner *planner)
 	say(planner, "stretching", 1, "linear law, whatever the rotation");
 }
 
+static int of_models(const struct hawser_net *net)
+{
+	return net->ratio > 0.0 || net->mass_rate > 0.0;
+}
+
 static void mass(struct hawser__net_planner *planner)
 {
 	const struct hawser_net *net = planner->net;
@@ -164,8 +169,11 @@ static void mass(struct hawser__net_planner *planner)
 		say(planner, "damping", 1, "%s%s%s", net->alpha > 0.0 ? "viscous (alpha)" : "",
 		    net->alpha > 0.0 &&
 		    net->axial > 0.0 ? " and " : "", net->axial > 0.0 ? "Kelvin-Voigt (axial)" : "");
-	else
+	else if (!of_models(net))
 		say(planner, "damping", 0, "the scene has none: motions do not decay");
+	if (of_models(net))
+		say(planner, "damping of modes", 1, "ratio or rayleigh, in reduced models alone (frf, "
+		    "integrate -n): integrate of the mesh needs alpha or axial");
 }
 
 static void driving(struct hawser__net_planner *planner)
@@ -180,7 +188,8 @@ static void driving(struct hawser__net_planner *planner)
 	if (net->loads > harmonic)
 		say(planner, "constant loads", 1, "%d, in the equilibrium", net->loads - harmonic);
 	if (harmonic)
-		say(planner, "harmonic loads", 1, "%d, in integrate; not in statics and modes", harmonic);
+		say(planner, "harmonic loads", 1, "%d, in integrate and in reduced models; not in statics and "
+		    "modes", harmonic);
 	if (net->motions + tables)
 		say(planner, "moving supports", 1, "%d harmonic displacement%s and %d table%s, in "
 		    "integrate; not in statics and "

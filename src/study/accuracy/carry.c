@@ -147,9 +147,9 @@ static enum hawser_status adopt(struct hawser__balance *balance, const double *y
 	return hawser__balance_arrange(balance, report);
 }
 
-/* How far y is from `start`, relative to that, in Omega or in all coefficients. The metric of the orbits
- * is of no use here: it sizes each coordinate by its own motion, and those that only the second model has
- * begin at rest. */
+/* How far y is from `start`, relative to that, in Omega or in all coefficients. The metric of the
+ * orbits is of no use here: it sizes each coordinate by its own motion, and those that only the second
+ * model has begin at rest. */
 static double distance(const double *y, const double *start, int size)
 {
 	double off = 0.0, whole = cblas_dnrm2(size - 1, start, 1);
