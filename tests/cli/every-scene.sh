@@ -92,6 +92,10 @@ for name in ropeway-bouquet ropeway-gondola ropeway-small ropeway-transient; do
 	done
 	echo "$name.yaml" >>seen
 done
+# The model of a net.
+response "$scenes/net-crosstie.yaml" -n 4
+motion "$scenes/net-crosstie.yaml" -n 4 --Omega 0.9w1
+echo net-crosstie.yaml >>seen
 # Nets and rods.
 cp "$scenes/net-dragged.txt" .
 for name in net-belt net-belt-driven net-capstan net-drag net-dragged net-impact net-pendulum net-seabed net-table-3-1 net-table-3-6 \

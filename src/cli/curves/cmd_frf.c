@@ -280,12 +280,12 @@ static enum hawser_status trace(struct hawser_frf *frf, struct hawser_landmark *
 		choice = model->accuracy.traced; /* for peaks and further branches */
 	}
 	if (!status && !automatic)
-		status = trace_curve(frf, &choice, result, settings, label, report);
+		status = is_special(settings) || model->made
+		         ? trace_curve(frf, &choice, result, settings, label, report)
+		         : cli_exact_trace(frf, &choice, model, result, settings->step > 0.0, report);
 	if (!status && model->made && settings->n == 0 && !settings->common.lane.keep &&
 	    !is_special(settings))
 		status = cli_made_response(frf, model, result, &choice, report);
-	if (!automatic && !is_special(settings))
-		status = cli_exact_response(frf, &choice, model, result, settings->step > 0.0, status, report);
 	if (frf->points > 0 && cli_label_plain(frf, model) && !result->over) {
 		enum hawser_status located = locate_peaks(peak, result, &watch.progress, &choice,
 		                                          status != HAWSER_OK, status ? &second : report);

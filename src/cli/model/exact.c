@@ -26,6 +26,11 @@ static const double longest = 0.02;
  * range about one frequency; chosen. */
 static const double row = 3.0, around = 1.05;
 
+/* Work after which a curve of modes is judged first, and the factor from one judgement to the next, which
+ * takes 0.1 to 0.3 s; fewest points then; chosen. */
+static const double soon = 2.0, later = 3.0;
+enum { fewest = 24 };
+
 static int has_accuracy(const struct cli_model *model)
 {
 	return hawser_scene_written(&model->scene, "model.accuracy");
@@ -155,6 +160,8 @@ static int points_wanted(const struct hawser_frf *frf, const struct hawser_frf_o
 
 		points += turn > 0.9*options->step_max ? fmin(turn/longest, 1.0) : 1.0;
 	}
+	if (frf->points > 1 && frf->end == HAWSER_END_INTERRUPTED) /* of a part of the range */
+		points *= range/fmax(fabs(frf->point[frf->points - 1].omega - options->from), 0.1*range);
 	return points > 1.0 ? (int)points : frf->points;
 }
 
@@ -186,7 +193,8 @@ static enum hawser_status trace(struct hawser_frf *frf, struct hawser_frf_option
 	return status;
 }
 
-enum hawser_status cli_exact_response(struct hawser_frf *frf, struct hawser_frf_options *options,
+/* Where the modes of a curve are not good enough or fail (so_far: its status): replace it. */
+static enum hawser_status judge_curve(struct hawser_frf *frf, struct hawser_frf_options *options,
                                       struct cli_model *model, struct cli_frf_result *result, int step,
                                       enum hawser_status so_far, struct hawser_report *report)
 {
@@ -204,6 +212,50 @@ enum hawser_status cli_exact_response(struct hawser_frf *frf, struct hawser_frf_
 	if (status || !model->exact.functions)
 		return status ? status : so_far;
 	return cli_basis_check(model, fmax(result->from, result->to), report);
+}
+
+/* A curve of modes whose motions so far are judged from time to time. */
+struct early {
+	struct hawser_progress progress; /* the caller's */
+	const struct cli_frf_result *result;
+	double next; /* work of the next judgement */
+	int called;  /* 1: no number of modes makes these motions right, and the curve has ended */
+};
+
+static int judge_early(void *data, const struct hawser_progress_state *state)
+{
+	struct early *early = data;
+	struct cli_frf_result so_far = *early->result;
+
+	if (state->frf && state->frf->points >= fewest &&
+	    hawser_orbit_work(&state->frf->cost, &so_far.model->rom) > early->next) {
+		early->next *= later;
+		so_far.frf = state->frf;
+		so_far.error = (struct cli_model_error){.stated = 0};
+		early->called = !cli_fixed_estimate(&so_far, NULL) && so_far.error.stated &&
+		                hawser_accuracy_truncated(so_far.error.fixed.truncation);
+	}
+	return early->called || early->progress.function(early->progress.data, state);
+}
+
+enum hawser_status cli_exact_trace(struct hawser_frf *frf, struct hawser_frf_options *options,
+                                   struct cli_model *model, struct cli_frf_result *result, int step,
+                                   struct hawser_report *report)
+{
+	struct early early = {options->progress, result, .next = soon};
+	struct hawser_frf_options choice = *options;
+	enum hawser_status status;
+
+	if (cli_exact_calls(model, NULL))
+		choice.progress = (struct hawser_progress){judge_early, &early};
+	status = hawser_frf_trace(frf, &model->rom, &choice, report);
+	status = judge_curve(frf, options, model, result, step, status, report);
+	if (!status && early.called && !model->exact.functions && !cli_interrupted()) {
+		hawser_frf_clear(frf); /* the curve of modes is then followed to its end */
+		result->error = (struct cli_model_error){.stated = 0};
+		status = hawser_frf_trace(frf, &model->rom, options, report);
+	}
+	return status;
 }
 
 /* The response of the modes over a range, and its error. */

@@ -16,15 +16,15 @@ int cli_exact_calls(const struct cli_model *model, const struct cli_model_error 
 /* Whether it called for it, got none, and the modes may be off by more than 100 %. */
 int cli_exact_failed(const struct cli_model *model, const struct cli_model_error *error);
 
-/* Where the modes of a curve are not good enough or fail (so_far: its status): replace curve, model and
- * error by those of the exact energy, and the options by those with which it was traced; the scene
- * then has the keys model.energy and model.basis that give this model. step: 1: the longest step of
- * the options is the user's. If there is no such response, everything stays, and model->exact says
- * why. Returns so_far or HAWSER_OK; HAWSER_ERR_MEMORY. */
-enum hawser_status cli_exact_response(struct hawser_frf *frf, struct hawser_frf_options *options,
-                                      struct cli_model *model, struct cli_frf_result *result, int step,
-                                      enum hawser_status so_far,
-                                      struct hawser_report *report) HAWSER_MUST_CHECK;
+/* The curve of hawser_frf_trace. Where its modes are not good enough or fail, curve, model and error are
+ * replaced by those of the exact energy, and the options by those with which it was traced; the scene
+ * then has the keys model.energy and model.basis that give this model. A curve that takes long is judged
+ * while it is traced. step: 1: the longest step of the options is the user's. If there is no such
+ * response, that of the modes stays, and model->exact says why. The status of its trace if that
+ * failed and is not replaced; HAWSER_ERR_MEMORY. */
+enum hawser_status cli_exact_trace(struct hawser_frf *frf, struct hawser_frf_options *options,
+                                   struct cli_model *model, struct cli_frf_result *result, int step,
+                                   struct hawser_report *report) HAWSER_MUST_CHECK;
 /* For commands that do not trace that response: model->error becomes the error of the modes in the
  * response over the range (scaled), and where they are not good enough, the model becomes that of the
  * exact energy, if two of its bases agree there. after: the time of the command, over that of the curve
