@@ -26,8 +26,8 @@ static const double longest = 0.02;
  * range about one frequency; chosen. */
 static const double row = 3.0, around = 1.05;
 
-/* Work after which a curve of modes is judged first, and the factor from one judgement to the next, which
- * takes 0.1 to 0.3 s; fewest points then; chosen. */
+/* Work after which a curve of modes is judged first, and the factor from one judgement to the next,
+ * which takes 0.1 to 0.3 s; fewest points then; chosen. */
 static const double soon = 2.0, later = 3.0;
 enum { fewest = 24 };
 

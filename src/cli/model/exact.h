@@ -16,11 +16,11 @@ int cli_exact_calls(const struct cli_model *model, const struct cli_model_error 
 /* Whether it called for it, got none, and the modes may be off by more than 100 %. */
 int cli_exact_failed(const struct cli_model *model, const struct cli_model_error *error);
 
-/* The curve of hawser_frf_trace. Where its modes are not good enough or fail, curve, model and error are
- * replaced by those of the exact energy, and the options by those with which it was traced; the scene
- * then has the keys model.energy and model.basis that give this model. A curve that takes long is judged
- * while it is traced. step: 1: the longest step of the options is the user's. If there is no such
- * response, that of the modes stays, and model->exact says why. The status of its trace if that
+/* The curve of hawser_frf_trace. Where its modes are not good enough or fail, curve, model and error
+ * are replaced by those of the exact energy, and the options by those with which it was traced; the
+ * scene then has the keys model.energy and model.basis that give this model. A curve that takes long is
+ * judged while it is traced. step: 1: the longest step of the options is the user's. If there is no
+ * such response, that of the modes stays, and model->exact says why. The status of its trace if that
  * failed and is not replaced; HAWSER_ERR_MEMORY. */
 enum hawser_status cli_exact_trace(struct hawser_frf *frf, struct hawser_frf_options *options,
                                    struct cli_model *model, struct cli_frf_result *result, int step,
