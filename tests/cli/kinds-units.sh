@@ -11,7 +11,8 @@ BEGIN {
 	column = "_((N|J|W|kg|rad_s)|([A-Za-z]*_)?m(_s[2-4]?)?|1_m|kg_m(_s|[23])?|Nms?|Ns(_m)?|Nm_per_m|Nm2|rad_s_m2)$"
 	number = "[0-9][])]* (N|J|W|kg|m|rad/s|m/s|m/s\\^[2-4]|1/m|N/m|kg/m|kg/m/s|kg/m\\^[23]|N[. ]m|N[. ]m/s|N[. ]s|N[. ]m[. ]s|rad/s/m\\^2)([ ,;:).]|$)"
 }
-/^#/ { if ($0 ~ number) { print; bad = 1 } next }
+# a number of a mode is no frequency
+/^#/ { if ($0 ~ number || $0 ~ /mode [0-9]+\.[0-9]+[,:;]/) { print; bad = 1 } next }
 { for (i = 1; i <= NF; i++) if ($i ~ column) { print $i; bad = 1 } exit }
 END { exit bad }
 END

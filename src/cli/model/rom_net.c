@@ -70,7 +70,7 @@ static void comments(struct hawser__table *table, const struct cli_model *model)
 		                      model->rom.inertia.shift, model->rom.inertia.shapes,
 		                      model->rom.inertia.left);
 	for (int k = 0; k < modes->n; k++)
-		hawser__table_comment(table, "u_%d: mode %d, %.9g rad/s%s", k + 1, modes->mode[k].place,
+		hawser__table_comment(table, "u_%d: mode %d: %.9g rad/s%s", k + 1, modes->mode[k].place,
 		                      modes->mode[k].omega/modes->time_unit,
 		                      cli_made_loaded(&model->rom, k) ? "" : "; no load acts on it");
 }

@@ -100,8 +100,9 @@ enum hawser_status hawser__frf_check(const struct hawser_rom *rom,
 		                    "travel.braking=0");
 	if (rom->harmonics == 0)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
-		                    "the model has no forcing: give the scene a load, a moving support or a "
-		                    "travel.fluctuation, or the model file a harmonic");
+		                    "the model has no forcing: give the scene a load (a net: with "
+		                    "harmonic.multiple), a moving support or a travel.fluctuation, or the "
+		                    "model file a harmonic");
 	if (!driven(rom))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
 		                    "the model has no forcing: the load does no work on any of the %d "

@@ -24,8 +24,7 @@
 
 #define FAR 0.1    /* largest distance from an orbit to its counterpart, relative; chosen */
 #define PART 1e-5  /* smallest harmonic that is taken over, relative to the orbit, both by the roots of
-                    * their energies: small motions along the cable stretch it. Chosen: an orbit
-                    * carried to its own model then moves by 5e-3 in the metric; by 0.1 with 1e-4 */
+                    * their energies: small motions along the cable stretch it; chosen */
 
 static size_t length_of(const struct hawser__series *series, int n)
 {
