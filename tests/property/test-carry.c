@@ -177,6 +177,7 @@ static void carry_to_itself(void)
 	hawser_frf_clear(&frf);
 	hawser__orbits_clear(&orbits);
 	hawser_rom_clear(&rom);
+	hawser_scene_clear(&steep);
 	free(same);
 	fclose(stream);
 }
