@@ -17,8 +17,8 @@ struct hawser_orbit_cost {
 	long stages;    /* Runge-Kutta stages of all period maps */
 	long solves;    /* solutions of bordered linear systems */
 	long judged;    /* sets of Floquet multipliers */
-	double dense;   /* additions and multiplications in the matrices of harmonic balance that are not
-	                 * solved in blocks: assembled, factorised, and applied */
+	double dense;   /* additions and multiplications in the linear systems of harmonic balance and in
+	                 * the steps of multipliers */
 	double flops;   /* additions and multiplications in the stages and in the factorisations of the
 	                 * bordered matrix; 0 if the method does not count them */
 };

@@ -14,6 +14,7 @@
 #define S HAWSER__NODES
 #define SMALLEST (-1e5)      /* smallest logarithm of a multiplier; chosen, so that all logarithms
                               * are finite */
+#define IDLE 2               /* raises in a row of the number of steps that may gain nothing; chosen */
 #define STRETCH 2.0          /* largest logarithm of the norm of a factor; chosen: round-off of a
                               * product grows with it */
 
@@ -268,6 +269,8 @@ static enum hawser_status solve_finely(struct hawser__monodromy *monodromy, doub
                                        struct hawser_report *report)
 {
 	int stiff = monodromy->fastest < INFINITY && !monodromy->haste, before = monodromy->steps, steps;
+	int idle = 0;
+	double lost = INFINITY;
 	enum hawser_status status;
 
 	hawser__monodromy_parts(monodromy, system);
@@ -282,9 +285,11 @@ static enum hawser_status solve_finely(struct hawser__monodromy *monodromy, doub
 		if ((status = solve_all(monodromy, log_modulus, argument, system, report)))
 			return status;
 		/* the phases of some of the kept coordinates do matter */
-		if (stiff && monodromy->resolved && monodromy->loss > HAWSER__NEGLECTED &&
-		    monodromy->steps < monodromy->most) {
-			monodromy->steps = (int)fmin(monodromy->most, ceil(1.25*monodromy->steps));
+		if (stiff && monodromy->resolved &&
+		    (steps = hawser__monodromy_raised(monodromy)) > monodromy->steps && idle < IDLE) {
+			idle = monodromy->loss < lost ? 0 : idle + 1;
+			lost = monodromy->loss;
+			monodromy->steps = steps;
 			continue;
 		}
 		steps = stiff || monodromy->rough ? monodromy->steps : hawser__monodromy_better(monodromy);
@@ -298,7 +303,8 @@ static enum hawser_status solve_finely(struct hawser__monodromy *monodromy, doub
 		monodromy->spread = fmax(monodromy->spread, monodromy->loss);
 	}
 	if (stiff && !monodromy->sharper)
-		monodromy->phases = monodromy->resolved ? monodromy->steps : 0;
+		monodromy->phases = monodromy->resolved && monodromy->loss <= HAWSER__NEGLECTED
+		                    ? monodromy->steps : 0;
 	if (monodromy->sharper) {
 		monodromy->steps = before;
 		return HAWSER_OK;

@@ -97,6 +97,7 @@ struct hawser__monodromy {
 	int rough;              /* 1: multipliers for a search, with errors of 1e-3. Those of the kept
 	                         * coordinates come first */
 	int kept;               /* number of coordinates that were not condensed */
+	double operations;      /* additions and multiplications of all steps; the caller may reset it */
 	double left_out;        /* error of the slow stiffness by the condensation, relative */
 	double stretch;         /* logarithm of the largest norm of a factor */
 	int phases;             /* number of steps that the phases of the kept coordinates of a stiff
@@ -223,6 +224,9 @@ enum hawser_status hawser__monodromy_plan(struct hawser__monodromy *monodromy,
                                           struct hawser_report *report);
 /* The number of steps with which the error becomes a third of the goal. */
 int hawser__monodromy_better(const struct hawser__monodromy *monodromy);
+/* Of a stiff model: the number with which the phases of all kept coordinates may be resolved; the
+ * present one, if they are, or cannot be. */
+int hawser__monodromy_raised(const struct hawser__monodromy *monodromy);
 /* Error of the multipliers of a stiff model by the steps. */
 double hawser__monodromy_stiff_error(const struct hawser__monodromy *monodromy);
 

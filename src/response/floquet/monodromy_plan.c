@@ -33,6 +33,16 @@ int hawser__monodromy_better(const struct hawser__monodromy *monodromy)
 	return (int)fmin(monodromy->most, fmax(2, ceil(monodromy->steps*fmin(4.0, ratio))));
 }
 
+/* Where the most steps are too few nothing is gained by them. */
+int hawser__monodromy_raised(const struct hawser__monodromy *monodromy)
+{
+	double steps = monodromy->steps*pow(monodromy->loss/HAWSER__NEGLECTED, 1.0/16.0);
+
+	if (!(monodromy->loss > HAWSER__NEGLECTED) || steps > monodromy->most)
+		return monodromy->steps;
+	return (int)fmin(monodromy->most, ceil(fmax(steps, 1.25*monodromy->steps)));
+}
+
 /* Angle of the fastest coordinate in a period, in rad or e-folds, from the sums of the rows. */
 static double turn(const struct hawser__variational *system)
 {

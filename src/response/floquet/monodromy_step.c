@@ -117,6 +117,7 @@ enum hawser_status hawser__monodromy_step(struct hawser__monodromy *monodromy, d
 {
 	int wide = S*c->w;
 
+	monodromy->operations += 1.2*pow(wide, 3.0); /* 2/3 to factorise, 1/2 for the 2 w right sides */
 	evaluate(monodromy, system, step);
 	fill_system(monodromy, c);
 	if (LAPACKE_dgesv_work(LAPACK_COL_MAJOR, wide, 2*c->w, monodromy->matrix, wide,

@@ -285,6 +285,8 @@ static enum hawser_status multipliers(struct hawser__orbit *orbit, struct hawser
 	                                      balance->spread, hawser__orbit_omega(orbit, balance->at),
 	                                      report);
 
+	orbit->cost.dense += balance->monodromy.operations;
+	balance->monodromy.operations = 0.0;
 	orbit->multiplier_error = balance->monodromy.neglected;
 	orbit->product_error = balance->monodromy.loss;
 	orbit->product_round_off = balance->monodromy.round_off;

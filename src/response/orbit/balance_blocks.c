@@ -454,14 +454,20 @@ void hawser__blocks_apply(struct hawser__blocks *blocks, const struct hawser__ba
 		x[i] = y[balance->slot[i]]/balance->col_scale[i];
 }
 
-double hawser__blocks_ratio(const struct hawser__blocks *blocks,
-                            const struct hawser__balance *balance)
+double hawser__blocks_applied(const struct hawser__blocks *blocks,
+                              const struct hawser__balance *balance)
 {
 	double wide = S*blocks->w, m = 2.0*blocks->w + 1.0, n = balance->base.n;
 	double columns = 2.0*balance->order + 1.0, rows = balance->base.rows;
-	double factor = hawser__blocks_cost(balance) + 2.0*blocks->steps*S*columns*n*n;
-	double apply = blocks->steps*(2.0*wide*wide + 4.0*wide*m + 4.0*columns*wide) +
-	               rows*(2.0*n*n + 4.0*columns*n);
 
-	return factor/apply;
+	return blocks->steps*(2.0*wide*wide + 4.0*wide*m + 4.0*columns*wide) +
+	       rows*(2.0*n*n + 4.0*columns*n);
+}
+
+double hawser__blocks_factored(const struct hawser__blocks *blocks,
+                               const struct hawser__balance *balance)
+{
+	double n = balance->base.n, columns = 2.0*balance->order + 1.0;
+
+	return hawser__blocks_cost(balance) + 2.0*blocks->steps*S*columns*n*n;
 }

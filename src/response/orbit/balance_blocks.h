@@ -89,9 +89,12 @@ void hawser__blocks_apply(struct hawser__blocks *blocks, const struct hawser__ba
 /* Number of operations of a factorisation for the active pairs. */
 double hawser__blocks_cost(const struct hawser__balance *balance);
 
-/* The same divided by the number of an application and a product with the Jacobian. */
-double hawser__blocks_ratio(const struct hawser__blocks *blocks,
-                            const struct hawser__balance *balance);
+/* The same with the sampled tangents that it needs; and of an application, with a product with the
+ * Jacobian. */
+double hawser__blocks_factored(const struct hawser__blocks *blocks,
+                               const struct hawser__balance *balance);
+double hawser__blocks_applied(const struct hawser__blocks *blocks,
+                              const struct hawser__balance *balance);
 
 /* --- balance_substitute.c --- */
 

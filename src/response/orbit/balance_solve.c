@@ -101,7 +101,8 @@ static double dense_cost(const struct hawser__balance *balance)
 /* Cost of a factorisation, in iterations. */
 static double factor_cost(const struct hawser__balance *balance)
 {
-	return balance->blockwise ? BLOCK_SPEED*hawser__blocks_ratio(&balance->blocks, balance)
+	return balance->blockwise ? BLOCK_SPEED*hawser__blocks_factored(&balance->blocks, balance)/
+	                            hawser__blocks_applied(&balance->blocks, balance)
 	                          : balance->unknowns/FACTOR_COST;
 }
 
@@ -131,6 +132,7 @@ static int prepare(struct hawser__balance *balance)
 		return factorise(balance, 0);
 	if (hawser__blocks_factor(&balance->blocks, balance, balance->row) || factor_top(balance))
 		return take_matrix(balance, 0);
+	balance->base.cost.dense += BLOCK_SPEED*hawser__blocks_factored(&balance->blocks, balance);
 	balance->factored = balance->fresh = 1;
 	balance->norm_inverse = 0.0;
 	balance->jacobians = 1;
@@ -350,6 +352,8 @@ static int gmres(struct hawser__balance *balance, double *x, double goal)
 	}
 	balance->spent += k;
 	balance->iterations += k;
+	if (balance->blockwise)
+		balance->base.cost.dense += k*hawser__blocks_applied(&balance->blocks, balance);
 	/* false for a NaN, too */
 	if (!(fabs(H.g[k]) <= goal*length))
 		return 1;

@@ -68,6 +68,7 @@ struct hawser__orbit {
 	const double *tangent; /* [size] of the branch, for relax; or NULL */
 	double reach;         /* distance of the orbit from the previous one in the metric; 0: not
 	                       * examined */
+	double patience;      /* contraction that the corrector bears; 0: its own limit (newton.c) */
 	double goal;          /* largest relative residual of the next solutions, where the method solves by
 	                       * iteration; 0: what a step of the corrector needs */
 	int unjudged;         /* 1: no multipliers are wanted: each orbit counts as stable */

@@ -208,7 +208,7 @@ static int iterate(struct hawser__orbit *orbit, double *y, struct hawser__correc
 		if (i == 2)
 			correction->contraction = contraction;
 		if (!isfinite(length) || hawser__orbit_omega(orbit, y) <= 0.0 ||
-		    (contraction > WORST_CONTRACTION && length > tolerance))
+		    (contraction > fmax(WORST_CONTRACTION, orbit->patience) && length > tolerance))
 			return 1;
 		/* The Jacobian of the chord steps is that of the prediction. The accepted point gets
 		 * its own, for its tangent and multipliers. */

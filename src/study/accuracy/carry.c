@@ -23,6 +23,8 @@
 #include "rom/terms/terms.h"
 
 #define FAR 0.1    /* largest distance from an orbit to its counterpart, relative; chosen */
+#define PATIENCE 100.0 /* contraction of Newton's steps that is borne: in the metric, what was at rest
+                      * counts most, and the second step may be as long as the first; chosen */
 #define PART 1e-5  /* smallest harmonic that is taken over, relative to the orbit, both by the roots of
                     * their energies: small motions along the cable stretch it; chosen */
 
@@ -168,6 +170,7 @@ static enum hawser_status correct(struct hawser__station *station, int *lost,
 	int again = 1;
 
 	memcpy(start, station->y, (size_t)orbit->size*sizeof *start);
+	orbit->patience = PATIENCE;
 	orbit->ops->metric(orbit, station->y);
 	length = sqrt(hawser__orbit_dot(orbit, station->t, station->t));
 	for (int i = 0; i < orbit->size; i++)

@@ -13,10 +13,12 @@
 #define LONG 0.2        /* largest step of a curve for comparison, relative to the range; chosen */
 #define CARRIED 0.3     /* work of the marks in the next basis over that of a draft; chosen */
 #define ROUGH 1e-5      /* least tolerance of orbits at marks; chosen, far below the distances */
+#define JUDGING 1.5e-7  /* s of a set of multipliers, over the cube of the number of coordinates */
 #define DOUBT 2.0       /* factor of what is foreseen of a draft that has not ended; chosen */
 #define A_PART 0.5      /* of what can be borne, for a part of the range; chosen */
 #define ASIDE 2         /* points before the one from which the curve cannot be followed; chosen */
 #define SLACK_POINTS 50 /* fewest points of which slackness is judged; chosen */
+#define FINELY 64       /* parts of a curve, up to one of which two are told to agree; chosen */
 #define FIRST_POINTS 24 /* of a trace, before anything is foreseen; chosen */
 
 void hawser__traced_clear(struct hawser__traced *traced)
@@ -36,21 +38,17 @@ void hawser__draft_clear(struct hawser__draft *draft)
 
 /* Work of what follows the drafts, by one of them with the same kind of model. */
 double hawser__draft_follows(const struct hawser_accuracy_options *options, int n, int points,
-                             double work, const struct hawser_rom *rom)
+                             double work)
 {
-	struct hawser_rom as = *rom;
-	struct hawser_orbit_cost judging = {
-		.judged = (long)(HAWSER__MORE_POINTS*points)};
-
-	as.n = n;
-	return options->after > 0.0 ? options->after*work : work + hawser_orbit_work(&judging, &as);
+	return options->after > 0.0 ? options->after*work
+	       : work + JUDGING*pow(n, 3.0)*HAWSER__MORE_POINTS*points;
 }
 
 /* Work of the search and the response, if the range ended where the draft is now. */
 static double so_far(const struct hawser__draft_watch *watch, int points, double work)
 {
 	return watch->before + work*(1.0 + watch->next) +
-	       hawser__draft_follows(watch->options, watch->n, points, work, watch->rom);
+	       hawser__draft_follows(watch->options, watch->n, points, work);
 }
 
 /* Whether a draft is more than can be borne, of which a part is of no use either. The range of one that
@@ -103,19 +101,48 @@ int hawser__draft_watch_trace(void *data, const struct hawser_progress_state *st
 	return hawser__told_to_stop(&watch->options->frf.progress, &shown);
 }
 
-/* Whether the range ends with this draft: at its last point, or some points before one that cannot be
- * computed, since the response must reach the end. */
+double hawser__draft_reach(const struct hawser_frf *frf, int points,
+                           const struct hawser_frf_options *range)
+{
+	double farthest = frf->point[0].omega;
+
+	for (int i = 1; i < points; i++)
+		farthest = (range->to > range->from ? fmax : fmin)(farthest, frf->point[i].omega);
+	return farthest;
+}
+
+/* Whether the range ends with this draft: as far as it has got, or some points before one that cannot
+ * be computed. */
 static int ends_range(struct hawser_accuracy *a, const struct hawser__draft_watch *watch,
                       int functions, enum hawser_status status, const struct hawser_report *why)
 {
 	int failed = status == HAWSER_ERR_CONVERGENCE && functions >= HAWSER__MIDDLING;
+	double aside = a->asked/HAWSER__SAFETY_BASIS;
 
 	if (!watch->options->partial || a->frf.points < FIRST_POINTS || !(failed || watch->afforded))
 		return 0;
-	a->until = a->frf.point[a->frf.points - 1 - (failed ? ASIDE : 0)].omega;
+	/* at a fold a little before it: that of another basis is elsewhere, by less than two may differ */
+	a->until = hawser__draft_reach(&a->frf, a->frf.points - (failed ? ASIDE : 0), &watch->options->frf)*
+	           (watch->options->frf.to > watch->options->frf.from ? 1.0 - aside : 1.0 + aside);
 	snprintf(a->beyond, sizeof a->beyond, "%s", failed ? why->message : "");
 	a->frf.end = HAWSER_END_RANGE;
 	return 1;
+}
+
+static double log_omega(const struct hawser__drawn_curve *curve, int i)
+{
+	return curve->value[(size_t)i*((size_t)curve->width + 1)];
+}
+
+/* The part of a curve that begins where it does and ends where it first reaches log Omega = `to`. */
+static struct hawser__drawn_curve part(const struct hawser__drawn_curve *curve, double to, double way)
+{
+	struct hawser__drawn_curve so_far = *curve;
+
+	for (int i = curve->points; i-- > 0;)
+		if (way*(log_omega(curve, i) - to) >= 0.0)
+			so_far.points = i + 1;
+	return so_far;
 }
 
 /* Trace the draft of the model in *draft; a->frf and *traced become its curve. */
@@ -152,6 +179,9 @@ static enum hawser_status draw(struct hawser__draft *draft, struct hawser__trace
 		status = hawser__curve_copy(&traced->curve, &a->frf, report);
 	if (status || !(traced->mark = malloc(((size_t)a->frf.points + 1)*sizeof(int))))
 		return status ? status : hawser__no_memory(report, "accuracy");
+	/* folds lead back into the range, which ends where it first does */
+	if (isfinite(a->until))
+		traced->curve = part(&traced->curve, log(a->until), settled->to > settled->from ? 1.0 : -1.0);
 	traced->functions = draft->functions;
 	traced->end = a->frf.end;
 	return hawser__curve_marks(traced->mark, &traced->marks, &traced->curve, report);
@@ -173,7 +203,7 @@ enum hawser_status hawser__draft_carry(struct hawser__draft *draft, double *away
 
 	*away = INFINITY;
 	frf.tolerance = fmax(frf.tolerance, ROUGH);
-	if (traced->orbits.count != traced->curve.points)
+	if (traced->orbits.count < traced->curve.points)
 		return HAWSER_OK;
 	status = hawser__full_map(&map, &rows, &columns, statics, traced->functions, draft->functions,
 	                          report);
@@ -191,6 +221,38 @@ enum hawser_status hawser__draft_carry(struct hawser__draft *draft, double *away
 	return status;
 }
 
+/* Up to where the draft agrees with the one before, which differs somewhere in the range: the points of
+ * its curve are halved. */
+static enum hawser_status agree(struct hawser__draft *draft, const struct hawser__drawn_curve *before,
+                                const struct hawser__drawn_curve *curve, double most,
+                                struct hawser_report *report)
+{
+	double way = log_omega(curve, curve->points - 1) > log_omega(curve, 0) ? 1.0 : -1.0;
+	struct hawser__drawn_curve a, b;
+	int good = FIRST_POINTS, bad = curve->points;
+	enum hawser_status status = HAWSER_OK;
+
+	while (!status && bad - good > 1 + curve->points/FINELY) {
+		int middle = good + (bad - good)/2;
+		double to = log_omega(curve, 0), apart = INFINITY;
+
+		for (int i = 1; i < middle; i++)
+			to = way*(log_omega(curve, i) - to) > 0.0 ? log_omega(curve, i) : to;
+		to -= way*most; /* at a fold, a little before it */
+		a = part(before, to, way);
+		b = part(curve, to, way);
+		status = hawser__curve_distance(&apart, &a, &b, report);
+			if (!status && apart <= most) {
+			good = middle;
+			draft->until = exp(to);
+			draft->apart = apart;
+		} else {
+			bad = middle;
+		}
+	}
+	return status;
+}
+
 /* The same basis with a draft of its own, in place of the last one, with which it is compared. */
 enum hawser_status hawser__draft_draw(struct hawser__draft *next, double *moved,
                                       struct hawser__traced *traced,
@@ -200,6 +262,7 @@ enum hawser_status hawser__draft_draw(struct hawser__draft *next, double *moved,
                                       struct hawser_report *report)
 {
 	struct hawser__traced last = *traced;
+	double most = a->asked/HAWSER__SAFETY_BASIS;
 	enum hawser_status status;
 
 	*moved = INFINITY;
@@ -207,9 +270,13 @@ enum hawser_status hawser__draft_draw(struct hawser__draft *next, double *moved,
 	status = draw(next, traced, a, options, settled, before,
 	              last.functions ? (int)(HAWSER__MORE_POINTS*chosen->points) : options->expected,
 	              report);
+	if (isfinite(a->until))
+		last.curve = part(&last.curve, log(a->until), settled->to > settled->from ? 1.0 : -1.0);
 	if (!status && !hawser__accuracy_cut(a) && last.functions && last.functions == chosen->functions &&
 	    traced->end == last.end)
 		status = hawser__curve_distance(moved, &last.curve, &traced->curve, report);
+	if (!status && options->partial && isfinite(*moved) && *moved > most)
+		status = agree(next, &last.curve, &traced->curve, most, report);
 	hawser__traced_clear(&last);
 	return status;
 }

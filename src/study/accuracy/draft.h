@@ -19,6 +19,9 @@ struct hawser__draft {
 	struct hawser__drawn_curve curve;
 	int functions, points;
 	double work;
+	/* Omega up to which it agrees with the draft before, if not over the whole range; 0: nowhere, or
+	 * not known. And how far they are apart up to there. */
+	double until, apart;
 };
 
 /* The last curve that was traced, and the orbits at its marks. */
@@ -48,7 +51,11 @@ void hawser__draft_clear(struct hawser__draft *draft);
 
 /* Work of what follows the drafts, by one of them with the same kind of model. */
 double hawser__draft_follows(const struct hawser_accuracy_options *options, int n, int points,
-                             double work, const struct hawser_rom *rom);
+                             double work);
+
+/* The scaled frequency that the first points of a curve have got to in a range. */
+double hawser__draft_reach(const struct hawser_frf *frf, int points,
+                           const struct hawser_frf_options *range);
 
 /* For the progress of a trace; data: struct hawser__draft_watch. Ends a draft when the work that is
  * foreseen is more than can be borne, or with options->partial when that of the part so far is, or
