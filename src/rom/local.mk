@@ -15,7 +15,6 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/condense/bend.c \
 	%D%/condense/bend.h \
 	%D%/condense/condense.c \
-	%D%/condense/condense_space.c \
 	%D%/condense/condense.h \
 	%D%/condense/condense_load.c \
 	%D%/terms/contacts.c \

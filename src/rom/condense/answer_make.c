@@ -83,26 +83,11 @@ static enum hawser_status work_make(struct work *work, const struct hawser_modes
 	       : hawser__no_memory(report, "rom");
 }
 
-/* along = the integral of the local field [stations][3] from end A, in global axes. */
-static void integrate(struct work *work, const double *field)
+/* along = displacement of z. */
+static void integrate(struct work *work)
 {
-	const struct hawser_statics *st = &work->stations.modes->statics;
-	int count = work->stations.count;
-
-	for (int i = 0; i < count; i++) {
-		struct hawser_frame_point at = hawser_statics_frame(st, work->stations.s[i]);
-		double v[3];
-
-		hawser__frame_out(v, &at, field + 3*(size_t)i);
-		for (int axis = 0; axis < 3; axis++)
-			work->global[axis*count + i] = v[axis];
-	}
-	for (int axis = 0; axis < 3; axis++) {
-		hawser__grid_running(work->along + axis*count, &work->grid, &work->reference,
-		                     work->global + axis*count);
-		for (int i = 0; st->elastic && i < count; i++)
-			work->along[axis*count + i] += work->stations.start[axis];
-	}
+	hawser__displacement(work->along, &work->grid, &work->reference, &work->stations.modes->statics,
+	                     work->stations.z, work->stations.start, work->global);
 }
 
 /* Displacement and strain of z at the shape points, strain on the line; along is the displacement. */
@@ -202,7 +187,7 @@ static void solve(struct work *work)
 
 	for (int order = 0; order < ORDERS; order++) {
 		hawser__follow(&work->stations);
-		integrate(work, work->stations.z);
+		integrate(work);
 		note(work, order);
 		if (order + 1 == ORDERS)
 			break;
@@ -356,7 +341,7 @@ static void lag(double *T, struct work *work, int squared)
 {
 	hawser__speed_pull(&work->stations, squared);
 	hawser__follow(&work->stations);
-	integrate(work, work->stations.z);
+	integrate(work);
 	pull_of(work, 1, NULL, NULL);
 	hawser__follow(&work->stations);
 	(void)hawser__follow_stiffness(T, &work->stations);

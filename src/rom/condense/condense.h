@@ -11,6 +11,7 @@
 #define HAWSER_ROM_CONDENSE_H
 
 #include <hawser/rom.h>
+#include "modes/grid.h"
 #include "rom/terms/load.h"
 
 /* Pair (j, k), j <= k, has the index k(k+1)/2 + j. */
@@ -28,8 +29,11 @@ enum hawser_status hawser__condense(struct hawser__condensed *condensed,
                                     struct hawser_report *report);
 void hawser__condensed_clear(struct hawser__condensed *condensed);
 
-/* Derivative of the displacement in global axes at the points of the grid, [3][points]. */
-void hawser__global_slopes(double *global, const struct hawser_modes *modes, const double *strain);
+/* along [3][points] along the axes of the cable, at the points of the grid: the displacement of strains
+ * [points][3] and of end A. work [3][points]. */
+void hawser__displacement(double *along, const struct hawser_grid *grid,
+                          const struct hawser__reference *reference, const struct hawser_statics *st,
+                          const double *strain, const double start[3], double *work);
 
 /* Displacement P, Q, B and strains a, b, c of all w_jk at scaled arclength s: shape and slope are
  * [pairs][3], `stride` doubles from one pair to the next. */
@@ -50,35 +54,12 @@ enum hawser_status hawser__follow_strains(double *strain, const struct hawser_mo
                                           const struct hawser__loads *loads, int h,
                                           struct hawser_report *report);
 
-/* --- the condition that both ends are fixed --- */
-
 /* The cable at a quadrature node. */
 struct hawser__place {
 	double weight, eps, k, g2; /* eps = H/EA; k geometric stiffness; g2 = |x'|^2 */
-	double ex, ey;             /* tangent, in axes along and across the chord */
-	int space;                 /* 1: `axis` takes the place of ex and ey (condense_space.c) */
-	double axis[3][3];         /* e, n and the normal of the piece, in these axes and z' */
+	double axis[3][3];         /* e, n and the normal of the plane of the piece, in axes along and
+	                            * across the chord and z */
 };
 struct hawser__place hawser__place_at(const struct hawser_modes *modes, double s, double weight);
-
-/* Compliance against the force at the ends, summed over the nodes: lambda solves it for r. */
-struct hawser__ties {
-	double m[3]; /* in the plane: along-along, along-across, across-across the chord */
-	double mz;
-	int space;
-	double M[3][3]; /* in space, in the place of m and mz */
-};
-void hawser__ties_add(struct hawser__ties *ties, const struct hawser__place *at);
-void hawser__ties_solve(double lambda[3], const struct hawser__ties *ties, const double r[3]);
-
-/* Of a cable in space (condense_space.c). r [3] += factor times the vector with the local components
- * q [3]; component k of lambda in the local frame. */
-struct hawser__place hawser__space_place(const struct hawser_modes *modes,
-                                         const struct hawser_frame_point *at, double weight);
-void hawser__space_ties_add(struct hawser__ties *ties, const struct hawser__place *at);
-void hawser__space_ties_solve(double lambda[3], const struct hawser__ties *ties, const double r[3]);
-void hawser__space_reach(double r[3], const struct hawser__place *at, const double q[3],
-                         double factor);
-double hawser__space_along(const struct hawser__place *at, const double lambda[3], int k);
 
 #endif

@@ -33,8 +33,7 @@ void hawser__inertia_roots(double *root, double *stiff, const struct hawser_mode
 
 	for (int p = 0; p < modes->grid.points; p++) {
 		struct hawser_frame_point at = hawser_statics_frame(st, modes->grid.s[p]);
-		double T = st->space ? at.tension : sqrt(1.0 + at.u*at.u);
-		double weight = modes->grid.weight[p], k = T/(1.0 + at.strain);
+		double weight = modes->grid.weight[p], k = at.tension/(1.0 + at.strain);
 
 		for (int c = 0; c < 3; c++) {
 			root[3*p + c] = sqrt(weight);
@@ -78,14 +77,10 @@ void hawser__inertia_displacement(double *shape, const struct hawser_modes *mode
                                   double *scratch)
 {
 	int points = modes->grid.points;
-	double *global = scratch, *along = scratch + 3*points;
-	const double *start = condensed->start + 3*(size_t)pair;
+	double *along = scratch + 3*points;
 
-	hawser__global_slopes(global, modes, strain);
-	for (int axis = 0; axis < 3; axis++)
-		(void)hawser__grid_running(along + axis*points, &modes->grid, reference, global + axis*points);
-	for (int i = 0; i < 3*points; i++)
-		along[i] += start[i/points];
+	hawser__displacement(along, &modes->grid, reference, &modes->statics, strain,
+	                     condensed->start + 3*(size_t)pair, scratch);
 	for (int p = 0; p < points; p++) {
 		struct hawser_frame_point at = hawser_statics_frame(&modes->statics, modes->grid.s[p]);
 		const double v[3] = {along[p], along[points + p], along[2*points + p]};
