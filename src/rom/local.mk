@@ -71,8 +71,8 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/condense/inertia.h \
 	%D%/condense/inertia_choice.c \
 	%D%/condense/inertia_choice.h \
-	%D%/condense/inertia_field.c \
-	%D%/condense/inertia_field.h \
+	%D%/condense/basis.c \
+	%D%/condense/basis.h \
 	%D%/energy/kernel.c \
 	%D%/energy/kernel.h \
 	%D%/condense/known.c \
