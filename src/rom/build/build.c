@@ -21,6 +21,7 @@
 #include "modes/grid.h"
 #include "modes/label.h"
 #include "rom/condense/answer.h"
+#include "rom/condense/load_fields.h"
 #include "rom/build/build.h"
 #include "rom/terms/drag.h"
 #include "rom/file/entries.h"
@@ -78,43 +79,6 @@ static enum hawser_status set_load(struct hawser_rom *rom, const struct hawser_m
 				                      "finite", j + 1, h->f[j]);
 	}
 	return status;
-}
-
-/* The condensed modes also respond to the load, which thereby varies the stiffness of the kept
- * modes. */
-static enum hawser_status set_varying(struct hawser_rom *rom, const struct hawser_modes *modes,
-                                      int moving, const struct hawser_scene *scene,
-                                      struct hawser_report *report)
-{
-	struct hawser__loads loads;
-	enum hawser_status status = hawser__loads_make(&loads, &modes->statics, scene, report);
-
-	for (int h = 0; !status && h < loads.harmonics; h++) {
-		double *K = malloc((size_t)rom->n*(size_t)rom->n*sizeof *K);
-		int any = 0;
-
-		status = K ? hawser__follow_load(K, &any, modes, moving, &loads, h, report)
-		         : hawser__no_memory(report, "rom");
-		if (status || !any) {
-			free(K);
-			continue;
-		}
-		/* second-order shapes respond to the load as coordinates */
-		hawser__rom_held(K, rom, rom->harmonic[h].f, -1.0);
-		rom->harmonic[h].K = K;
-	}
-	hawser__loads_clear(&loads);
-	return status;
-}
-
-enum hawser_status hawser__rom_vary(struct hawser_rom *rom, const struct hawser_modes *modes,
-                                    int moving, const struct hawser_scene *scene,
-                                    struct hawser_report *report)
-{
-	enum hawser_status status = hawser__loaded(scene)
-	                            ? set_varying(rom, modes, moving, scene, report) : HAWSER_OK;
-
-	return status ? status : hawser__rom_travel_condensed(rom, modes, moving, scene, report);
 }
 
 /* --- labels and probes --- */
@@ -416,6 +380,7 @@ static enum hawser_status build_with(struct hawser_rom *rom, const struct hawser
 	enum hawser_status status = hawser__rom_begin(rom, kept, scene, report);
 	const struct hawser_modes *modes = kept;
 	struct hawser_modes with = {.n = 0};
+	struct hawser__load_fields loads = {.count = 0};
 
 	if (status)
 		return status;
@@ -431,19 +396,20 @@ static enum hawser_status build_with(struct hawser_rom *rom, const struct hawser
 	if (!status && condensed)
 		status = set_second(rom, modes, condensed, report);
 	if (!status && condensed)
-		status = hawser__rom_vary(rom, modes, kept->n, scene, report);
+		status = hawser__rom_vary(rom, &loads, modes, kept->n, scene, report);
 	if (!status && condensed)
 		status = hawser__rom_answers(rom, modes, modes->n, scene, report);
 	if (!status && hawser__support_moves(scene))
 		status = hawser__support_forces(rom, modes, kept->n, condensed != NULL, scene, report);
 	if (!status)
-		status = hawser__support_energy(rom, modes, kept, condensed != NULL, scene, report);
+		status = hawser__support_energy(rom, modes, kept, condensed ? &loads : NULL, scene, report);
 	if (!status)
 		status = compile ? hawser__rom_compile_cable(rom, modes, condensed, report)
 		                 : hawser__entries_check(rom, report);
 	if (!status && !compile)
 		status = hawser__entries_merge(rom, report);
 	hawser__condensed_clear(&others);
+	hawser__load_fields_clear(&loads);
 	hawser_modes_clear(&with);
 	if (status)
 		hawser_rom_clear(rom);

@@ -1,5 +1,6 @@
-/* rom/build/expanded.h - terms of a model from an energy that is expanded in shapes: of a rope over
- * sheaves (ropeway/expand/expand.h), or of a net (net/expand/expand.h).
+/* rom/build/expanded.h - terms of a model from an energy that is expanded in shapes: of a span
+ * (rom/energy/project.c), of a rope over sheaves (ropeway/expand/expand.h), or of a net
+ * (net/expand/expand.h).
  *
  * The first shapes are the modes that are coordinates of the model (second-order shapes that are, too,
  * are none of these shapes); behind them come fields, whose motion is known:
@@ -18,7 +19,8 @@
  * line, where u is not asked for. At it, u is P, Q, B and slope a, b, c. */
 struct hawser__expanded {
 	const void *of;
-	int n;                     /* shapes */
+	int n;                     /* shapes, of which the first `equations` are coordinates */
+	int equations;
 	const double *third;       /* [n][n][n] third derivatives of the energy */
 	double (*fourth)(const void *of, const int index[4]);
 	/* 0: the fourth derivative vanishes, by symmetry. */

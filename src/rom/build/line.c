@@ -185,7 +185,7 @@ static enum hawser_status fill(struct hawser_rom *rom, const struct hawser__lexp
                                const struct hawser_line_rom_options *o, const double *pull,
                                struct hawser_report *report)
 {
-	const struct hawser__line_source source = {rom, t, o->ratio};
+	const struct hawser__line_source source = {rom, t, modes->n, o->ratio};
 	const struct hawser__expanded e = hawser__line_expanded(&source);
 	enum hawser_status status = hawser__rom_init(rom, modes->n, report);
 

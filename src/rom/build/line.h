@@ -30,6 +30,7 @@ struct hawser__line_wave hawser__line_wave(const struct hawser_line_modes *modes
 struct hawser__line_source {
 	const struct hawser_rom *rom;   /* whose shape points and line are the places */
 	const struct hawser__lexpand *t;
+	int n;                          /* coordinates */
 	double ratio;                   /* damping ratio of each mode */
 };
 struct hawser__expanded hawser__line_expanded(const struct hawser__line_source *source);

@@ -10,6 +10,7 @@
 #include <stdlib.h>
 
 #include "rom/build/build.h"
+#include "rom/condense/load_fields.h"
 #include "rom/condense/support.h"
 #include "rom/terms/travel.h"
 
@@ -32,17 +33,19 @@ static enum hawser_status build(struct hawser_rom *rom, const struct hawser_mode
                                 struct hawser_report *report)
 {
 	int condensed = scene && scene->model.condense == HAWSER_CONDENSE_STATIC;
+	struct hawser__load_fields loads = {.count = 0};
 	enum hawser_status status = hawser__rom_begin(rom, modes, scene, report);
 
 	if (status)
 		return status;
 	status = hawser__rom_finish(rom, modes, scene, report);
 	if (!status && condensed)
-		status = hawser__rom_vary(rom, modes, modes->n, scene, report);
+		status = hawser__rom_vary(rom, &loads, modes, modes->n, scene, report);
 	if (!status && hawser__support_moves(scene))
 		status = hawser__support_forces(rom, modes, modes->n, condensed, scene, report);
 	if (!status && energy)
-		status = hawser__support_energy(rom, modes, modes, condensed, scene, report);
+		status = hawser__support_energy(rom, modes, modes, condensed ? &loads : NULL, scene, report);
+	hawser__load_fields_clear(&loads);
 	if (!status)
 		status = hawser_rom_compile(rom, report);
 	if (status)

@@ -27,6 +27,7 @@
 #include "rom/terms/absorbers.h"
 #include "rom/condense/bend.h"
 #include "rom/condense/follow.h"
+#include "rom/energy/project.h"
 #include "rom/terms/ties.h"
 #include "statics/frame.h"
 
@@ -63,10 +64,10 @@ static void pull(struct hawser__stations *stations, int j, int k)
 }
 
 /* Strains, displacements at the springs and strokes, times the square roots of weight and stiffness;
- * their products form gram. */
-static enum hawser_status set_gram(struct hawser__condensed *condensed,
-                                   const struct hawser__stations *work, const double *stretch,
-                                   struct hawser_report *report)
+ * their products are those of V2. */
+static enum hawser_status set_pairing(struct hawser__condensed *condensed,
+                                      const struct hawser__stations *work, const double *stretch,
+                                      struct hawser_report *report)
 {
 	const struct hawser_statics *st = &work->modes->statics;
 	int pairs = condensed->pairs, springs = hawser__ties_springs(work->ties);
@@ -98,13 +99,10 @@ static enum hawser_status set_gram(struct hawser__condensed *condensed,
 			hawser__bend_rows(to + springs + absorbers, work->bend,
 			                  condensed->strain + (size_t)x*points*3);
 	}
-	cblas_dsyrk(CblasRowMajor, CblasLower, CblasNoTrans, pairs, width, 1.0, scaled, width, 0.0,
-	            condensed->gram, pairs);
-	for (int x = 0; x < pairs; x++)
-		for (int y = x + 1; y < pairs; y++)
-			condensed->gram[(size_t)x*pairs + y] = condensed->gram[(size_t)y*pairs + x];
+	cblas_dsyrk(CblasRowMajor, CblasLower, CblasNoTrans, pairs, width, -1.0, scaled, width, 0.0,
+	            condensed->pairing, pairs);
 	free(scaled);
-	return HAWSER_OK;
+	return hawser__rom_pairing(condensed->pairing, work->modes, condensed->n, report);
 }
 
 /* The response to pair `pair`, which is in the stations. */
@@ -134,11 +132,11 @@ enum hawser_status hawser__condense(struct hawser__condensed *condensed,
 	if (!status) {
 		condensed->strain = malloc(3*pairs*points*sizeof *condensed->strain);
 		condensed->start = malloc(3*pairs*sizeof *condensed->start);
-		condensed->gram = malloc(pairs*pairs*sizeof *condensed->gram);
+		condensed->pairing = malloc(pairs*pairs*sizeof *condensed->pairing);
 		if (modes->stroke)
 			condensed->stroke = hawser__numbers(pairs, (size_t)modes->statics.attachments);
 		stretch = hawser__numbers(pairs, (size_t)hawser__ties_springs(stations.ties));
-		if (!condensed->strain || !condensed->start || !condensed->gram || !stretch ||
+		if (!condensed->strain || !condensed->start || !condensed->pairing || !stretch ||
 		    (modes->stroke && !condensed->stroke))
 			status = hawser__no_memory(report, "rom");
 	}
@@ -149,7 +147,7 @@ enum hawser_status hawser__condense(struct hawser__condensed *condensed,
 			take(condensed, &stations, stretch, pair++);
 		}
 	if (!status)
-		status = set_gram(condensed, &stations, stretch, report);
+		status = set_pairing(condensed, &stations, stretch, report);
 	hawser__stations_clear(&stations);
 	free(stretch);
 	if (status)
@@ -161,7 +159,7 @@ void hawser__condensed_clear(struct hawser__condensed *condensed)
 {
 	free(condensed->strain);
 	free(condensed->start);
-	free(condensed->gram);
+	free(condensed->pairing);
 	free(condensed->stroke);
 	*condensed = (struct hawser__condensed){0};
 }

@@ -20,7 +20,9 @@ struct hawser__condensed {
 	double *strain; /* [pairs][points][3] a, b, c of w_jk */
 	double *start;  /* [pairs][3] of end A along x, y, z: 0 unless it is elastic */
 	double *stroke; /* [pairs][attachments] of absorbers, or NULL */
-	double *gram;   /* [pairs][pairs] second derivatives of V2 along w_x and w_y */
+	double *pairing; /* [pairs][pairs] what one way to pair four indices gives of the fourth
+	                  * derivative of the energy (modes/pairing.h): that of V4, minus the second
+	                  * derivatives of V2 along w_x and w_y */
 };
 
 /* Pairs of the first `moving` modes; w is K-orthogonal to all of `modes`. */
@@ -41,18 +43,6 @@ enum hawser_status hawser__condensed_at(const struct hawser__condensed *condense
                                         const struct hawser_modes *modes, double *shape,
                                         double *slope, int stride, double s,
                                         struct hawser_report *report);
-
-/* T [n][n] of follow.h, n = modes->n, for harmonic h of the loads, scaled, and whether any entry is not
- * zero. condense_load.c. */
-enum hawser_status hawser__follow_load(double *T, int *any, const struct hawser_modes *modes,
-                                       int moving, const struct hawser__loads *loads, int h,
-                                       struct hawser_report *report);
-
-/* Strains [points of the grid][3] of the static response of the condensed modes to harmonic h of the
- * loads. condense_load.c. */
-enum hawser_status hawser__follow_strains(double *strain, const struct hawser_modes *modes, int moving,
-                                          const struct hawser__loads *loads, int h,
-                                          struct hawser_report *report);
 
 /* The cable at a quadrature node. */
 struct hawser__place {

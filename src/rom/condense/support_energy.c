@@ -40,7 +40,7 @@ enum { ENDS = 1, LOAD = 2 }; /* fields */
 struct work {
 	int n, moving;                        /* modes and shapes; modes */
 	int number[HAWSER__SUPPORT_MOST];     /* of the shapes (support.h) of the supports */
-	struct hawser__load_fields loads;     /* the other fields */
+	const struct hawser__load_fields *loads; /* the other fields; NULL: no modes are condensed */
 	struct hawser__fields fields;
 	struct hawser_modes wide;             /* the first `moving` modes, the fields, the other modes */
 	struct hawser__condensed condensed;
@@ -51,7 +51,6 @@ static void work_clear(struct work *work)
 {
 	hawser__fields_clear(&work->fields);
 	hawser__condensed_clear(&work->condensed);
-	hawser__load_fields_clear(&work->loads);
 	free(work->big.Q);
 	free(work->big.C);
 	free(work->wide.mode);
@@ -68,8 +67,8 @@ static void add_answer(struct work *work, int i)
 	size_t each = 3*(size_t)wide->grid.points, at = (size_t)(work->moving + i);
 
 	i -= work->fields.ends;
-	memcpy(wide->slope + at*each, work->loads.strain + (size_t)i*each, each*sizeof(double));
-	wide->mode[at] = (struct hawser_mode){.omega = INFINITY, .plane = work->loads.plane[i],
+	memcpy(wide->slope + at*each, work->loads->strain + (size_t)i*each, each*sizeof(double));
+	wide->mode[at] = (struct hawser_mode){.omega = INFINITY, .plane = work->loads->plane[i],
 		.symmetry = HAWSER_MIXED};
 }
 
@@ -154,21 +153,16 @@ static enum hawser_status list_shapes(struct work *work, const struct hawser_mod
 	return status;
 }
 
-/* The responses to the load that matter. A table that moves the ends leaves no room for them. */
-static enum hawser_status list_answers(struct work *work, const struct hawser_modes *modes,
-                                       const struct hawser_scene *scene, struct hawser_report *report)
+/* The responses to the load. */
+static void list_answers(struct work *work)
 {
-	const struct hawser__load_fields *loads = &work->loads;
-	enum hawser_status status = HAWSER_OK;
+	const struct hawser__load_fields *loads = work->loads;
 
-	if (hawser__loaded(scene) && !hawser__support_given(scene))
-		status = hawser__load_fields_make(&work->loads, modes, work->moving, scene, report);
 	for (int i = 0; i < loads->count; i++, work->fields.count++) {
 		work->fields.signal[work->fields.count] = (struct hawser__signal){{0.0}, {0.0}};
 		*(loads->sine[i] ? &work->fields.signal[work->fields.count].s[loads->k[i]]
 		  : &work->fields.signal[work->fields.count].c[loads->k[i]]) = 1.0;
 	}
-	return status;
 }
 
 /* The second-order response to the motion of the supports, without that to the load. */
@@ -198,7 +192,7 @@ static enum hawser_status condensed_answers(struct hawser_rom *rom, const struct
 			double *slope = p < points ? rom->ends->slope + 3*((size_t)i*(size_t)points + (size_t)p)
 			                : rom->ends->line + 3*((size_t)i*(size_t)line + (size_t)(p - points));
 
-			hawser__grid_at(slope, &work->wide.grid, work->loads.strain + (size_t)i*each, 3, 3,
+			hawser__grid_at(slope, &work->wide.grid, work->loads->strain + (size_t)i*each, 3, 3,
 			                p < points ? rom->shapes.s[p] : rom->line.s[p - points]);
 			slope[0] = 0.0;
 		}
@@ -207,32 +201,33 @@ static enum hawser_status condensed_answers(struct hawser_rom *rom, const struct
 
 /* Terms of some of the fields, of the first `moving` modes. */
 static enum hawser_status add_fields(struct hawser_rom *rom, const struct hawser_modes *modes,
-                                     int moving, int condensed, int fields,
+                                     int moving, const struct hawser__load_fields *loads, int fields,
                                      const struct hawser_scene *scene, struct hawser_report *report)
 {
-	struct work work = {.n = modes->n, .moving = moving,
+	struct work work = {.n = modes->n, .moving = moving, .loads = loads,
 	                    .fields = {.size = rom->n, .moving = moving}};
 	struct hawser__support_shapes shapes = {.count = 0};
 	enum hawser_status status = HAWSER_OK;
 
 	if (fields & ENDS)
 		status = list_shapes(&work, modes, scene, &shapes, report);
-	if (!status && condensed && (fields & LOAD))
-		status = list_answers(&work, modes, scene, report);
+	/* a table that moves the ends leaves no room for those of the load */
+	if (!status && loads && (fields & LOAD) && !hawser__support_given(scene))
+		list_answers(&work);
 	if (status || work.fields.count == 0) {
 		hawser__support_shapes_clear(&shapes);
 		work_clear(&work);
 		return status;
 	}
 	status = widen(&work, modes, &shapes, report);
-	if (!status && condensed)
+	if (!status && loads)
 		status = hawser__condense(&work.condensed, &work.wide, moving + work.fields.count, report);
 	if (!status)
-		status = hawser__rom_tensors(&work.big, &work.wide, condensed ? &work.condensed : NULL,
+		status = hawser__rom_tensors(&work.big, &work.wide, loads ? &work.condensed : NULL,
 		                             report);
-	if (!status && condensed && rom->shapes.second_slope && work.fields.ends > 0)
+	if (!status && loads && rom->shapes.second_slope && work.fields.ends > 0)
 		status = condensed_ends(rom, &work, report);
-	if (!status && condensed && rom->shapes.second_slope && !rom->ends)
+	if (!status && loads && rom->shapes.second_slope && !rom->ends)
 		status = condensed_answers(rom, &work, report);
 	if (!status)
 		status = hawser__fields_sort(&work.fields, &work.big, report);
@@ -246,14 +241,15 @@ static enum hawser_status add_fields(struct hawser_rom *rom, const struct hawser
 }
 
 enum hawser_status hawser__support_energy(struct hawser_rom *rom, const struct hawser_modes *modes,
-                                          const struct hawser_modes *kept, int condensed,
+                                          const struct hawser_modes *kept,
+                                          const struct hawser__load_fields *loads,
                                           const struct hawser_scene *scene,
                                           struct hawser_report *report)
 {
 	int together = modes == kept;
-	enum hawser_status status = add_fields(rom, modes, kept->n, condensed,
+	enum hawser_status status = add_fields(rom, modes, kept->n, loads,
 	                                       together ? ENDS | LOAD : ENDS, scene, report);
 
 	return status || together ? status
-	       : add_fields(rom, kept, kept->n, condensed, LOAD, scene, report);
+	       : add_fields(rom, kept, kept->n, loads, LOAD, scene, report);
 }

@@ -40,7 +40,7 @@ static void set_unit(struct hawser__ties *ties, int i, const struct hawser_stati
 }
 
 /* strain [points][3] of shape i, and the displacement of end A. */
-static void respond(double *strain, double start[3], struct hawser__ties *ties, int i,
+static void follow_end(double *strain, double start[3], struct hawser__ties *ties, int i,
                     const struct hawser_statics *st)
 {
 	double stretch[HAWSER__TIE_SPRINGS];
@@ -75,7 +75,7 @@ static enum hawser_status make(struct hawser__support_shapes *shapes, const stru
 		double *strain = shapes->strain + (size_t)i*each, *shape = shapes->shape + (size_t)i*each;
 		double start[3];
 
-		respond(strain, start, ties, i, st);
+		follow_end(strain, start, ties, i, st);
 		hawser__displacement(shape, grid, reference, st, strain, start, work);
 		for (size_t m = 0; m < 3*marks; m++)
 			hawser__grid_at(shapes->at + (size_t)i*3*marks + m, grid, shape + m%3*points, 1, 1,
