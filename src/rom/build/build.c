@@ -199,25 +199,12 @@ static enum hawser_status set_second(struct hawser_rom *rom, const struct hawser
                                      const struct hawser__condensed *condensed,
                                      struct hawser_report *report)
 {
-	struct hawser_rom_shapes *shapes = &rom->shapes;
 	enum hawser_status status = hawser__rom_init_second(rom, report);
 
-	for (int p = 0; !status && p < shapes->points; p++) {
-		int own = hawser__rom_stroke_point(&modes->statics, p);
-
-		status = hawser__condensed_at(condensed, modes, shapes->second_shape + 3*p,
-		                              shapes->second_slope + 3*p, 3*shapes->points,
-		                              shapes->s[p], report);
-		for (int x = 0; !status && own >= 0 && x < condensed->pairs; x++)
-			set_stroke(shapes->second_shape + 3*(x*shapes->points + p), modes, own,
-			           condensed->stroke[x*modes->statics.attachments + own]);
-	}
-	for (int p = 0; !status && p < LINE; p++)
-		for (int x = 0; x < condensed->pairs; x++)
-			hawser__grid_at(rom->line.second_slope + ((size_t)x*LINE + p)*3, &modes->grid,
-			                condensed->strain + (size_t)x*condensed->points*3, 3, 3,
-			                rom->line.s[p]);
-	return status;
+	return status ? status
+	       : hawser__condensed_second(rom->shapes.second_shape, rom->shapes.second_slope,
+	                                  rom->line.second_slope, rom, condensed, modes, 0,
+	                                  condensed->pairs, report);
 }
 
 static enum hawser_status set_shapes(struct hawser_rom *rom, const struct hawser_modes *modes,

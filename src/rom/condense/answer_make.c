@@ -95,25 +95,12 @@ static void note(struct work *work, int order)
 {
 	const struct hawser_rom_shapes *shapes = &work->rom->shapes;
 	const struct hawser_rom_line *line = &work->rom->line;
-	int count = work->stations.count;
 
 	for (int p = 0; p < shapes->points; p++) {
-		const struct hawser_statics *st = &work->stations.modes->statics;
-		struct hawser_frame_point at = hawser_statics_frame(st, shapes->s[p]);
 		double *out = work->shape + 4*((size_t)order*(size_t)shapes->points + (size_t)p);
-		int own = hawser__rom_stroke_point(st, p);
-		double global[3];
 
-		for (int axis = 0; axis < 3; axis++)
-			if (own >= 0)
-				global[axis] = work->stations.stroke[own]*st->attached[own].absorber_axis[axis];
-			else
-				hawser__grid_at(&global[axis], &work->grid, work->along + axis*count, 1, 1,
-				                shapes->s[p]);
-		if (st->space)
-			memcpy(out, global, sizeof global); /* as in set_probe of build.c */
-		else
-			hawser__frame_in(out, &at, global);
+		hawser__displaced_at(out, work->rom, &work->stations.modes->statics, &work->grid, work->along,
+		                  work->stations.stroke, p);
 		hawser__grid_at(out + 3, &work->grid, work->stations.z, 3, 1, shapes->s[p]);
 	}
 	for (int p = 0; p < line->points; p++)

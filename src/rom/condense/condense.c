@@ -26,6 +26,7 @@
 #include "modes/label.h"
 #include "rom/terms/absorbers.h"
 #include "rom/condense/bend.h"
+#include "rom/build/build.h"
 #include "rom/condense/follow.h"
 #include "rom/energy/project.h"
 #include "rom/terms/ties.h"
@@ -185,37 +186,54 @@ void hawser__displacement(double *along, const struct hawser_grid *grid,
 	}
 }
 
-enum hawser_status hawser__condensed_at(const struct hawser__condensed *condensed,
-                                        const struct hawser_modes *modes, double *shape,
-                                        double *slope, int stride, double s,
-                                        struct hawser_report *report)
+void hawser__displaced_at(double u[3], const struct hawser_rom *rom, const struct hawser_statics *st,
+                          const struct hawser_grid *grid, const double *along, const double *stroke,
+                          int p)
+{
+	struct hawser_frame_point at = hawser_statics_frame(st, rom->shapes.s[p]);
+	int own = hawser__rom_stroke_point(st, p);
+	double v[3];
+
+	for (int axis = 0; axis < 3; axis++)
+		if (own >= 0)
+			v[axis] = stroke ? stroke[own]*st->attached[own].absorber_axis[axis] : 0.0;
+		else
+			hawser__grid_at(&v[axis], grid, along + axis*grid->points, 1, 1, rom->shapes.s[p]);
+	if (st->space)
+		memcpy(u, v, sizeof v); /* as in set_probe of build.c */
+	else
+		hawser__frame_in(u, &at, v);
+}
+
+enum hawser_status hawser__condensed_second(double *shape, double *slope, double *line,
+                                            const struct hawser_rom *rom,
+                                            const struct hawser__condensed *condensed,
+                                            const struct hawser_modes *modes, int first, int pairs,
+                                            struct hawser_report *report)
 {
 	const struct hawser_grid *grid = &modes->grid;
-	struct hawser_frame_point at = hawser_statics_frame(&modes->statics, s);
+	const struct hawser_statics *st = &modes->statics;
+	int points = rom->shapes.points, strokes = st->attachments;
+	double *along = hawser__numbers(6, (size_t)grid->points);
 	struct hawser__reference reference;
-	size_t points = (size_t)grid->points;
-	double *along = malloc(6*points*sizeof *along), u[3];
 	enum hawser_status status = hawser__reference_init(&reference, grid, grid->order - 1, report);
 
-	if (!status && !along) {
-		hawser__reference_clear(&reference);
+	if (!status && !along)
 		status = hawser__no_memory(report, "rom");
-	}
-	for (int x = 0; !status && x < condensed->pairs; x++) {
-		const double *strain = condensed->strain + (size_t)x*points*3;
+	for (int x = first; !status && x < first + pairs; x++) {
+		const double *strain = condensed->strain + 3*(size_t)x*(size_t)grid->points;
+		const double *stroke = condensed->stroke ? condensed->stroke + x*strokes : NULL;
 
-		hawser__displacement(along, grid, &reference, &modes->statics, strain,
-		                     condensed->start + 3*x, along + 3*points);
-		for (int axis = 0; axis < 3; axis++)
-			hawser__grid_at(&u[axis], grid, along + (size_t)axis*points, 1, 1, s);
-		if (modes->statics.space)
-			memcpy(shape + x*stride, u, sizeof u); /* as in set_probe of build.c */
-		else
-			hawser__frame_in(shape + x*stride, &at, u);
-		hawser__grid_at(slope + x*stride, grid, strain, 3, 3, s);
+		hawser__displacement(along, grid, &reference, st, strain, condensed->start + 3*x,
+		                     along + 3*grid->points);
+		for (int p = 0; p < points; p++, shape += 3, slope += 3) {
+			hawser__displaced_at(shape, rom, st, grid, along, stroke, p);
+			hawser__grid_at(slope, grid, strain, 3, 3, rom->shapes.s[p]);
+		}
+		for (int p = 0; p < rom->line.points; p++, line += 3)
+			hawser__grid_at(line, grid, strain, 3, 3, rom->line.s[p]);
 	}
-	if (!status)
-		hawser__reference_clear(&reference);
+	hawser__reference_clear(&reference);
 	free(along);
 	return status;
 }

@@ -37,12 +37,19 @@ void hawser__displacement(double *along, const struct hawser_grid *grid,
                           const struct hawser__reference *reference, const struct hawser_statics *st,
                           const double *strain, const double start[3], double *work);
 
-/* Displacement P, Q, B and strains a, b, c of all w_jk at scaled arclength s: shape and slope are
- * [pairs][3], `stride` doubles from one pair to the next. */
-enum hawser_status hawser__condensed_at(const struct hawser__condensed *condensed,
-                                        const struct hawser_modes *modes, double *shape,
-                                        double *slope, int stride, double s,
-                                        struct hawser_report *report);
+/* P, Q, B (in space x, y, z) at shape point p of a displacement along [3][points of the grid], and of
+ * the strokes [attachments] of absorbers, NULL: they are 0. */
+void hawser__displaced_at(double u[3], const struct hawser_rom *rom, const struct hawser_statics *st,
+                          const struct hawser_grid *grid, const double *along, const double *stroke,
+                          int p);
+
+/* Displacement and strains of `pairs` w_jk, from number `first` on, at the shape points of a model,
+ * [pairs][points][3], and strains along its line, [pairs][line points][3]. */
+enum hawser_status hawser__condensed_second(double *shape, double *slope, double *line,
+                                            const struct hawser_rom *rom,
+                                            const struct hawser__condensed *condensed,
+                                            const struct hawser_modes *modes, int first, int pairs,
+                                            struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* The cable at a quadrature node. */
 struct hawser__place {

@@ -63,12 +63,16 @@ static void add_part(struct hawser__stations *stations, int e, double from, doub
 /* slope [3] = those of a mode, at the points with these weights. */
 static void combine(double *slope, const double *of, const double *weight, int order)
 {
-	double sum[3] = {0.0};
+	double a = 0.0, b = 0.0, c = 0.0; /* no array, which would be in memory */
 
-	for (int k = 0; k < order; k++)
-		for (int c = 0; c < 3; c++)
-			sum[c] += weight[k]*of[3*k + c];
-	memcpy(slope, sum, sizeof sum);
+	for (int k = 0; k < order; k++, of += 3) {
+		a += weight[k]*of[0];
+		b += weight[k]*of[1];
+		c += weight[k]*of[2];
+	}
+	slope[0] = a;
+	slope[1] = b;
+	slope[2] = c;
 }
 
 /* weight [order] is scratch. */

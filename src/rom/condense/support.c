@@ -31,6 +31,7 @@
 #include "modes/grid.h"
 #include "modes/label.h"
 #include "rom/build/build.h"
+#include "rom/condense/condense.h"
 #include "rom/terms/ends.h"
 #include "rom/terms/history.h"
 #include "rom/condense/support.h"
@@ -163,25 +164,13 @@ static enum hawser_status show(struct hawser_harmonic *h, const struct hawser_ro
                                const struct hawser_modes *modes, const struct field *field,
                                struct hawser_report *report)
 {
-	const struct hawser_grid *grid = &modes->grid;
 	int points = rom->shapes.points;
 
 	h->answer = calloc(2*4*(size_t)points + 1, sizeof *h->answer);
 	if (!h->answer)
 		return hawser__no_memory(report, "rom");
-	for (int p = 0; p < points; p++) {
-		struct hawser_frame_point at = hawser_statics_frame(&modes->statics, rom->shapes.s[p]);
-		double *out = h->answer + 4*p, global[3];
-
-		if (hawser__rom_stroke_point(&modes->statics, p) >= 0)
-			continue;
-		for (int axis = 0; axis < 3; axis++)
-			hawser__grid_at(&global[axis], grid, field->r + axis*grid->points, 1, 1,
-			                rom->shapes.s[p]);
-		out[0] = global[0]*at.ex + global[1]*at.ey;
-		out[1] = global[1]*at.ex - global[0]*at.ey;
-		out[2] = global[2];
-	}
+	for (int p = 0; p < points; p++)
+		hawser__displaced_at(h->answer + 4*p, rom, &modes->statics, &modes->grid, field->r, NULL, p);
 	return HAWSER_OK;
 }
 

@@ -165,17 +165,6 @@ static void list_answers(struct work *work)
 	}
 }
 
-/* The second-order response to the motion of the supports, without that to the load. */
-static enum hawser_status condensed_ends(struct hawser_rom *rom, const struct work *work,
-                                         struct hawser_report *report)
-{
-	struct hawser__condensed own = work->condensed;
-
-	own.n = work->moving + work->fields.ends;
-	own.pairs = own.n*(own.n + 1)/2;
-	return hawser__ends_condensed(rom, &work->wide, &own, report);
-}
-
 /* The second-order response to the load alone, where no support moves. The strain of the fields along
  * the cable is in `answer` of the harmonics. */
 static enum hawser_status condensed_answers(struct hawser_rom *rom, const struct work *work,
@@ -226,7 +215,7 @@ static enum hawser_status add_fields(struct hawser_rom *rom, const struct hawser
 		status = hawser__rom_tensors(&work.big, &work.wide, loads ? &work.condensed : NULL,
 		                             report);
 	if (!status && loads && rom->shapes.second_slope && work.fields.ends > 0)
-		status = condensed_ends(rom, &work, report);
+		status = hawser__ends_condensed(rom, &work.wide, &work.condensed, report);
 	if (!status && loads && rom->shapes.second_slope && !rom->ends)
 		status = condensed_answers(rom, &work, report);
 	if (!status)
