@@ -58,18 +58,13 @@ static enum hawser_status set_load(struct hawser_rom *rom, const struct hawser_m
 {
 	enum hawser_status status = HAWSER_OK;
 
-	if (loads->harmonics == 0)
-		return HAWSER_OK;
-	rom->harmonic = calloc((size_t)loads->harmonics, sizeof *rom->harmonic);
-	if (!rom->harmonic)
-		return hawser__no_memory(report, "rom");
 	for (int i = 0; i < loads->harmonics && !status; i++) {
-		struct hawser_harmonic *h = &rom->harmonic[rom->harmonics++];
+		struct hawser_harmonic *h = hawser__rom_harmonic(rom, loads->k[i], loads->sine[i]
+		                                                 ? HAWSER_SIN : HAWSER_COS);
 
-		h->k = loads->k[i];
-		h->phase = loads->sine[i] ? HAWSER_SIN : HAWSER_COS;
-		h->f = malloc((size_t)rom->n*sizeof *h->f);
-		if (!h->f)
+		if (h)
+			h->f = malloc((size_t)rom->n*sizeof *h->f);
+		if (!h || !h->f)
 			return hawser__no_memory(report, "rom");
 		status = hawser__loads_work(h->f, loads, i, modes, report);
 		for (int j = 0; !status && j < rom->n; j++)

@@ -9,6 +9,7 @@
 #include "core/grow.h"
 #include "core/report.h"
 #include "rom/build/expanded.h"
+#include "rom/build/model.h"
 
 static enum hawser_status set_quads(struct hawser_rom *rom, const struct hawser__expanded *e, int n,
                                     int least, struct hawser_report *report)
@@ -84,4 +85,15 @@ void hawser__expanded_second(double *shape, double *slope, double *line, const s
 		for (int p = points; p < points + along; p++, line += 3)
 			e->pair_at(u, line, e->of, pair, p);
 	}
+}
+
+enum hawser_status hawser__expanded_pairs(struct hawser_rom *rom, const struct hawser__expanded *e,
+                                          struct hawser_report *report)
+{
+	enum hawser_status status = hawser__rom_init_second(rom, report);
+
+	if (!status)
+		hawser__expanded_second(rom->shapes.second_shape, rom->shapes.second_slope,
+		                        rom->line.second_slope, rom, e, 0, e->equations*(e->equations + 1)/2);
+	return status;
 }

@@ -55,6 +55,9 @@ void hawser__answers_clear(struct hawser__answers *answers);
  * entry is at least number `least`. */
 enum hawser_status hawser__expanded_tensors(struct hawser_rom *rom, const struct hawser__expanded *e,
                                             int n, int least, struct hawser_report *report);
+/* Displacement and strains of what follows the coordinates. */
+enum hawser_status hawser__expanded_pairs(struct hawser_rom *rom, const struct hawser__expanded *e,
+                                          struct hawser_report *report);
 /* Displacement and strains of `pairs` pairs of the expansion, from number `first` on, at the shape
  * points, [pairs][points][3], and strains along the line. */
 void hawser__expanded_second(double *shape, double *slope, double *line, const struct hawser_rom *rom,

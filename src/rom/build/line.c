@@ -166,17 +166,6 @@ static enum hawser_status set_line(struct hawser_rom *rom, const struct hawser__
 	return status;
 }
 
-static enum hawser_status set_second(struct hawser_rom *rom, const struct hawser__expanded *e,
-                                     struct hawser_report *report)
-{
-	enum hawser_status status = hawser__rom_init_second(rom, report);
-
-	if (!status)
-		hawser__expanded_second(rom->shapes.second_shape, rom->shapes.second_slope,
-		                        rom->line.second_slope, rom, e, 0, rom->n*(rom->n + 1)/2);
-	return status;
-}
-
 /* --- build --- */
 
 static enum hawser_status fill(struct hawser_rom *rom, const struct hawser__lexpand *t,
@@ -207,7 +196,7 @@ static enum hawser_status fill(struct hawser_rom *rom, const struct hawser__lexp
 	if (!status)
 		status = set_line(rom, t, modes, report);
 	if (!status)
-		status = set_second(rom, &e, report);
+		status = hawser__expanded_pairs(rom, &e, report);
 	if (!status)
 		status = hawser__line_contacts(rom, modes, report);
 	if (!status)

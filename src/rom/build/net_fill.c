@@ -176,18 +176,6 @@ static enum hawser_status set_places(struct hawser_rom *rom, struct hawser__net_
 	return status;
 }
 
-static enum hawser_status set_second(struct hawser_rom *rom, const struct hawser__expanded *e,
-                                     struct hawser_report *report)
-{
-	enum hawser_status status = hawser__rom_init_second(rom, report);
-	int modes = rom->n - rom->inertia.shapes;
-
-	if (!status)
-		hawser__expanded_second(rom->shapes.second_shape, rom->shapes.second_slope,
-		                        rom->line.second_slope, rom, e, 0, modes*(modes + 1)/2);
-	return status;
-}
-
 enum hawser_status hawser__net_fill(struct hawser_rom *rom, struct hawser__net_source *source,
                                     const struct hawser__answers *answers, struct hawser_report *report)
 {
@@ -211,7 +199,7 @@ enum hawser_status hawser__net_fill(struct hawser_rom *rom, struct hawser__net_s
 	if (!status)
 		status = set_places(rom, source, report);
 	if (!status)
-		status = set_second(rom, &e, report);
+		status = hawser__expanded_pairs(rom, &e, report);
 	if (!status)
 		status = set_harmonics(rom, source, answers, report);
 	if (!status)

@@ -26,11 +26,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/hold.h"
 #include "core/report.h"
 #include "modes/grid.h"
 #include "modes/label.h"
 #include "rom/condense/answer.h"
 #include "rom/build/build.h"
+#include "rom/build/model.h"
 #include "rom/condense/follow.h"
 #include "rom/energy/kernel.h"
 #include "rom/condense/support.h"
@@ -340,26 +342,24 @@ enum hawser_status hawser__rom_travel_lag(struct hawser_rom *rom, const struct h
 	const double nu = modes->statics.motion.nu, V = modes->statics.motion.swing;
 	/* travel.c, times k^2 */
 	const double factor[] = {2.0*nu*V, -V, -2.0*V*V};
-	size_t n2 = (size_t)rom->n*(size_t)rom->n, count = (size_t)rom->harmonics;
+	size_t n2 = (size_t)rom->n*(size_t)rom->n;
 	struct work work = {.rom = rom};
-	struct hawser_harmonic *h;
 	enum hawser_status status;
 
 	if (V == 0.0)
 		return HAWSER_OK;
-	h = realloc(rom->harmonic, (count + 3)*sizeof *h);
-	if (!h)
-		return hawser__no_memory(report, "rom");
-	rom->harmonic = h;
 	status = work_make(&work, modes, modes->n, NULL, 0, report);
 	for (int i = 0; !status && i < 3; i++) {
-		h = &rom->harmonic[rom->harmonics++];
-		*h = (struct hawser_harmonic){.k = i == 2 ? 2 : 1, .phase = i == 0 ? HAWSER_SIN : HAWSER_COS,
-			.omega_power = i == 1 ? 3 : 2, .K = calloc(n2, sizeof *h->K)};
-		if (!h->K) {
+		struct hawser_harmonic *h = hawser__rom_harmonic(rom, i == 2 ? 2 : 1, i == 0 ? HAWSER_SIN
+		                                                                             : HAWSER_COS);
+
+		if (h)
+			h->K = hawser__numbers(n2, 1);
+		if (!h || !h->K) {
 			status = hawser__no_memory(report, "rom");
 			break;
 		}
+		h->omega_power = i == 1 ? 3 : 2;
 		lag(h->K, &work, i != 1);
 		cblas_dscal((int)n2, factor[i], h->K, 1);
 	}

@@ -23,7 +23,7 @@
 
 #include "core/report.h"
 #include "modes/grid.h"
-#include "modes/label.h"
+#include "modes/pairing.h"
 #include "rom/terms/absorbers.h"
 #include "rom/condense/bend.h"
 #include "rom/build/build.h"
@@ -58,9 +58,9 @@ static void pull(struct hawser__stations *stations, int j, int k)
 	for (int i = 0; i < stations->count; i++, x += 3, y += 3, p += 3) {
 		double scale = -1.0/(stations->place[i].g2*stations->place[i].eps);
 
-		p[0] = scale*(x[1]*y[1] + x[2]*y[2]);
-		p[1] = scale*(x[0]*y[1] + y[0]*x[1]);
-		p[2] = scale*(x[0]*y[2] + y[0]*x[2]);
+		hawser__pair_force(p, x, y);
+		for (int c = 0; c < 3; c++)
+			p[c] *= scale;
 	}
 }
 

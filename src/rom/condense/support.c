@@ -27,10 +27,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/hold.h"
 #include "core/report.h"
 #include "modes/grid.h"
 #include "modes/label.h"
 #include "rom/build/build.h"
+#include "rom/build/model.h"
 #include "rom/condense/condense.h"
 #include "rom/terms/ends.h"
 #include "rom/terms/history.h"
@@ -215,15 +217,12 @@ static int set_force(struct field *field, const struct hawser_scene *scene,
 static struct hawser_harmonic *append(struct hawser_rom *rom, int k, enum hawser_phase phase,
                                       int power)
 {
-	struct hawser_harmonic *h = realloc(rom->harmonic,
-	                                    ((size_t)rom->harmonics + 1)*sizeof *h);
+	struct hawser_harmonic *h = hawser__rom_harmonic(rom, k, phase);
 
 	if (!h)
 		return NULL;
-	rom->harmonic = h;
-	h += rom->harmonics++;
-	*h = (struct hawser_harmonic){.k = k, .phase = phase, .omega_power = power,
-		.f = calloc((size_t)rom->n, sizeof(double))};
+	h->omega_power = power;
+	h->f = hawser__numbers((size_t)rom->n, 1);
 	return h->f ? h : NULL;
 }
 

@@ -52,11 +52,10 @@ static void force(double f[3], const struct hawser__lexpand *t, int p, int j, in
 {
 	const double *x = t->slope + 3*((size_t)t->points*(size_t)j + (size_t)p);
 	const double *y = t->slope + 3*((size_t)t->points*(size_t)k + (size_t)p);
-	double g2 = t->stretch[p]*t->stretch[p];
 
-	f[0] = (x[1]*y[1] + x[2]*y[2])/g2;
-	f[1] = (x[0]*y[1] + y[0]*x[1])/g2;
-	f[2] = (x[0]*y[2] + y[0]*x[2])/g2;
+	hawser__pair_force(f, x, y);
+	for (int c = 0; c < 3; c++)
+		f[c] /= t->stretch[p]*t->stretch[p];
 }
 
 static void add_segment(const struct work *w, const struct hawser__lmode_segment *s, int system, int j,
