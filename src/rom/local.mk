@@ -89,7 +89,6 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/build/line_answer.c \
 	%D%/build/line_lift.c \
 	%D%/build/line_load.c \
-	%D%/build/linear.c \
 	%D%/terms/load.c \
 	%D%/terms/load.h \
 	%D%/condense/load_fields.c \

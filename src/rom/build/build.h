@@ -38,7 +38,7 @@ enum hawser_status hawser__rom_damping(struct hawser_rom *rom, const struct haws
 void hawser__rom_held(double *K, const struct hawser_rom *rom, const double *f, double factor);
 
 /* hawser_rom_build_linear without the terms of the energy by moving supports, which are the last
- * harmonics of a model. linear.c. */
+ * harmonics of a model. */
 enum hawser_status hawser__rom_build_forces(struct hawser_rom *rom,
                                             const struct hawser_modes *modes,
                                             const struct hawser_scene *scene,

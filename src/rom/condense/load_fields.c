@@ -55,6 +55,19 @@ static void add(struct hawser__load_fields *fields, const struct hawser_modes *m
 	}
 }
 
+void hawser__rom_held(double *K, const struct hawser_rom *rom, const double *f, double factor)
+{
+	int n = rom->n, modes = n - rom->inertia.shapes;
+
+	for (int i = 0; modes < n && i < rom->quads; i++) {
+		const struct hawser_quad *q = &rom->Q[i];
+		int s = q->l;
+
+		if (q->j < modes && q->k < modes && s >= modes && rom->K[s*n + s] != 0.0)
+			K[q->j*n + q->k] += factor*q->value*f[s]/rom->K[s*n + s];
+	}
+}
+
 /* K of harmonic h by the response. */
 static enum hawser_status stiffen(struct hawser_rom *rom, int h,
                                   const struct hawser__stations *stations,

@@ -29,6 +29,7 @@
 
 #include "core/hold.h"
 #include "core/report.h"
+#include "core/vec3.h"
 #include "modes/grid.h"
 #include "modes/label.h"
 #include "rom/build/build.h"
@@ -37,6 +38,7 @@
 #include "rom/terms/ends.h"
 #include "rom/terms/history.h"
 #include "rom/condense/support.h"
+#include "statics/frame.h"
 
 int hawser__support_moves(const struct hawser_scene *scene)
 {
@@ -145,11 +147,10 @@ static double work_on(const struct field *field, const struct hawser_modes *mode
 
 	for (int p = 0; p < points; p++) {
 		struct hawser_frame_point at = hawser_statics_frame(&modes->statics, grid->s[p]);
-		const double *q = shape + 3*p;
-		double x = force[p], y = force[points + p];
+		const double f[3] = {force[p], force[points + p], force[2*points + p]};
 
-		sum += grid->weight[p]*(q[0]*(x*at.ex + y*at.ey) + q[1]*(y*at.ex - x*at.ey) +
-		                        q[2]*force[2*points + p]);
+		hawser__frame_in(u, &at, f);
+		sum += grid->weight[p]*hawser__dot(u, shape + 3*p);
 	}
 	for (int i = 0; i < hawser__points(&modes->statics); i++) {
 		hawser__modes_attached(u, modes, j, i);
