@@ -23,18 +23,14 @@ static int absorbers_of(const struct hawser__basis *m)
 
 static void set_roots(struct hawser__basis *m)
 {
-	const struct hawser_modes *modes = m->modes;
-	const struct hawser_statics *st = &modes->statics;
+	const struct hawser_statics *st = &m->modes->statics;
 	double *stiff = m->stiff + m->tail;
 
-	for (int p = 0; p < modes->grid.points; p++) {
-		struct hawser_frame_point at = hawser_statics_frame(st, modes->grid.s[p]);
-		double weight = modes->grid.weight[p], k = at.tension/(1.0 + at.strain);
+	for (int p = 0; p < m->own; p++) {
+		const struct hawser__place *at = &m->stations.place[p/3];
 
-		for (int c = 0; c < 3; c++) {
-			m->mass[3*p + c] = sqrt(weight);
-			stiff[3*p + c] = sqrt(c == 0 ? weight/st->epsilon : weight*k);
-		}
+		m->mass[p] = sqrt(at->weight);
+		stiff[p] = sqrt(p%3 == 0 ? at->weight/at->eps : at->weight*at->k);
 	}
 	for (int i = 0; i < 3*hawser__points(st); i++) {
 		int point = i/3, end = point - st->attachments;
@@ -43,7 +39,7 @@ static void set_roots(struct hawser__basis *m)
 		m->mass[m->own + i] = sqrt(hawser__point_bare(st, point));
 		m->stiff[i] = sqrt(isfinite(k[i%3]) ? k[i%3]*st->span.d/st->H : 0.0);
 	}
-	for (int i = 0; modes->stroke && i < st->attachments; i++) {
+	for (int i = 0; m->modes->stroke && i < st->attachments; i++) {
 		int at = absorbers_of(m) + EACH*i;
 
 		for (int c = 0; c < 3; c++)
@@ -68,15 +64,17 @@ enum hawser_status hawser__basis_make(struct hawser__basis *m, const struct haws
 	m->work = hawser__hold(&m->hold, width, sizeof *m->work);
 	if (m->hold.short_of_memory)
 		return hawser__no_memory(report, "rom");
+	status = hawser__stations_make(&m->stations, modes, 0, NULL, 0, report);
+	if (status)
+		return status;
 	set_roots(m);
-	status = hawser__reference_init(&m->reference, &modes->grid, modes->grid.order - 1, report);
-	return status ? status : hawser__bend_of(&m->bend, modes, report);
+	return hawser__reference_init(&m->reference, &modes->grid, modes->grid.order - 1, report);
 }
 
 void hawser__basis_clear(struct hawser__basis *m)
 {
 	hawser__reference_clear(&m->reference);
-	hawser__bend_free(m->bend);
+	hawser__stations_clear(&m->stations);
 	hawser__hold_clear(&m->hold);
 }
 
@@ -158,7 +156,7 @@ enum hawser_status hawser__basis_products(double *mass, double *stiffness,
                                             const struct hawser__basis *m, int count,
                                             struct hawser_report *report)
 {
-	int used = m->own + m->tail, bent = hawser__bend_width(m->bend);
+	int used = m->own + m->tail, bent = hawser__bend_width(m->stations.bend);
 	double *scaled = hawser__numbers((size_t)count, (size_t)(used > bent ? used : bent));
 
 	if (!scaled)
@@ -171,7 +169,7 @@ enum hawser_status hawser__basis_products(double *mass, double *stiffness,
 		cblas_dsyrk(CblasRowMajor, CblasLower, CblasNoTrans, count, used, 1.0, scaled, used, 0.0,
 		            part ? stiffness : mass, count);
 	}
-	hawser__bend_gram(stiffness, m->bend, scaled, m->row + used, m->width, count);
+	hawser__bend_gram(stiffness, m->stations.bend, scaled, m->row + used, m->width, count);
 	free(scaled);
 	return HAWSER_OK;
 }

@@ -11,8 +11,7 @@
 #ifndef HAWSER_ROM_BASIS_H
 #define HAWSER_ROM_BASIS_H
 
-#include "core/hold.h"
-#include "rom/condense/bend.h"
+#include "rom/condense/follow.h"
 
 struct hawser__basis {
 	const struct hawser_modes *modes;
@@ -21,7 +20,7 @@ struct hawser__basis {
 	double *mass, *stiff;  /* [own + tail] square roots of masses, and of stiffnesses from `own` on */
 	double *work;          /* [2*own] */
 	struct hawser__reference reference;
-	struct hawser__bend *bend; /* or NULL */
+	struct hawser__stations stations; /* the points of the grid */
 	struct hawser__hold hold;
 };
 

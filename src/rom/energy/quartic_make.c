@@ -17,10 +17,10 @@
 #include "core/report.h"
 #include "rom/terms/absorbers.h"
 #include "rom/terms/dampers.h"
+#include "rom/condense/follow.h"
 #include "rom/energy/kernel.h"
 #include "rom/energy/project.h"
 #include "rom/energy/quartic.h"
-#include "rom/terms/ties.h"
 
 void hawser__quartic_free(struct hawser__quartic *quartic)
 {
@@ -366,21 +366,15 @@ static void fill_columns(struct hawser__quartic *q, const struct hawser_modes *m
 static int fill(struct hawser__quartic *q, const struct hawser_rom *rom,
                 const struct hawser_modes *modes)
 {
-	const struct hawser_grid *grid = &modes->grid;
-	struct hawser__place *place = malloc((size_t)q->points*sizeof *place);
-	struct hawser__ties *ties = NULL;
-	int failed = !place || set_order(q, modes);
+	struct hawser__stations stations;
+	int failed = hawser__stations_make(&stations, modes, 0, NULL, 0, NULL) || set_order(q, modes);
 
-	for (int p = 0; !failed && p < q->points; p++)
-		place[p] = hawser__place_at(modes, grid->s[p], grid->weight[p]);
 	if (!failed)
-		fill_columns(q, modes, place);
+		fill_columns(q, modes, stations.place);
 	set_stiffness(q, rom);
 	if (!failed && q->condensed)
-		failed = hawser__ties_make(&ties, modes, NULL, place, grid->s, q->points, NULL) ||
-		         set_bend(q, modes, place, ties) || hawser__quartic_pull(q);
-	hawser__ties_free(ties);
-	free(place);
+		failed = set_bend(q, modes, stations.place, stations.ties) || hawser__quartic_pull(q);
+	hawser__stations_clear(&stations);
 	return failed;
 }
 
