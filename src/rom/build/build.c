@@ -18,7 +18,6 @@
 #include <string.h>
 
 #include "core/report.h"
-#include "modes/grid.h"
 #include "modes/label.h"
 #include "rom/condense/answer.h"
 #include "rom/condense/load_fields.h"

@@ -9,10 +9,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
-#include <stdlib.h>
 #include <string.h>
 
-#include "modes/grid.h"
 #include "rom/condense/follow.h"
 #include "statics/frame.h"
 

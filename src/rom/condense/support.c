@@ -30,7 +30,6 @@
 #include "core/hold.h"
 #include "core/report.h"
 #include "core/vec3.h"
-#include "modes/grid.h"
 #include "modes/label.h"
 #include "rom/build/build.h"
 #include "rom/build/model.h"
