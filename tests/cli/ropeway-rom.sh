@@ -1,28 +1,29 @@
 #!/bin/sh
-# hawser rom of ropeways: the model of a lane, its loads, what takes its file, refusals.
+# hawser rom of ropeways: the model of both lanes and of one, its loads, what takes its file, refusals.
 # SPDX-License-Identifier: GPL-3.0-or-later
 . "$SRCDIR/tests/cli/lib.sh"
 
 scenes=$SRCDIR/notebooks-data/scenes
 small=$scenes/ropeway-small.yaml
-works "carriers that pass" rom "$small" -n 6 --damping 0.02 --json passing.json --tsv passing.tsv -q
-works "a drive" rom "$small" -n 6 --damping 0.02 --ripple 0.01 --json drive.json -q
+up="--lane up" # whose figures are known
+works "carriers that pass" rom "$small" $up -n 6 --damping 0.02 --json passing.json --tsv passing.tsv -q
+works "a drive" rom "$small" $up -n 6 --damping 0.02 --ripple 0.01 --json drive.json -q
 works "the other lane, stuck" rom "$small" -n 4 --lane down --contact stick --json stick.json -q
 works "the modes of the lane" modes "$small" --set ropeway.down=off --contact slip -n 6 --json modes.json -q
-works "smeared carriers" rom "$small" -n 1 --carriers smeared --json smeared.json -q
+works "smeared carriers" rom "$small" $up -n 1 --carriers smeared --json smeared.json -q
 works "a response" frf passing.json --from 0.95w1 --to 1.02w1 --step 0.04 --json frf.json -q
-rough "the same of the scene, with more modes" frf "$small" -n 6 --damping 0.02 --from 0.95w1 --to 1.02w1 --step 0.04 \
+rough "the same of the scene, with more modes" frf "$small" $up -n 6 --damping 0.02 --from 0.95w1 --to 1.02w1 --step 0.04 \
 	--json scene.json --tsv scene.tsv --plot frf.svg -q
-works "the default range" rom "$small" -n 6 --export auto range -q
-rough "a motion of the scene, by the name of the load" integrate "$small" -n 6 --damping 0.02 --load drive --ripple 0.01 \
+works "the default range" rom "$small" $up -n 6 --export auto range -q
+rough "a motion of the scene, by the name of the load" integrate "$small" $up -n 6 --damping 0.02 --load drive --ripple 0.01 \
 	--Omega 2.5 --until 20 --every 1 --json named.json -q
-works "the modes that matter, chosen" frf "$small" --damping 0.02 --from 2.12 --to 2.14 --step 0.2 --json chosen.json --tsv chosen.tsv -q
+works "the modes that matter, chosen" frf "$small" $up --damping 0.02 --from 2.12 --to 2.14 --step 0.2 --json chosen.json --tsv chosen.tsv -q
 keep=$(sed -n 's/^# .* of 32 modes chosen: --keep //p' chosen.tsv)
-works "  and kept" frf "$small" --keep "$keep" --damping 0.02 --from 2.12 --to 2.14 --step 0.2 --json kept.json -q
+works "  and kept" frf "$small" $up --keep "$keep" --damping 0.02 --from 2.12 --to 2.14 --step 0.2 --json kept.json -q
 most=12 # 40 take 10 s
 [ -z "${HAWSER_LONG:-}" ] || most=40
 for n in 6 $most; do
-	rough "the steady motion with $n modes" frf "$small" -n $n --damping 0.02 --load drive --ripple 0.01 --from 2.5 \
+	rough "the steady motion with $n modes" frf "$small" $up -n $n --damping 0.02 --load drive --ripple 0.01 --from 2.5 \
 		--to 2.5001 --json $n.json -q
 done
 mv 6.json few.json && mv $most.json most.json
@@ -72,6 +73,23 @@ assert max(c) < 1.0 and (min(c) < 0.0) == ("lift" in scene)
 END2
 try "the load is told" grep -q '^# load: weights of 3924 N that pass at 36.6 m' passing.tsv
 try "  and where the rope leaves a sheave" grep -q '^# mode 1: .*in-plane; the rope leaves p0 at u = ' passing.tsv
+
+# Both lanes with what joins them; physics-netrom.md, section 5, has the frequencies.
+works "both lanes" rom "$small" --set ropeway.bottom.mass=6000 -n 6 --damping 0.02 --json both.json --tsv both.tsv -q
+works "  under the drive" rom "$small" --set ropeway.bottom.mass=6000 -n 6 --load drive --ripple 0.01 --json pulled.json -q
+works "  with one that is empty" rom "$small" --set ropeway.carriers.mass.down=0 -n 4 --json half.json -q
+try "  their spans are told" grep -q '^# spans 1 to 3 are of lane up, 4 to 6 of lane down' both.tsv
+try "  and their sheaves" grep -q 'the rope leaves p1 down at u = ' both.tsv
+python "the carriage and the bullwheel join the lanes" <<'END2'
+import json, math
+both, pulled, half = (json.load(open(n + ".json")) for n in ("both", "pulled", "half"))
+w = [math.sqrt(pulled["K"][j][j])/pulled["scale"]["time"] for j in range(6)]
+for a, b in zip((w[0], w[1], w[4]), (1.97504911, 2.11429358, 2.37994083)):
+    assert abs(a - b) < 1e-8, w
+assert both["shapes"]["names"] == [f"span_{i}" for i in range(1, 7)]
+assert both["contacts"]["names"] == ["p0 up", "p1 up", "p0 down", "p1 down"], both["contacts"]
+assert any(both["harmonics"][0]["f"]) and any(pulled["harmonics"][0]["f"]) and any(half["harmonics"][0]["f"])
+END2
 
 # The Coriolis forces are a damping that grows with Omega and does not vary in time: harmonic 0 of the model.
 names="bouquet small transient running rest${HAWSER_LONG:+ gondola}"
@@ -126,9 +144,11 @@ END2
 denies "a drive without amplitude" 1 "give the amplitude of the rope's motion" rom "$small" --load drive
 denies "an amplitude without drive" 1 "leave out one of --ripple and --load passing" rom "$small" --ripple 0.01 --load passing
 denies "an unknown load" 1 "must be one of passing, drive" rom "$small" --load pasing
-denies "an unknown lane" 1 "must be one of up, down" rom "$small" --lane dwn
+denies "an unknown lane" 1 "must be one of up, down, both" rom "$small" --lane dwn
 denies "a lane that is not there" 1 "this ropeway has lane up only" rom "$small" --lane down --set ropeway.down=off
-denies "no carriers" 1 "lane up has no carriers that pass" rom "$small" --case empty --set ropeway.carriers.empty=0
+denies "no carriers" 1 "no carriers pass on the lanes" rom "$small" --case empty --set ropeway.carriers.empty=0
+denies "no carriers on a lane" 1 "no carriers pass on lane down" rom "$small" --lane down --set ropeway.carriers.mass.down=0
+denies "a smeared mass for each lane" 1 "the lanes have carriers of 400 kg and 250 kg" rom "$small" --carriers smeared
 denies "a table of its load" 1 "must be one of passing, drive" integrate "$small" --load "$small" --Omega 1
 denies "a table of its ends" 1 "does not go with a ropeway" integrate "$small" --motion "$small" --Omega 1
 denies "a key of its scene as a parameter" 1 "a ropeway has the parameters factor.load" frf "$small" --over rope.rho=1:2 --Omega 1

@@ -28,6 +28,11 @@ static enum hawser_status refuse(struct hawser_report *report, const char *what,
 	                    want);
 }
 
+static int any(const double *value, int lanes)
+{
+	return value[0] != 0.0 || (lanes > 1 && value[1] != 0.0);
+}
+
 static enum hawser_status check(const struct hawser_line_rom_options *o, int lanes,
                                 struct hawser_report *report)
 {
@@ -44,26 +49,32 @@ static enum hawser_status check(const struct hawser_line_rom_options *o, int lan
 		return refuse(report, "the damping ratio", o->ratio, "0 to 1");
 	if ((unsigned)o->load > HAWSER_LINE_LOAD_DRIVE || (unsigned)o->end > 1)
 		return refuse(report, "an option (load or end)", o->load, "one of its values");
-	if (!(o->running >= 0.0 && isfinite(o->running)))
-		return refuse(report, "the mass per length that runs (kg/m)", o->running,
-		              "0 or a positive one");
 	if (!(o->speed >= 0.0 && isfinite(o->speed)))
 		return refuse(report, "the speed (m/s)", o->speed, "0 or a positive one, and modes.backward");
-	if (o->running > 0.0 && o->modes.contact == HAWSER_LINE_STICK)
-		return refuse(report, "the mass per length that runs (kg/m)", o->running,
-		              "0: the contact is stick, and a rope that sticks does not run");
-	if (o->load != HAWSER_LINE_LOAD_NONE && (o->lane < 0 || o->lane >= lanes))
-		return refuse(report, "the lane of the load", o->lane, "that of a lane, counted from 0");
+	for (int i = 0; i < lanes; i++) {
+		if (!(o->running[i] >= 0.0 && isfinite(o->running[i])))
+			return refuse(report, "the mass per length that runs (kg/m)", o->running[i],
+			              "0 or a positive one");
+		if (o->running[i] > 0.0 && o->modes.contact == HAWSER_LINE_STICK)
+			return refuse(report, "the mass per length that runs (kg/m)", o->running[i],
+			              "0: the contact is stick, and a rope that sticks does not run");
+		if (!(o->weight[i] >= 0.0 && isfinite(o->weight[i])))
+			return refuse(report, "the weight that passes (N)", o->weight[i], "0 or a positive one");
+		if (!isfinite(o->first[i]))
+			return refuse(report, "the place of the first weight (m)", o->first[i], "a finite one");
+		if (!isfinite(o->amplitude[i]))
+			return refuse(report, "the amplitude of the drive (m)", o->amplitude[i], "a finite one");
+	}
 	if (o->load == HAWSER_LINE_LOAD_PASSING) {
-		if (!(o->weight > 0.0 && isfinite(o->weight)))
-			return refuse(report, "the weight that passes (N)", o->weight, "a positive one");
+		if (!any(o->weight, lanes))
+			return refuse(report, "the weight that passes (N)", 0.0, "a lane a positive one");
 		if (!(o->spacing > 0.0 && isfinite(o->spacing)))
 			return refuse(report, "the spacing (m)", o->spacing, "a positive one");
 		if (o->harmonics < 1 || o->harmonics > HARMONICS_MOST)
 			return refuse(report, "the number of harmonics", o->harmonics, "1 to 30");
 	}
-	if (o->load == HAWSER_LINE_LOAD_DRIVE && !(o->amplitude > 0.0 && isfinite(o->amplitude)))
-		return refuse(report, "the amplitude of the drive (m)", o->amplitude, "a positive one");
+	if (o->load == HAWSER_LINE_LOAD_DRIVE && !any(o->amplitude, lanes))
+		return refuse(report, "the amplitude of the drive (m)", 0.0, "a lane that moves one");
 	return HAWSER_OK;
 }
 
@@ -154,7 +165,7 @@ static enum hawser_status set_line(struct hawser_rom *rom, const struct hawser__
 		for (int k = 0; k < 3 && t->first[i] >= 0; k++, p++) {
 			const struct hawser__lmode_piece *piece = &t->rope->piece[i];
 			const struct hawser_line_modes_piece *on = &modes->piece[i];
-			double V = piece->V + t->rope->delta*piece->length*k/2.0;
+			double V = piece->V + piece->delta*piece->length*k/2.0;
 
 			line->s[p] = piece->s0 + piece->length*k/2.0;
 			line->stretch[p] = 1.0 + t->rope->epsilon*hypot(piece->H, V);
@@ -228,8 +239,7 @@ enum hawser_status hawser_line_rom_build(struct hawser_rom *rom, struct hawser_l
 	struct hawser__lexpand_modes own = {.shape = NULL};
 	struct hawser__lexpand t = {.rope = NULL};
 	struct hawser__answers answers = {.count = 0};
-	double pull[HAWSER_LINE_ROM_MODES], wave;
-	int drive = o.load == HAWSER_LINE_LOAD_DRIVE;
+	double pull[HAWSER_LINE_ROM_MODES] = {0.0}, wave;
 	enum hawser_status status;
 
 	memset(rom, 0, sizeof *rom);
@@ -242,10 +252,8 @@ enum hawser_status hawser_line_rom_build(struct hawser_rom *rom, struct hawser_l
 	status = hawser__lexpand_modes_open(&own, modes, lane, lanes, &o.modes, wave, report);
 	if (!status && o.kept)
 		hawser__lexpand_modes_keep(&own, modes, o.kept, o.count);
-	if (!status && drive)
-		status = hawser__lexpand_drive(&own, pull, o.lane, o.end, report);
 	if (!status)
-		status = hawser__line_answers_make(&answers, &own, modes, &o, report);
+		status = hawser__line_answers_make(&answers, pull, &own, modes, &o, report);
 	if (!status)
 		status = hawser__lexpand_open(&t, &own.rope, own.shape, modes->n + answers.fields, o.held,
 		                              report);

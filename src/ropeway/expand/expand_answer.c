@@ -104,13 +104,13 @@ static enum hawser_status follow(const void *of, double *to, const double *from,
 /* A force along y per length on one segment, in the frame of its displacements. */
 static void pull_segment(double *load, const struct hawser__lmode *rope,
                          const struct hawser__lmode_segment *s,
-                         double (*pull)(const void *wave, double s), const void *wave)
+                         const struct hawser__lexpand_force *force)
 {
 	const struct hawser__lmode_piece *piece = s->piece;
 	double angle = atan2(piece->reference[1], piece->reference[0]);
 
 	for (int p = 0; p < s->grid.points; p++) {
-		double at = piece->s0 + s->grid.s[p], value = pull(wave, at);
+		double at = piece->s0 + s->grid.s[p], value = force->pull(force->wave, piece->lane, at);
 
 		if (s->D == 1)
 			hawser_line_at(rope->lane[piece->lane], NULL, &angle, NULL, NULL, NULL, at*rope->length);
@@ -121,7 +121,7 @@ static void pull_segment(double *load, const struct hawser__lmode *rope,
 }
 
 static void hold(const struct work *w, const struct field *z,
-                 double (*pull)(const void *wave, double s), const void *wave, int lane)
+                 const struct hawser__lexpand_force *force)
 {
 	double *x = z->x, *strain = z->strain;
 
@@ -130,26 +130,13 @@ static void hold(const struct work *w, const struct field *z,
 
 		memset(w->load, 0, (size_t)system->size*sizeof *w->load);
 		for (int k = 0; system->plane == HAWSER_IN_PLANE && k < system->segments; k++)
-			if (system->segment[k].piece->lane == lane)
-				pull_segment(w->load + system->segment[k].at, w->rope, &system->segment[k], pull,
-				             wave);
+			pull_segment(w->load + system->segment[k].at, w->rope, &system->segment[k], force);
 		if (system->plane == HAWSER_IN_PLANE)
 			hawser__lmode_static(x, strain, system, w->load);
 		x += system->size;
 		strain += system->strains;
 	}
 	remove_kept(w, z);
-}
-
-/* The shape that expand_drive.c made, which has no part of kept modes. */
-static void drive(const struct work *w, const struct field *z)
-{
-	const struct hawser__lexpand_shape *shape = &w->modes->shape[w->modes->search.n];
-	const struct hawser__lmode_system *system = &w->rope->system[shape->system];
-	struct field part = part_of(w, z, shape->system);
-
-	memcpy(part.x, shape->x, (size_t)system->size*sizeof *part.x);
-	memcpy(part.strain, shape->strain, (size_t)system->strains*sizeof *part.strain);
 }
 
 static enum hawser_status begin(struct work *w, struct hawser_report *report)
@@ -167,10 +154,10 @@ static enum hawser_status begin(struct work *w, struct hawser_report *report)
 	return w->load ? HAWSER_OK : hawser__no_memory(report, "line rom");
 }
 
-enum hawser_status hawser__lexpand_answer(struct hawser__driven *answer,
+enum hawser_status hawser__lexpand_answer(struct hawser__driven *answer, double *pull,
                                           const struct hawser__lexpand_modes *t,
-                                          double (*pull)(const void *wave, double s),
-                                          const void *wave, int lane, struct hawser_report *report)
+                                          const struct hawser__lexpand_force *force,
+                                          struct hawser_report *report)
 {
 	struct work w = {.rope = &t->rope, .modes = t};
 	enum hawser_status status = begin(&w, report);
@@ -183,12 +170,13 @@ enum hawser_status hawser__lexpand_answer(struct hawser__driven *answer,
 	if (!status) {
 		const struct field z = field_of(&w, answer->field);
 
-		if (pull)
-			hold(&w, &z, pull, wave, lane);
+		if (force->pull)
+			hold(&w, &z, force);
 		else
-			drive(&w, &z);
-		status = hawser__driven_find(answer, &by, report);
+			status = hawser__lexpand_drive(z.x, z.strain, pull, t, force, report);
 	}
+	if (!status)
+		status = hawser__driven_find(answer, &by, report);
 	free(w.load);
 	return status;
 }
