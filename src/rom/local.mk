@@ -84,7 +84,9 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/condense/known_below.c \
 	%D%/build/expanded.c \
 	%D%/build/expanded.h \
+	%D%/build/expanded_inertia.h \
 	%D%/build/expanded_answer.c \
+	%D%/build/expanded_inertia.c \
 	%D%/build/line.c \
 	%D%/build/line.h \
 	%D%/build/line_answer.c \

@@ -62,7 +62,8 @@ static void pair_at(double u[3], double slope[3], const void *of, int pair, int 
 	const struct hawser__line_source *source = of;
 	struct place at = place_of(source, p);
 
-	hawser__lexpand_second_at(u, slope, source->t, pair, at.piece, at.s, at.angle);
+	hawser__lexpand_field_at(u, slope, source->t->rope, source->t->second +
+	                         (size_t)pair*source->t->width, at.piece, at.s, at.angle);
 }
 
 static void field_at(double u[3], double slope[3], const void *of, const double *row, int p)

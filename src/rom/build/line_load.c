@@ -93,7 +93,8 @@ static double vertical(const struct field *field, int piece, double s)
 		                3*((size_t)field->mode*(size_t)field->modes->points + (size_t)on->first), 3, 3,
 		                s);
 	else
-		hawser__lexpand_second_at(u, NULL, field->t, field->pair, piece, s, angle);
+		hawser__lexpand_field_at(u, NULL, field->t->rope, field->t->second +
+		                         (size_t)field->pair*field->t->width, piece, s, angle);
 	return u[0]*sin(angle) + u[1]*cos(angle);
 }
 

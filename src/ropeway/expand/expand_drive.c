@@ -82,7 +82,7 @@ static enum hawser_status check(const struct hawser__lmode *rope,
 	return HAWSER_OK;
 }
 
-enum hawser_status hawser__lexpand_drive(double *x, double *strain, double *pull,
+enum hawser_status hawser__lexpand_drive(double *row, double *pull,
                                          const struct hawser__lexpand_modes *t,
                                          const struct hawser__lexpand_force *force,
                                          struct hawser_report *report)
@@ -92,6 +92,7 @@ enum hawser_status hawser__lexpand_drive(double *x, double *strain, double *pull
 
 	for (int i = 0; i < rope->systems && !status; i++) {
 		struct hawser__lmode_system *system = &rope->system[i];
+		struct hawser__lexpand_part part = hawser__lexpand_part(rope, row, i);
 		double (*lift)[HAWSER__ENDS][2] = calloc((size_t)system->segments + 1, sizeof *lift);
 		double *load = hawser__numbers((size_t)system->size, 1);
 		const struct hawser__lmode_given given = {NULL, (const double (*)[HAWSER__ENDS][2])lift};
@@ -99,20 +100,19 @@ enum hawser_status hawser__lexpand_drive(double *x, double *strain, double *pull
 		if (!lift || !load)
 			status = hawser__no_memory(report, "line rom");
 		else if (lift_ends(lift, rope, system, force))
-			hawser__lmode_static_given(x, strain, system, load, &given);
+			hawser__lmode_static_given(part.x, part.strain, system, load, &given);
 		for (int j = 0; j < t->search.n && !status; j++) {
 			const struct hawser__lexpand_shape *mode = &t->shape[j];
 
 			if (mode->system != i)
 				continue;
 			pull[j] = pull_of(mode, rope, force);
-			cblas_daxpy(system->size, pull[j]/(mode->omega*mode->omega), mode->x, 1, x, 1);
-			cblas_daxpy(system->strains, pull[j]/(mode->omega*mode->omega), mode->strain, 1, strain, 1);
+			cblas_daxpy(system->size, pull[j]/(mode->omega*mode->omega), mode->x, 1, part.x, 1);
+			cblas_daxpy(system->strains, pull[j]/(mode->omega*mode->omega), mode->strain, 1,
+			            part.strain, 1);
 		}
 		free(lift);
 		free(load);
-		x += system->size;
-		strain += system->strains;
 	}
 	return status;
 }

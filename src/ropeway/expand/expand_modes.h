@@ -38,25 +38,30 @@ void hawser__lexpand_modes_keep(struct hawser__lexpand_modes *t, struct hawser_l
 void hawser__lexpand_modes_clear(struct hawser__lexpand_modes *t);
 
 /* expand_drive.c: the static response of the modes that are not kept to a motion of ends of the rope,
- * states x and strains of all systems; pull[n] is minus the force of this motion on the modes. */
-enum hawser_status hawser__lexpand_drive(double *x, double *strain, double *pull,
+ * added to a row; pull[n] is minus the force of this motion on the modes. */
+enum hawser_status hawser__lexpand_drive(double *row, double *pull,
                                          const struct hawser__lexpand_modes *t,
                                          const struct hawser__lexpand_force *force,
                                          struct hawser_report *report);
-/* expand_at.c: displacement P, Q, B and slopes a, b, c of the second-order displacement of a pair,
- * at s from the beginning of a piece where the rope has the slope `angle`; slope may be NULL. */
-void hawser__lexpand_second_at(double shape[3], double slope[3], const struct hawser__lexpand *t,
-                               int pair, int piece, double s, double angle);
-/* The same of shape i. */
+/* expand_at.c: displacement P, Q, B and slopes a, b, c of shape i at s from the beginning of a piece
+ * where the rope has the slope `angle`; slope may be NULL. */
 void hawser__lexpand_shape_at(double shape[3], double slope[3], const struct hawser__lexpand *t, int i,
                               int piece, double s, double angle);
-
-/* The same of a displacement of the whole rope, in a row: the states of all systems, then the
- * strains. */
+/* The same of a displacement of the whole rope. */
 void hawser__lexpand_field_at(double shape[3], double slope[3], const struct hawser__lmode *rope,
                               const double *row, int piece, double s, double angle);
 
-/* expand_answer.c: what the modes that are not kept do under a force; pull: as above, of a motion. */
+/* expand_answer.c: the products and P K^-1 M of displacements of the whole rope, beside the modes of t;
+ * clear it. */
+struct hawser__lexpand_work {
+	const struct hawser__lmode *rope;
+	const struct hawser__lexpand_modes *modes;
+	double *load;          /* [size of a system] */
+};
+enum hawser_status hawser__lexpand_by(struct hawser__driven_by *by, struct hawser__lexpand_work *w,
+                                      const struct hawser__lexpand_modes *t,
+                                      struct hawser_report *report);
+/* What the modes that are not kept do under a force; pull: as above, of a motion. */
 enum hawser_status hawser__lexpand_answer(struct hawser__driven *answer, double *pull,
                                           const struct hawser__lexpand_modes *t,
                                           const struct hawser__lexpand_force *force,
