@@ -35,6 +35,8 @@ struct hawser_line_rom_options {
 	int count;
 	int held;              /* 1: the rope leaves each sheave at a material point, as in linear
 	                        * theory: for comparison */
+	int condensed;         /* 1: no coordinates for the inertia of what follows, which models of
+	                        * at most 12 modes have */
 	double ratio;          /* damping ratio of each mode; 0: none */
 	enum hawser_line_load load;
 	double running[HAWSER_LINE_LANES]; /* kg/m: rho, and carriers that run with the rope over their
@@ -54,7 +56,9 @@ struct hawser_line_rom_options {
 };
 void hawser_line_rom_settle(struct hawser_line_rom_options *options);
 
-/* A model whose coordinates are the lowest modes of the rope, and those modes. Shape points are the
+/* A model whose coordinates are the lowest modes of the rope, and those modes; behind them, as
+ * coordinates, second-order shapes where the inertia of what follows matters at the amplitudes that the
+ * load causes (rom->inertia). Shape points are the
  * middles of the spans, "span_1" and so on over all lanes, and the line has the ends and the
  * middle of every piece. *rom and *modes are overwritten; release them with hawser_rom_clear and
  * hawser_line_modes_clear. Statuses of hawser_line_modes_solve; HAWSER_ERR_ARGUMENT also for what

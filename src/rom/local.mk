@@ -90,6 +90,7 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/build/line.c \
 	%D%/build/line.h \
 	%D%/build/line_answer.c \
+	%D%/build/line_inertia.c \
 	%D%/build/line_lift.c \
 	%D%/build/line_load.c \
 	%D%/build/linear.c \

@@ -73,7 +73,8 @@ static int compare(double worst[2], const struct hawser_line *line,
 {
 	const struct hawser_line_statics *lane[1] = {st};
 	const struct hawser_line_rom_options o = {.load = HAWSER_LINE_LOAD_PASSING, .weight = {weight},
-	                                          .spacing = spacing, .harmonics = 1, .modes.n = kept};
+	                                          .spacing = spacing, .harmonics = 1, .modes.n = kept,
+	                                          .condensed = 1};
 	double rest[SPANS], u[2][KEPT] = {{0.0}}, most = 0.0;
 	struct hawser_line_modes modes;
 	struct hawser_rom_ends *ends;

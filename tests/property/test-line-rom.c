@@ -141,7 +141,7 @@ static void moving_end(const struct hawser_line *line, const char *what)
 	enum { N = 8 };
 	const double amplitude = 0.01, r = 0.02;
 	struct hawser_line_rom_options o = {.modes = {.n = N, .tolerance = 1e-10},
-		.load = HAWSER_LINE_LOAD_DRIVE, .end = 1, .amplitude = {amplitude}};
+		.load = HAWSER_LINE_LOAD_DRIVE, .end = 1, .amplitude = {amplitude}, .condensed = 1};
 	struct hawser_line_statics st;
 	const struct hawser_line_statics *lane[1] = {&st};
 	struct hawser_line_modes modes;

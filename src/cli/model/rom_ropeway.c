@@ -245,6 +245,7 @@ static enum hawser_status again(struct hawser_rom *rom, struct cli_made_modes *m
 	enum hawser_status status;
 
 	options.modes.n = n;
+	options.condensed = !kept; /* candidates of a choice: modes alone */
 	options.kept = kept;
 	options.count = count;
 	status = hawser_line_rom_build(rom, &modes->lines, lane, of->lanes, &options, report);
@@ -332,6 +333,7 @@ static void comments(struct hawser__table *table, const struct cli_model *model)
 	body_comments(table, of);
 	hawser__table_comment(table, "damping ratio %.9g of each mode", of->options.ratio);
 	cli_made_chosen(table, model);
+	cli_made_inertia(table, &model->rom);
 	for (int k = 0; k < modes->n; k++) {
 		const char *load = cli_made_loaded(&model->rom, k) ? "" : "; no load acts on it";
 		int place = modes->mode[k].place;

@@ -4,12 +4,12 @@
  *
  *   w_jk     what follows the modes j and k
  *   A_j      expected amplitude of mode j: at its resonance, or a slope that the expansion bears
- *   psi      a vibration in the space of all w_jk, or of the static responses to their inertia where the
- *            w_jk have moved ends that no vibration has; of the mass 1 and the stiffness kappa^2
+ *   psi      a vibration in the space of all w_jk, or of the static responses to their inertia where
+ *            the w_jk have moved ends that no vibration has; of the mass 1 and the stiffness kappa^2
  *   m_jk     part of w_jk along psi
  *
  * psi is orthogonal to the modes in mass and stiffness. With the displacement 1/2 sum u_j u_k
- * (w_jk - m_jk psi) + v psi the energy is that of the model without psi, of which w_jk is the least, and
+ * (w_jk - m_jk psi) + v psi the energy is that of the model without psi, which w_jk makes least, and
  *
  *    1/2 kappa^2 (v - 1/2 sum m_jk u_j u_k)^2.
  *

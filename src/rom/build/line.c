@@ -80,7 +80,8 @@ static enum hawser_status check(const struct hawser_line_rom_options *o, int lan
 
 /* --- labels and shape points --- */
 
-/* "in-plane 2 (span 1)": the span with more than half of the energy, if there is one. */
+/* "in-plane 2 (span 1)": the span with more than half of the energy, if there is one. Behind the modes
+ * are second-order shapes. */
 static enum hawser_status set_labels(struct hawser_rom *rom, const struct hawser_line_modes *modes,
                                      struct hawser_report *report)
 {
@@ -88,13 +89,14 @@ static enum hawser_status set_labels(struct hawser_rom *rom, const struct hawser
 	if (!rom->label)
 		return hawser__no_memory(report, "line rom");
 	for (int j = 0; j < rom->n; j++) {
-		char text[96], where[40] = "";
+		char text[96] = "second-order shape", where[40] = "";
 
-		for (int i = 0; i < modes->spans && modes->spans > 1; i++)
+		for (int i = 0; j < modes->n && i < modes->spans && modes->spans > 1; i++)
 			if (modes->share[j*modes->spans + i] > 0.5)
 				snprintf(where, sizeof where, " (span %d)", i + 1);
-		snprintf(text, sizeof text, "%s %d%s", hawser_plane_name(modes->mode[j].plane),
-		         modes->mode[j].number, where);
+		if (j < modes->n)
+			snprintf(text, sizeof text, "%s %d%s", hawser_plane_name(modes->mode[j].plane),
+			         modes->mode[j].number, where);
 		rom->label[j] = strdup(text);
 		if (!rom->label[j])
 			return hawser__no_memory(report, "line rom");
@@ -141,7 +143,7 @@ static enum hawser_status set_shapes(struct hawser_rom *rom, const struct hawser
 		shapes->tangent[2*p] = cos(angle);
 		shapes->tangent[2*p + 1] = sin(angle);
 		shapes->stretch[p] = stretch;
-		for (int j = 0; j < rom->n; j++) {
+		for (int j = 0; j < modes->n; j++) {
 			size_t place = 3*((size_t)j*(size_t)shapes->points + (size_t)p);
 
 			hawser_line_modes_at(shapes->shape + place, shapes->slope + place, modes, j, lane, s);
@@ -169,7 +171,7 @@ static enum hawser_status set_line(struct hawser_rom *rom, const struct hawser__
 
 			line->s[p] = piece->s0 + piece->length*k/2.0;
 			line->stretch[p] = 1.0 + t->rope->epsilon*hypot(piece->H, V);
-			for (int j = 0; j < rom->n; j++)
+			for (int j = 0; j < modes->n; j++)
 				hawser__grid_at(line->slope + 3*((size_t)j*(size_t)points + (size_t)p), &on->grid,
 				                modes->slope + 3*((size_t)j*(size_t)modes->points + (size_t)on->first),
 				                3, 3, piece->length*k/2.0);
@@ -182,23 +184,56 @@ static enum hawser_status set_second(struct hawser_rom *rom, const struct hawser
 {
 	enum hawser_status status = hawser__rom_init_second(rom, report);
 
+	int modes = rom->n - rom->inertia.shapes;
+
 	if (!status)
 		hawser__expanded_second(rom->shapes.second_shape, rom->shapes.second_slope,
-		                        rom->line.second_slope, rom, e, 0, rom->n*(rom->n + 1)/2);
+		                        rom->line.second_slope, rom, e, 0, modes*(modes + 1)/2);
 	return status;
+}
+
+/* Second-order shapes at the shape points and on the line. */
+static void place_inertia(struct hawser_rom *rom, const struct hawser__expanded *e,
+                          const struct hawser__line_inertia *inertia)
+{
+	int points = rom->shapes.points, along = rom->line.points;
+
+	for (int i = 0; i < rom->inertia.shapes; i++) {
+		const double *row = inertia->of.row + (size_t)i*inertia->t->width;
+		int j = inertia->modes->n + i;
+		double u[3];
+
+		for (int p = 0; p < points; p++)
+			e->field_at(rom->shapes.shape + 3*(j*points + p), rom->shapes.slope + 3*(j*points + p),
+			            e->of, row, p);
+		for (int p = 0; p < along; p++)
+			e->field_at(u, rom->line.slope + 3*(j*along + p), e->of, row, points + p);
+	}
 }
 
 /* --- build --- */
 
-static enum hawser_status fill(struct hawser_rom *rom, const struct hawser__lexpand *t,
-                               const struct hawser__answers *answers,
-                               const struct hawser_line_modes *modes,
-                               const struct hawser_line_rom_options *o, const double *pull,
-                               struct hawser_report *report)
+static void set_matrices(struct hawser_rom *rom, const struct hawser__line_inertia *inertia)
 {
+	int n = rom->n, modes = inertia->modes->n;
+
+	for (int j = 0; j < n; j++) {
+		double omega = j < modes ? inertia->modes->mode[j].omega : sqrt(inertia->of.kappa2[j - modes]);
+
+		rom->K[j*(n + 1)] = omega*omega;
+		rom->D[j*(n + 1)] = 2.0*inertia->options->ratio*omega;
+	}
+}
+
+static enum hawser_status fill(struct hawser_rom *rom, struct hawser__line_inertia *inertia,
+                               const struct hawser__answers *answers, struct hawser_report *report)
+{
+	const struct hawser__lexpand *t = inertia->t;
+	const struct hawser_line_modes *modes = inertia->modes;
+	const struct hawser_line_rom_options *o = inertia->options;
 	const struct hawser__line_source source = {rom, t, o->ratio};
 	const struct hawser__expanded e = hawser__line_expanded(&source);
-	enum hawser_status status = hawser__rom_init(rom, modes->n, report);
+	enum hawser_status status = hawser__rom_init(rom, modes->n + inertia->of.found.shapes, report);
 
 	if (status)
 		return status;
@@ -206,11 +241,16 @@ static enum hawser_status fill(struct hawser_rom *rom, const struct hawser__lexp
 	rom->time = modes->time_unit;
 	rom->force = modes->force_unit;
 	rom->scaled = 1;
-	for (int j = 0; j < rom->n; j++) {
-		rom->K[j*(rom->n + 1)] = modes->mode[j].omega*modes->mode[j].omega;
-		rom->D[j*(rom->n + 1)] = 2.0*o->ratio*modes->mode[j].omega;
-	}
-	status = hawser__expanded_tensors(rom, &e, rom->n, 0, report);
+	rom->inertia = inertia->of.found;
+	status = hawser__line_load(rom, t, modes, o, inertia->pull, report); /* on all that follows */
+	if (!status)
+		status = hawser__line_inertia_make(inertia, report);
+	if (status)
+		return status;
+	set_matrices(rom, inertia);
+	status = hawser__expanded_tensors(rom, &e, modes->n, 0, report);
+	if (!status)
+		status = hawser__inertia_quads(rom, &inertia->of, report);
 	if (!status)
 		status = set_labels(rom, modes, report);
 	if (!status)
@@ -218,11 +258,11 @@ static enum hawser_status fill(struct hawser_rom *rom, const struct hawser__lexp
 	if (!status)
 		status = set_line(rom, t, modes, report);
 	if (!status)
+		place_inertia(rom, &e, inertia);
+	if (!status)
 		status = set_second(rom, &e, report);
 	if (!status)
 		status = hawser__line_contacts(rom, modes, report);
-	if (!status)
-		status = hawser__line_load(rom, t, modes, o, pull, report);
 	if (!status)
 		status = hawser__expanded_answers(rom, &e, answers, report);
 	if (!status)
@@ -240,6 +280,7 @@ enum hawser_status hawser_line_rom_build(struct hawser_rom *rom, struct hawser_l
 	struct hawser__lexpand t = {.rope = NULL};
 	struct hawser__answers answers = {.count = 0};
 	double pull[HAWSER_LINE_ROM_MODES] = {0.0}, wave;
+	struct hawser__line_inertia inertia = {.t = &t, .modes = modes, .options = &o, .pull = pull};
 	enum hawser_status status;
 
 	memset(rom, 0, sizeof *rom);
@@ -258,7 +299,10 @@ enum hawser_status hawser_line_rom_build(struct hawser_rom *rom, struct hawser_l
 		status = hawser__lexpand_open(&t, &own.rope, own.shape, modes->n + answers.fields, o.held,
 		                              report);
 	if (!status)
-		status = fill(rom, &t, &answers, modes, &o, pull, report);
+		status = hawser__line_inertia_find(&inertia, &own, report);
+	if (!status)
+		status = fill(rom, &inertia, &answers, report);
+	hawser__line_inertia_clear(&inertia);
 	hawser__lexpand_clear(&t);
 	hawser__answers_clear(&answers);
 	hawser__lexpand_modes_clear(&own);

@@ -5,6 +5,7 @@
 
 #include <hawser/line_rom.h>
 
+#include "rom/build/expanded_inertia.h"
 #include "rom/build/expanded.h"
 #include "ropeway/expand/expand_modes.h"
 
@@ -14,6 +15,27 @@ enum hawser_status hawser__line_load(struct hawser_rom *rom, const struct hawser
                                      const struct hawser_line_modes *modes,
                                      const struct hawser_line_rom_options *options, const double *pull,
                                      struct hawser_report *report);
+/* Largest force of a harmonic of the load on mode j. line_load.c. */
+double hawser__line_force(const struct hawser__lexpand *t, const struct hawser_line_modes *modes,
+                          const struct hawser_line_rom_options *options, const double *pull, int j);
+/* line_inertia.c: the second-order shapes, and what they take out of the second-order displacements of
+ * t and add to its energy. Clear, on failure too. */
+struct hawser__line_inertia {
+	struct hawser__lexpand *t;
+	const struct hawser_line_modes *modes;
+	const struct hawser_line_rom_options *options;
+	const double *pull;
+	struct hawser__lexpand_work work;
+	struct hawser__driven_by driven;
+	struct hawser__inertia of;
+	struct hawser__hold hold;
+};
+enum hawser_status hawser__line_inertia_find(struct hawser__line_inertia *inertia,
+                                             const struct hawser__lexpand_modes *own,
+                                             struct hawser_report *report) HAWSER_MUST_CHECK;
+enum hawser_status hawser__line_inertia_make(struct hawser__line_inertia *inertia,
+                                             struct hawser_report *report) HAWSER_MUST_CHECK;
+void hawser__line_inertia_clear(struct hawser__line_inertia *inertia);
 /* The wave k of a passing load as a force along y per length, at the scaled arclength s of a lane;
  * `wave` is a struct hawser__line_wave. line_load.c. */
 struct hawser__line_wave {

@@ -153,14 +153,12 @@ static double along(const struct hawser_line_modes *modes, const struct hawser_l
 	return sum;
 }
 
-/* r (A - A') times the speed, plus what is in G. */
-static void add_gyroscopic(double *G, const struct hawser_line_modes *modes,
+/* r (A - A') times the speed, plus what is in G [n][n]. */
+static void add_gyroscopic(double *G, int n, const struct hawser_line_modes *modes,
                            const struct hawser_line_rom_options *o, double speed)
 {
-	int n = modes->n;
-
-	for (int j = 0; j < n; j++)
-		for (int k = 0; k < n; k++) {
+	for (int j = 0; j < modes->n; j++)
+		for (int k = 0; k < modes->n; k++) {
 			double sum = 0.0;
 
 			for (int i = 0; i < modes->pieces && modes->mode[j].plane == modes->mode[k].plane; i++) {
@@ -187,7 +185,7 @@ static enum hawser_status passing_runs(struct hawser_rom *rom, const struct haws
 	rom->harmonics++;
 	h->phase = HAWSER_COS;
 	h->omega_power = 1;
-	add_gyroscopic(h->D, modes, o, o->spacing/modes->length_unit/(2.0*M_PI));
+	add_gyroscopic(h->D, rom->n, modes, o, o->spacing/modes->length_unit/(2.0*M_PI));
 	return HAWSER_OK;
 }
 
@@ -213,14 +211,14 @@ static enum hawser_status passing(struct hawser_rom *rom, const struct hawser__l
 		if (!h[k])
 			return HAWSER_ERR_MEMORY;
 	}
-	for (int j = 0; j < rom->n; j++) {
+	for (int j = 0; j < modes->n; j++) {
 		field.mode = j;
 		project(sum, &field, wave, waves);
 		for (int k = 0; k < waves; k++)
 			h[k]->f[j] = sum[k];
 	}
 	field.mode = -1;
-	for (int j = 0; j < rom->n; j++)
+	for (int j = 0; j < modes->n; j++)
 		for (int l = 0; l <= j; l++) {
 			if (modes->mode[j].plane != modes->mode[l].plane)
 				continue;
@@ -230,6 +228,24 @@ static enum hawser_status passing(struct hawser_rom *rom, const struct hawser__l
 				h[k]->K[j*rom->n + l] = h[k]->K[l*rom->n + j] = -sum[k];
 		}
 	return passing_runs(rom, modes, o, report);
+}
+
+double hawser__line_force(const struct hawser__lexpand *t, const struct hawser_line_modes *modes,
+                          const struct hawser_line_rom_options *o, const double *pull, int j)
+{
+	struct hawser__line_wave wave[WAVES_MOST] = {{.sine = 0}};
+	const struct field field = {.t = t, .modes = modes, .mode = j, .pair = -1};
+	double sum[WAVES_MOST] = {0.0}, most = 0.0;
+	int waves = 2*o->harmonics;
+
+	if (o->load != HAWSER_LINE_LOAD_PASSING)
+		return o->load == HAWSER_LINE_LOAD_DRIVE ? fabs(pull[j]) : 0.0;
+	for (int k = 0; k < waves; k++)
+		wave[k] = hawser__line_wave(modes, o, k);
+	project(sum, &field, wave, waves);
+	for (int k = 0; k < waves; k += 2)
+		most = fmax(most, hypot(sum[k], sum[k + 1]));
+	return most;
 }
 
 /* --- drive --- */
@@ -242,17 +258,17 @@ static enum hawser_status drive(struct hawser_rom *rom, const struct hawser__lex
 	struct hawser_harmonic *h;
 	int n = rom->n;
 
-	add_gyroscopic(rom->D, modes, o, o->speed*modes->time_unit/modes->length_unit);
+	add_gyroscopic(rom->D, rom->n, modes, o, o->speed*modes->time_unit/modes->length_unit);
 	rom->harmonic = calloc(1, sizeof *rom->harmonic);
 	if (!rom->harmonic)
 		return hawser__no_memory(report, "line rom");
 	h = add(rom, 1, HAWSER_COS, report);
 	if (!h)
 		return HAWSER_ERR_MEMORY;
-	for (int j = 0; j < n; j++) {
+	for (int j = 0; j < modes->n; j++) {
 		h->f[j] = -pull[j];
-		for (int k = 0; k < n; k++)
-			for (int i = n; i < t->n; i++)
+		for (int k = 0; k < modes->n; k++)
+			for (int i = modes->n; i < t->n; i++)
 				h->K[j*n + k] += t->third[(j*t->n + k)*t->n + i];
 	}
 	return HAWSER_OK;

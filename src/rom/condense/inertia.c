@@ -267,8 +267,8 @@ static enum hawser_status find_shapes(struct hawser_rom_inertia *inertia, struct
 	products(mass, work, work->rest, work->root);
 	products(K, work, work->strain, work->stiff);
 	hawser__bend_gram(K, work->bend, work->bent, work->strain, work->width, work->count);
-	status = hawser__inertia_choose(inertia, work->combination, work->omega, work->square, mass, mass, K,
-	                                work->count, allowed, report);
+	status = hawser__inertia_choose(inertia, work->combination, work->omega, work->square, mass, mass,
+	                                K, work->count, allowed, report);
 	for (int i = 0; i < inertia->shapes && !status; i++) {
 		combine(work->rest + (size_t)(work->rows + i)*width, work, work->rest, i);
 		combine(work->strain + (size_t)(work->rows + i)*width, work, work->strain, i);

@@ -30,6 +30,28 @@ static double product(const void *of, const double *x, const double *y)
 	return sum;
 }
 
+double hawser__lexpand_stiffness(const void *work, const double *x, const double *y)
+{
+	const struct hawser__lexpand_work *w = work;
+	const double *strain = x, *other = y;
+	double sum = 0.0;
+
+	for (int i = 0; i < w->rope->systems; i++) {
+		strain += w->rope->system[i].size;
+		other += w->rope->system[i].size;
+	}
+	for (int i = 0; i < w->rope->systems; i++) {
+		const struct hawser__lmode_system *system = &w->rope->system[i];
+
+		sum += hawser__lmode_stiffness(x, strain, y, other, system);
+		x += system->size;
+		y += system->size;
+		strain += system->strains;
+		other += system->strains;
+	}
+	return sum;
+}
+
 /* row = P row. */
 static void remove_kept(const struct hawser__lexpand_work *w, double *row)
 {

@@ -51,13 +51,14 @@ void hawser__lexpand_shape_at(double shape[3], double slope[3], const struct haw
 void hawser__lexpand_field_at(double shape[3], double slope[3], const struct hawser__lmode *rope,
                               const double *row, int piece, double s, double angle);
 
-/* expand_answer.c: the products and P K^-1 M of displacements of the whole rope, beside the modes of t;
- * clear it. */
+/* expand_answer.c: products in mass and in stiffness, and P K^-1 M, of displacements of the whole rope,
+ * beside the modes of t. Release `load`. */
 struct hawser__lexpand_work {
 	const struct hawser__lmode *rope;
 	const struct hawser__lexpand_modes *modes;
 	double *load;          /* [size of a system] */
 };
+double hawser__lexpand_stiffness(const void *work, const double *x, const double *y);
 enum hawser_status hawser__lexpand_by(struct hawser__driven_by *by, struct hawser__lexpand_work *w,
                                       const struct hawser__lexpand_modes *t,
                                       struct hawser_report *report);

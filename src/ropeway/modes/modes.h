@@ -163,9 +163,9 @@ void hawser__lmode_inertia(double *load, const double *x, const struct hawser__l
 /* Inner product of a load and a displacement. */
 double hawser__lmode_product(const double *load, const double *x,
                             const struct hawser__lmode_system *system);
-/* Twice the potential energy of x with its strains. */
-double hawser__lmode_energy(const double *x, const double *strain,
-                           const struct hawser__lmode_system *system);
+/* x'K y, of displacements with their strains: of one with itself, twice the potential energy. */
+double hawser__lmode_stiffness(const double *x, const double *strain, const double *y,
+                               const double *other, const struct hawser__lmode_system *system);
 
 /* Modes of a system. */
 struct hawser__lmode_pairs {
