@@ -56,6 +56,8 @@ struct hawser_net_load {
 	double Omega, phase;
 	double wavelength;  /* m, of a cable: the phase falls by 2*pi over this unstretched length from its
 	                     * end `from` on; 0: it is the same everywhere */
+	double extent[2];   /* parts of the unstretched length of a cable between which it acts; 0, 0:
+	                     * all of it */
 	double (*along)[3]; /* [elements + 1] N: a harmonic load of a cable on the nodes of its mesh, from
 	                     * end to end, in place of value; or NULL. Owned by the net */
 };

@@ -232,7 +232,7 @@ static enum hawser_status rules(struct hawser__reader *reader, const struct haws
 	return status;
 }
 
-enum { DYNAMICS = 5 }; /* the first section below that spans have too */
+enum { DYNAMICS = 6 }; /* the first section below that spans have too */
 
 /* The sections of nets from number `from` on. */
 static enum hawser_status common(struct hawser__reader *reader, struct hawser_net *net,
@@ -244,7 +244,8 @@ static enum hawser_status common(struct hawser__reader *reader, struct hawser_ne
 		                           const struct hawser__tree *);
 		int required;
 	} part[] = {{"nodes", nodes, 1}, {"cables", cables, 1}, {"supports", hawser__net_supports, 1},
-	            {"masses", masses, 0}, {"loads", hawser__net_loads, 0}, {"dynamics", dynamics, 0},
+	            {"masses", masses, 0}, {"loads", hawser__net_loads, 0},
+	            {"passing", hawser__net_passing, 0}, {"dynamics", dynamics, 0},
 	            {"obstacles", hawser__net_obstacles, 0}, {"contact", hawser__net_contact, 0}};
 	static const char *const plain[] = {"g", "damping", "dynamics", "contact"};
 	enum hawser_status status = HAWSER_OK;
