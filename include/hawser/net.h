@@ -41,6 +41,7 @@ struct hawser_net_cable {
 	int from, to;       /* nodes */
 	double EA, rho;     /* N, kg/m per unstretched length */
 	double axial;       /* s, of its own, beside that of the net: a damper */
+	double damper;      /* N s/m, of the scene, and in `axial` too */
 	enum hawser_net_given given;
 	double value;       /* of what is given */
 	int elements, elements_given; /* elements_given: 1 if the scene has them, 0: the default */

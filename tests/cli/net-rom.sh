@@ -61,6 +61,17 @@ assert abs(first("whole")/first("parts") - 1) < 1e-9
 # their mean weight stretches both alike; their mean mass, 5 kg/m, moves too
 assert 0.7 < (first("mass")*11/first("passing")/6) < 1.1, (first("mass"), first("passing"))
 END
+works "damping by axial" rom "$SRCDIR/notebooks-data/scenes/net-crosstie.yaml" -n 4 --json axial.json -q
+works "  and as a damper" rom "$SRCDIR/notebooks-data/scenes/net-crosstie.yaml" -n 4 --set cables.tie.axial=0 \
+	--set "cables.tie.damper=3.6363636363636363 kN.s/m" --json damper.json -q
+python "a damper is axial damping" <<'END'
+import json
+a, b = (json.load(open(n + ".json"))["D"] for n in ("axial", "damper"))
+most = max(abs(x) for row in a for x in row)
+assert max(abs(x - y) for r, s in zip(a, b) for x, y in zip(r, s)) < 1e-12*most
+END
+denies "a damper of a cable without length" 1 "has a damper and no length0" check passing.yaml --set cables.c1.damper=3 \
+	--set cables.c1.length0= --set cables.c1.sag=3
 echo "passing: [{along: [c1, c2], $weights, speed: 13 m/s}]" | net speed "from: J, to: B"
 works "a motion at a speed" integrate speed.yaml --until 0.05 --every 0.05 --json motion.json -q
 denies "a cable that is not there" 1 "passing\[0\].along: there is no cable of this name" check passing.yaml \

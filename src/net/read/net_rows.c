@@ -55,6 +55,8 @@ static const struct hawser__tree_key net_rows[] = {
 	NUMBER("net.cables[].axial", OPTIONAL, "s", NOT_NEGATIVE, CABLE_AT(axial), NULL,
 	       "damping of its own, beside damping.axial: T = EA (strain + axial d strain/dt), as of a "
 	       "damper")
+	NUMBER("net.cables[].damper", OPTIONAL, "N.s/m", NOT_NEGATIVE, CABLE_AT(damper), "0",
+	       "force over the rate of its length, beside axial: a damper between two cables is a cable")
 	CHOICE("net.cables[].length0", "m", CABLE_AT(value), CABLE_AT(given), "unstretched length")
 	CHOICE("net.cables[].tension", "N", CABLE_AT(value), CABLE_AT(given),
 	       "mean tension, from which the length follows")
