@@ -78,8 +78,9 @@ static enum hawser_status cable_of(struct hawser__reader *reader, struct hawser_
 		status = hawser__tree_fill(reader, cable, tree, what, "net.cables[]");
 	cable->elements_given = hawser__tree_find(tree, "elements") != NULL;
 	if (!status && cable->damper > 0.0 && cable->given != HAWSER_NET_LENGTH0)
-		status = hawser__reader_fail(reader, &tree->at, "cable %s has a damper and no length0, on which "
-		                             "its axial damping depends: give length0, or axial", cable->name);
+		status = hawser__reader_fail(reader, &tree->at, "cable %s has a damper and no length0, on "
+		                             "which its axial damping depends: give length0, or axial",
+		                             cable->name);
 	cable->axial += status ? 0.0 : cable->damper*cable->value/cable->EA;
 	if (!status)
 		status = end_of(reader, &cable->from, net, tree, "from", cable->name);
