@@ -70,6 +70,35 @@ a, b = (json.load(open(n + ".json"))["D"] for n in ("axial", "damper"))
 most = max(abs(x) for row in a for x in row)
 assert max(abs(x - y) for r, s in zip(a, b) for x, y in zip(r, s)) < 1e-12*most
 END
+# An absorber in the middle of a span.
+cat >span.yaml <<'END'
+cable: {EA: 120 MN, rho: 6 kg/m}
+span: {d: 300 m, h: 0 m}
+tension: {length0: 301.2 m}
+attach:
+  - {at: 50 %, absorber_mass: 60 kg, absorber_stiffness: 300 N/m, absorber_direction: [0, 1, 0]}
+END
+cat >hangs.yaml <<'END'
+kind: net
+nodes: {A: [0, 0, 0], J: {}, B: [300, 0, 0], M: {}}
+cables:
+  - {name: c1, from: A, to: J, EA: 120 MN, rho: 6, length0: 150.6 m, elements: 40}
+  - {name: c2, from: J, to: B, EA: 120 MN, rho: 6, length0: 150.6 m, elements: 40}
+  - {name: s, from: J, to: M, EA: 1200 N, rho: 0, length0: 4 m, elements: 1}
+supports: {A: fixed, B: fixed}
+masses: {M: 60 kg}
+END
+works "modes of a span with an absorber" modes span.yaml -n 8 --json span.json -q
+works "  and of a net with a mass that hangs" modes hangs.yaml -n 10 --json hangs.json -q
+python "a mass that hangs is an absorber" <<'END'
+import json
+span, net = (json.load(open(n + ".json"))["modes"] for n in ("span", "hangs"))
+all_of_net = [m["omega"] for m in net]
+for m in span: # in symmetric ones alone, since the net's swings along x where the span's moves with the cable
+    if m["plane"] == "in-plane" and m["symmetry"] == "symmetric":
+        near = min(all_of_net, key=lambda w: abs(w - m["omega"]))
+        assert abs(near/m["omega"] - 1) < 1e-4, (m["omega"], all_of_net)
+END
 denies "a damper of a cable without length" 1 "has a damper and no length0" check passing.yaml --set cables.c1.damper=3 \
 	--set cables.c1.length0= --set cables.c1.sag=3
 echo "passing: [{along: [c1, c2], $weights, speed: 13 m/s}]" | net speed "from: J, to: B"
