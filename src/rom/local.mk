@@ -83,10 +83,13 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/condense/known_below.c \
 	%D%/build/expanded.c \
 	%D%/build/expanded.h \
+	%D%/build/expanded_inertia.h \
 	%D%/build/expanded_answer.c \
+	%D%/build/expanded_inertia.c \
 	%D%/build/line.c \
 	%D%/build/line.h \
 	%D%/build/line_answer.c \
+	%D%/build/line_inertia.c \
 	%D%/build/line_lift.c \
 	%D%/build/line_load.c \
 	%D%/terms/load.c \

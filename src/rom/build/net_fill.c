@@ -53,30 +53,6 @@ static enum hawser_status set_matrices(struct hawser_rom *rom, const struct haws
 	return HAWSER_OK;
 }
 
-/* T_jkpsi u_j u_k/2 in the equation of a second-order shape, and T_jkpsi u_k psi in those of modes. */
-static enum hawser_status set_follow(struct hawser_rom *rom, const struct hawser__net_source *source,
-                                     struct hawser_report *report)
-{
-	int n = source->n, pairs = n*(n + 1)/2;
-	struct hawser_quad *Q = realloc(rom->Q, ((size_t)rom->quads + 3*(size_t)pairs*
-	                                         (size_t)rom->inertia.shapes + 1)*sizeof *Q);
-
-	if (!Q)
-		return hawser__no_memory(report, "net rom");
-	rom->Q = Q;
-	for (int i = 0; i < rom->inertia.shapes; i++)
-		for (int k = 0; k < n; k++)
-			for (int j = 0; j <= k; j++) {
-				double value = source->inertia.third[i*pairs + hawser__pair(j, k)];
-
-				Q[rom->quads++] = (struct hawser_quad){n + i, j, k, j == k ? 0.5*value : value};
-				Q[rom->quads++] = (struct hawser_quad){j, k, n + i, value};
-				if (j < k)
-					Q[rom->quads++] = (struct hawser_quad){k, j, n + i, value};
-			}
-	return HAWSER_OK;
-}
-
 /* Forces on the coordinates, and the stiffness by the static response of the others. */
 static enum hawser_status set_harmonics(struct hawser_rom *rom, const struct hawser__net_source *source,
                                         const struct hawser__answers *answers,
@@ -193,7 +169,7 @@ enum hawser_status hawser__net_fill(struct hawser_rom *rom, struct hawser__net_s
 	if (!status)
 		status = hawser__expanded_tensors(rom, &e, source->n, 0, report);
 	if (!status)
-		status = set_follow(rom, source, report);
+		status = hawser__inertia_quads(rom, &source->inertia, report);
 	if (!status)
 		status = set_labels(rom, source, report);
 	if (!status)

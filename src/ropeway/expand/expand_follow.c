@@ -186,8 +186,7 @@ static void answer(const struct work *w, size_t column, int i, int j, int k)
 	struct hawser__lexpand *t = w->t;
 	struct hawser__lmode_system *system = &t->rope->system[i];
 	size_t pair = (size_t)hawser__pair(j, k);
-	double *x = t->second[i] + pair*(size_t)system->size;
-	double *strain = t->second_strain[i] + pair*(size_t)system->strains;
+	struct hawser__lexpand_part part = hawser__lexpand_part(t->rope, t->second + pair*t->width, i);
 	const struct hawser__lmode_given given = {w->source, (const double (*)[HAWSER__ENDS][2])w->lift};
 
 	memset(w->source, 0, (size_t)system->strains*sizeof *w->source);
@@ -196,8 +195,9 @@ static void answer(const struct work *w, size_t column, int i, int j, int k)
 	for (int s = 0; s < system->segments; s++)
 		add_segment(w, &system->segment[s], i, j, k);
 	add_ends(w, i, j, k);
-	hawser__lmode_static_given(x, strain, system, w->load, &given);
-	fill_row(w->left + pair*w->width + column, w->right + pair*w->width + column, w, system, x, strain);
+	hawser__lmode_static_given(part.x, part.strain, system, w->load, &given);
+	fill_row(w->left + pair*w->width + column, w->right + pair*w->width + column, w, system, part.x,
+	         part.strain);
 }
 
 /* Remove the part along the modes, and add that of the energy: one column for each. */
@@ -209,6 +209,8 @@ static void remove_modes(const struct work *w, size_t column, int j, int k)
 	for (int s = 0; s < t->n; s++) {
 		const struct hawser__lexpand_shape *mode = &t->shape[s];
 		const struct hawser__lmode_system *system = &t->rope->system[mode->system];
+		struct hawser__lexpand_part to = hawser__lexpand_part(t->rope, t->second + pair*t->width,
+		                                                      mode->system);
 		double third = t->third[((size_t)j*(size_t)t->n + (size_t)k)*(size_t)t->n + (size_t)s], part;
 
 		if (!(mode->omega > 0.0))
@@ -216,32 +218,27 @@ static void remove_modes(const struct work *w, size_t column, int j, int k)
 		part = third/(mode->omega*mode->omega);
 		w->left[pair*w->width + column + (size_t)s] = third/mode->omega;
 		w->right[pair*w->width + column + (size_t)s] = third/mode->omega;
-		cblas_daxpy(system->size, part, mode->x, 1,
-		            t->second[mode->system] + pair*(size_t)system->size, 1);
-		cblas_daxpy(system->strains, part, mode->strain, 1,
-		            t->second_strain[mode->system] + pair*(size_t)system->strains, 1);
+		cblas_daxpy(system->size, part, mode->x, 1, to.x, 1);
+		cblas_daxpy(system->strains, part, mode->strain, 1, to.strain, 1);
 	}
 }
 
 static enum hawser_status allocate(struct work *w, struct hawser_report *report)
 {
 	struct hawser__lexpand *t = w->t;
-	size_t most = 0, segments = 0, pairs = (size_t)t->pairs, systems = (size_t)t->rope->systems;
+	size_t most = 0, segments = 0, pairs = (size_t)t->pairs;
 	int starved;
 
-	t->second = hawser__hold(&t->hold, systems + 1, sizeof *t->second);
-	t->second_strain = hawser__hold(&t->hold, systems + 1, sizeof *t->second_strain);
-	starved = !t->second || !t->second_strain;
+	t->width = hawser__lexpand_width(t->rope);
+	t->second = hawser__numbers(pairs, t->width);
+	starved = !t->second;
 	w->width = FIELDS*(size_t)t->points + (size_t)t->n;
-	for (size_t i = 0; i < systems && !starved; i++) {
+	for (int i = 0; i < t->rope->systems; i++) {
 		const struct hawser__lmode_system *system = &t->rope->system[i];
 
 		w->width += width_of(system);
 		most = most > width_of(system) ? most : width_of(system);
 		segments = segments > (size_t)system->segments ? segments : (size_t)system->segments;
-		t->second[i] = hawser__numbers(pairs*(size_t)system->size, 1);
-		t->second_strain[i] = hawser__numbers(pairs*(size_t)system->strains, 1);
-		starved = !t->second[i] || !t->second_strain[i];
 	}
 	if (!starved) {
 		w->left = hawser__numbers(pairs*w->width, 1);
