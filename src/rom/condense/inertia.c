@@ -196,8 +196,8 @@ static enum hawser_status find_shapes(struct hawser_rom_inertia *inertia, struct
 		return HAWSER_OK;
 	status = hawser__basis_products(mass, K, &work->basis, work->count, report);
 	if (!status)
-		status = hawser__inertia_choose(inertia, work->combination, work->omega, work->square, mass, mass,
-		                                K, work->count, allowed, report);
+		status = hawser__inertia_choose(inertia, work->combination, work->omega, work->square, mass,
+		                                mass, K, work->count, allowed, report);
 	for (int i = 0; i < inertia->shapes && !status; i++)
 		cblas_dgemv(CblasRowMajor, CblasTrans, work->count, width, 1.0, work->basis.row, width,
 		            work->combination + i*work->count, 1, 0.0,
