@@ -6,6 +6,7 @@ tests_rom_SOURCES = tests/cases.c \
 	tests/property/test-condense-bending.c \
 	tests/property/test-line-answer.c \
 	tests/property/test-line-loaded.c \
+	tests/property/test-line-lanes.c \
 	tests/property/test-line-carriers.c \
 	tests/property/test-net-span.c \
 	tests/property/test-rom-absorber.c \

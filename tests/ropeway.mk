@@ -13,4 +13,4 @@ tests_ropeway_SOURCES = tests/cases.c \
 nodist_tests_ropeway_SOURCES = tests/ropeway-cases.c
 tests_ropeway_LDADD = $(UPTO_ROPEWAY)
 noinst_HEADERS += tests/line-judge.h tests/line-random.h
-noinst_HEADERS += tests/line-mesh.h
+noinst_HEADERS += tests/line-mesh.h tests/line-force.h

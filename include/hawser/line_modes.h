@@ -83,7 +83,7 @@ struct hawser_line_modes {
 	int unknowns;               /* values of a mode: displacements at all points and of all bodies */
 	int iterations;             /* of the eigenvalue solver, most of any group of spans */
 	double length_unit, force_unit, time_unit; /* m, N, s */
-	double rho, epsilon, delta, nu; /* kg/m; scaled force/EA, weight, speed */
+	double rho, epsilon, delta, nu; /* kg/m; scaled force/EA, weight of lane 0, speed */
 	struct hawser_mode *mode;   /* [n] by ascending frequency; symmetry and moments are not set */
 	struct hawser_line_modes_piece *piece; /* [pieces] of all lanes, in the order of the rope */
 	struct hawser_line_modes_point *point; /* [points] */
@@ -100,7 +100,7 @@ struct hawser_line_modes {
 
 /* Real modes of a rope at rest in one lane, or in two that share freedoms; with speed, of the apparent
  * rope (complex modes: hawser_line_modes_running). *modes is overwritten; release it with
- * hawser_line_modes_clear. `lane` [lanes] are solved statics with equal EA, rho, g and speed.
+ * hawser_line_modes_clear. `lane` [lanes] are solved statics with equal EA, rho and speed.
  * Statuses: HAWSER_ERR_ARGUMENT (options, statics, freedoms that move an end in the plane and out of
  * it, a mass on a sheave of radius 0), HAWSER_ERR_NO_SOLUTION (the equilibrium is not stable: a
  * frequency is imaginary, or the rope is slack), HAWSER_ERR_CONVERGENCE, HAWSER_ERR_NAN,

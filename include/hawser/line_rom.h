@@ -35,25 +35,30 @@ struct hawser_line_rom_options {
 	int count;
 	int held;              /* 1: the rope leaves each sheave at a material point, as in linear
 	                        * theory: for comparison */
+	int condensed;         /* 1: no coordinates for the inertia of what follows, which models of
+	                        * at most 12 modes have */
 	double ratio;          /* damping ratio of each mode; 0: none */
 	enum hawser_line_load load;
-	double running;        /* kg/m: rho, and carriers that run with the rope over their spacing;
-	                        * 0: it does not run. From A to B, or modes.backward. Tensions are
-	                        * then apparent ones: less running times the speed squared */
+	double running[HAWSER_LINE_LANES]; /* kg/m: rho, and carriers that run with the rope over their
+	                        * spacing; 0: it does not run. From A to B, or modes.backward. Tensions
+	                        * are then apparent ones: less running times the speed squared */
 	/* Passing: the frequency of the model is 2 pi times speed over spacing. The weights of the
 	 * carriers are smeared over the rope in the statics: in rho, with no masses on it; or in g, with
 	 * masses that have a body where the carriers are at one phase. */
-	double weight, spacing; /* N, m (unstretched) */
+	double weight[HAWSER_LINE_LANES]; /* N; 0: none pass along this lane */
+	double first[HAWSER_LINE_LANES];  /* m, S of one of them at the time 0 */
+	double spacing;         /* m (unstretched) */
 	int harmonics;          /* multiples of the frequency; 0: 3 */
-	int lane;               /* along which they pass, or which the drive moves */
 	/* Drive */
 	int end;                /* 0: end A moves, 1: end B */
-	double amplitude;       /* m */
+	double amplitude[HAWSER_LINE_LANES]; /* m, along the rope from A to B; negative: back */
 	double speed;           /* m/s, of the rope that runs */
 };
 void hawser_line_rom_settle(struct hawser_line_rom_options *options);
 
-/* A model whose coordinates are the lowest modes of the rope, and those modes. Shape points are the
+/* A model whose coordinates are the lowest modes of the rope, and those modes; behind them, as
+ * coordinates, second-order shapes where the inertia of what follows matters at the amplitudes that the
+ * load causes (rom->inertia). Shape points are the
  * middles of the spans, "span_1" and so on over all lanes, and the line has the ends and the
  * middle of every piece. *rom and *modes are overwritten; release them with hawser_rom_clear and
  * hawser_line_modes_clear. Statuses of hawser_line_modes_solve; HAWSER_ERR_ARGUMENT also for what

@@ -41,6 +41,7 @@ struct hawser_net_cable {
 	int from, to;       /* nodes */
 	double EA, rho;     /* N, kg/m per unstretched length */
 	double axial;       /* s, of its own, beside that of the net: a damper */
+	double damper;      /* N s/m, of the scene, and in `axial` too */
 	enum hawser_net_given given;
 	double value;       /* of what is given */
 	int elements, elements_given; /* elements_given: 1 if the scene has them, 0: the default */
@@ -56,6 +57,8 @@ struct hawser_net_load {
 	double Omega, phase;
 	double wavelength;  /* m, of a cable: the phase falls by 2*pi over this unstretched length from its
 	                     * end `from` on; 0: it is the same everywhere */
+	double extent[2];   /* parts of the unstretched length of a cable between which it acts; 0, 0:
+	                     * all of it */
 	double (*along)[3]; /* [elements + 1] N: a harmonic load of a cable on the nodes of its mesh, from
 	                     * end to end, in place of value; or NULL. Owned by the net */
 };

@@ -20,6 +20,14 @@ static inline double hawser__third_at(const double x[3], const double y[3], cons
 	       z[0]*(x[1]*y[1] + x[2]*y[2]);
 }
 
+/* And the force of x and y against strains, over the same: that derivative is its work on z. */
+static inline void hawser__pair_force(double f[3], const double x[3], const double y[3])
+{
+	f[0] = x[1]*y[1] + x[2]*y[2];
+	f[1] = x[0]*y[1] + y[0]*x[1];
+	f[2] = x[0]*y[2] + y[0]*x[2];
+}
+
 /* third [n][n][n] of the values `by` of all j <= k <= l. HAWSER_ERR_NAN: one is not finite. */
 enum hawser_status hawser__third_fill(double *third, int n,
                                       double (*by)(const void *of, int j, int k, int l),

@@ -24,6 +24,7 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/statics/interior.c \
 	%D%/modes/lanczos.c \
 	%D%/read/loads.c \
+	%D%/read/passing.c \
 	%D%/statics/history.c \
 	%D%/motion/integrate.c \
 	%D%/mesh.c \

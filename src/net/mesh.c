@@ -211,6 +211,24 @@ enum hawser_status hawser__mesh_build(struct hawser__mesh *mesh, const struct ha
 	return status;
 }
 
+double hawser__mesh_carried(const struct hawser__mesh *mesh, const struct hawser_net_load *load,
+                            int element, int side)
+{
+	int first = mesh->first[mesh->cable[element]], last = mesh->first[mesh->cable[element] + 1];
+	double L = mesh->length0[element], S = 0.0, all = 0.0, a, b, middle;
+
+	if (!(load->extent[1] > 0.0))
+		return 0.5*L;
+	for (int e = first; e < last; e++) {
+		S += e < element ? mesh->length0[e] : 0.0;
+		all += mesh->length0[e];
+	}
+	a = fmax(S, load->extent[0]*all);
+	b = fmin(S + L, load->extent[1]*all);
+	middle = (0.5*(a + b) - S)/L;
+	return b > a ? (b - a)*(side ? middle : 1.0 - middle) : 0.0;
+}
+
 /* Add a load to the constant forces or, if it is harmonic, to the waves. */
 static void load(struct hawser__mesh *mesh, const struct hawser_net_load *from)
 {
@@ -220,8 +238,9 @@ static void load(struct hawser__mesh *mesh, const struct hawser_net_load *from)
 
 	for (int i = 0; i <= n; i++) {
 		int at = n == 0 ? from->node : i < n ? mesh->end[first + i][0] : mesh->end[first + n - 1][1];
-		double half = n == 0 ? 1.0 : ((i < n ? mesh->length0[first + i] : 0.0) +
-		                             (i > 0 ? mesh->length0[first + i - 1] : 0.0))/2.0;
+		double half = n == 0 ? 1.0
+			: (i < n ? hawser__mesh_carried(mesh, from, first + i, 0) : 0.0) +
+			  (i > 0 ? hawser__mesh_carried(mesh, from, first + i - 1, 1) : 0.0);
 		struct hawser__mesh_wave *wave = &mesh->wave[mesh->waves];
 
 		if (from->harmonic)

@@ -89,6 +89,9 @@ enum hawser_status hawser__mesh_build(struct hawser__mesh *mesh, const struct ha
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 /* Recompute force and the amplitudes of waves from the unstretched lengths of the elements. */
 void hawser__mesh_load(struct hawser__mesh *mesh, const struct hawser_net *net);
+/* Length of an element whose load of its cable acts on its end `side`. */
+double hawser__mesh_carried(const struct hawser__mesh *mesh, const struct hawser_net_load *load,
+                            int element, int side);
 /* Hold or release the directions of a node: counts the unknowns anew. */
 void hawser__mesh_hold(struct hawser__mesh *mesh, int node, const unsigned char held[3]);
 /* Hold all nodes in the directions that are not in `along` (bit k: direction k). */

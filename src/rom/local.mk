@@ -15,7 +15,6 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/condense/bend.c \
 	%D%/condense/bend.h \
 	%D%/condense/condense.c \
-	%D%/condense/condense_space.c \
 	%D%/condense/condense.h \
 	%D%/condense/condense_load.c \
 	%D%/terms/contacts.c \
@@ -72,8 +71,8 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/condense/inertia.h \
 	%D%/condense/inertia_choice.c \
 	%D%/condense/inertia_choice.h \
-	%D%/condense/inertia_field.c \
-	%D%/condense/inertia_field.h \
+	%D%/condense/basis.c \
+	%D%/condense/basis.h \
 	%D%/energy/kernel.c \
 	%D%/energy/kernel.h \
 	%D%/condense/known.c \
@@ -84,13 +83,15 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/condense/known_below.c \
 	%D%/build/expanded.c \
 	%D%/build/expanded.h \
+	%D%/build/expanded_inertia.h \
 	%D%/build/expanded_answer.c \
+	%D%/build/expanded_inertia.c \
 	%D%/build/line.c \
 	%D%/build/line.h \
 	%D%/build/line_answer.c \
+	%D%/build/line_inertia.c \
 	%D%/build/line_lift.c \
 	%D%/build/line_load.c \
-	%D%/build/linear.c \
 	%D%/terms/load.c \
 	%D%/terms/load.h \
 	%D%/condense/load_fields.c \

@@ -83,7 +83,8 @@ static void compare(double worst[2], const double *own, const double *want, int 
 static void moved_end(const struct hawser_line *line, const struct hawser_line_statics *st)
 {
 	const double r = 1e-5;
-	const struct hawser_line_rom_options o = {.load = HAWSER_LINE_LOAD_DRIVE, .end = 1, .amplitude = r};
+	const struct hawser_line_rom_options o = {.load = HAWSER_LINE_LOAD_DRIVE, .end = 1,
+	                                          .amplitude = {r}};
 	double side[2][SPANS][3], own[SPANS][3], rest[SPANS][3], want[SPANS][3], worst[2];
 	struct hawser_line_modes modes;
 	struct hawser_rom rom;
@@ -137,7 +138,7 @@ static void standing_weights(const struct hawser_line *line, const struct hawser
                              double spacing)
 {
 	static double own[PHASES][SPANS][3], want[PHASES][SPANS][3];
-	const struct hawser_line_rom_options o = {.load = HAWSER_LINE_LOAD_PASSING, .weight = 1.0,
+	const struct hawser_line_rom_options o = {.load = HAWSER_LINE_LOAD_PASSING, .weight = {1.0},
 	                                          .spacing = spacing};
 	double wave[2][2*WAVES*SPANS*3] = {{0.0}}, worst[2];
 	struct hawser_line_mass mass[32];
@@ -154,7 +155,7 @@ static void standing_weights(const struct hawser_line *line, const struct hawser
 	for (int i = 0; i < PHASES && good; i++) {
 		other.masses = 0;
 		for (double S = spacing*(i + 0.5)/PHASES; S < st->length0; S += spacing)
-			mass[other.masses++] = (struct hawser_line_mass){.S = S, .mass = o.weight/line->g};
+			mass[other.masses++] = (struct hawser_line_mass){.S = S, .mass = o.weight[0]/line->g};
 		good = stand(want[i], &other, &rom);
 		/* no weight stands on a break point: the phases are shifted by half a step */
 		if (good)
@@ -247,8 +248,8 @@ CASE(property_line_answer)
 	standing_weights(&line, &st, 36.6);
 	standing_weights(&line, &st, 71.0);
 	more_modes(&st, (struct hawser_line_rom_options){.load = HAWSER_LINE_LOAD_DRIVE, .end = 1,
-	           .amplitude = 1e-5}, "an end that moves");
-	more_modes(&st, (struct hawser_line_rom_options){.load = HAWSER_LINE_LOAD_PASSING, .weight = 1.0,
+	           .amplitude = {1e-5}}, "an end that moves");
+	more_modes(&st, (struct hawser_line_rom_options){.load = HAWSER_LINE_LOAD_PASSING, .weight = {1.0},
 	           .spacing = 36.6}, "weights that pass");
 	hawser_line_statics_clear(&st);
 	return done_testing();

@@ -160,7 +160,7 @@ static double build(double v, int smeared, double *rest)
 	struct hawser_line_mass body[3];
 	struct hawser_line line = {.EA = 40e6, .rho = rho, .g = 1e-6, .B = {L, 0.0}, .value = apparent};
 	struct hawser_line_rom_options options = {.modes = {.n = 6}, .load = HAWSER_LINE_LOAD_PASSING,
-		.weight = 1.0, .spacing = spacing, .running = rho + mass/spacing};
+		.weight = {1.0}, .spacing = spacing, .running = {rho + mass/spacing}};
 	struct hawser_line_statics st;
 	const struct hawser_line_statics *lane[1] = {&st};
 	struct hawser_line_modes modes;

@@ -134,7 +134,7 @@ static int model(double E[3], const struct hawser_line_statics *st, const double
 		shape.x = x;
 		shape.strain = strain;
 		unit = rope.force*rope.length;
-		E[0] = -0.5*hawser__lmode_energy(x, strain, system)*unit;
+		E[0] = -0.5*hawser__lmode_stiffness(x, strain, x, strain, system)*unit;
 		status = hawser__lexpand_open(&t, &rope, &shape, 1, held, &report);
 		if (!status) {
 			E[1] = t.third[0]/6.0*unit;

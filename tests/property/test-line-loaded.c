@@ -10,34 +10,13 @@
 
 #include <hawser/line_rom.h>
 
-#include "rom/terms/vary.h"
+#include "tests/line-force.h"
 #include "tests/tap.h"
 
 enum { SPANS = 3, PHASES = 16, PARTS = 64, KEPT = 6 };
 static const double spacing = 71.0, smeared = 8.0; /* m; kg/m of the rope's 18 in the masses */
 
 static struct hawser_report report;
-
-/* Force of the model at u, less the load, and its stiffness. */
-static void force_of(double *R, double *T, const struct hawser_rom *rom, const double *u, double tau)
-{
-	int n = rom->n;
-
-	hawser_rom_tangent(rom, R, T, u);
-	hawser__rom_vary_at(rom, R, T, u, tau);
-	for (int h = 0; h < rom->harmonics; h++) {
-		const struct hawser_harmonic *one = &rom->harmonic[h];
-		double wave = one->phase == HAWSER_COS ? cos(one->k*tau) : sin(one->k*tau);
-
-		for (int j = 0; j < n; j++) {
-			for (int k = 0; one->K && k < n; k++) {
-				R[j] += wave*one->K[j*n + k]*u[k];
-				T[j*n + k] += wave*one->K[j*n + k];
-			}
-			R[j] -= one->f ? wave*one->f[j] : 0.0;
-		}
-	}
-}
 
 /* Equilibrium of the model at the phase tau. */
 static int settle(double *u, const struct hawser_rom *rom, double tau)
@@ -93,8 +72,9 @@ static int compare(double worst[2], const struct hawser_line *line,
                    const struct hawser_line_statics *st, int kept, double weight)
 {
 	const struct hawser_line_statics *lane[1] = {st};
-	const struct hawser_line_rom_options o = {.load = HAWSER_LINE_LOAD_PASSING, .weight = weight,
-	                                          .spacing = spacing, .harmonics = 1, .modes.n = kept};
+	const struct hawser_line_rom_options o = {.load = HAWSER_LINE_LOAD_PASSING, .weight = {weight},
+	                                          .spacing = spacing, .harmonics = 1, .modes.n = kept,
+	                                          .condensed = 1};
 	double rest[SPANS], u[2][KEPT] = {{0.0}}, most = 0.0;
 	struct hawser_line_modes modes;
 	struct hawser_rom_ends *ends;

@@ -141,7 +141,7 @@ static void moving_end(const struct hawser_line *line, const char *what)
 	enum { N = 8 };
 	const double amplitude = 0.01, r = 0.02;
 	struct hawser_line_rom_options o = {.modes = {.n = N, .tolerance = 1e-10},
-		.load = HAWSER_LINE_LOAD_DRIVE, .end = 1, .amplitude = amplitude};
+		.load = HAWSER_LINE_LOAD_DRIVE, .end = 1, .amplitude = {amplitude}, .condensed = 1};
 	struct hawser_line_statics st;
 	const struct hawser_line_statics *lane[1] = {&st};
 	struct hawser_line_modes modes;
@@ -279,7 +279,7 @@ static void responds(const struct hawser_rom *rom, const char *what)
 static void motions(const struct hawser_line *line)
 {
 	struct hawser_line_rom_options o = {.modes = {.n = 6}, .ratio = 0.05,
-		.load = HAWSER_LINE_LOAD_PASSING, .weight = 3000.0, .spacing = 36.6};
+		.load = HAWSER_LINE_LOAD_PASSING, .weight = {3000.0}, .spacing = 36.6};
 	struct hawser_line_statics st;
 	const struct hawser_line_statics *lane[1] = {&st};
 	struct hawser_line_modes modes;
@@ -299,7 +299,7 @@ static void motions(const struct hawser_line *line)
 	hawser_rom_clear(&rom);
 	hawser_line_modes_clear(&modes);
 	o.load = HAWSER_LINE_LOAD_DRIVE;
-	o.amplitude = 0.01;
+	o.amplitude[0] = 0.01;
 	o.end = 1;
 	if (ok(!hawser_line_rom_build(&rom, &modes, lane, 1, &o, &report), "model: %s", report.message))
 		responds(&rom, "drive");
@@ -373,12 +373,12 @@ static void refusals(struct hawser_line line)
 	refused(&line, &o, HAWSER_ERR_ARGUMENT, "41 modes");
 	o = (struct hawser_line_rom_options){.ratio = NAN};
 	refused(&line, &o, HAWSER_ERR_ARGUMENT, "ratio");
-	o = (struct hawser_line_rom_options){.load = HAWSER_LINE_LOAD_PASSING, .weight = 3000.0};
+	o = (struct hawser_line_rom_options){.load = HAWSER_LINE_LOAD_PASSING, .weight = {3000.0}};
 	refused(&line, &o, HAWSER_ERR_ARGUMENT, "spacing");
-	o = (struct hawser_line_rom_options){.load = HAWSER_LINE_LOAD_DRIVE, .amplitude = INFINITY};
+	o = (struct hawser_line_rom_options){.load = HAWSER_LINE_LOAD_DRIVE, .amplitude = {INFINITY}};
 	refused(&line, &o, HAWSER_ERR_ARGUMENT, "amplitude");
-	o = (struct hawser_line_rom_options){.load = HAWSER_LINE_LOAD_DRIVE, .amplitude = 1.0, .lane = 1};
-	refused(&line, &o, HAWSER_ERR_ARGUMENT, "lane");
+	o = (struct hawser_line_rom_options){.load = HAWSER_LINE_LOAD_DRIVE, .amplitude = {0.0, 1.0}};
+	refused(&line, &o, HAWSER_ERR_ARGUMENT, "a lane that moves one");
 	o = (struct hawser_line_rom_options){.modes = {.contact = HAWSER_LINE_ROLL}};
 	refused(&line, &o, HAWSER_ERR_ARGUMENT, "roll");
 	o = (struct hawser_line_rom_options){.held = 0};

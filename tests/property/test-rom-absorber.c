@@ -1,6 +1,6 @@
 /* Reduced models of a cable with absorbers: eigenvalues against those of damped modes for every kind of
  * damping, expanded against exact forces with a cubic spring, its energy by the strokes, condensation
- * against elimination of the modes of a basis, static load, names of strokes, refusals.
+ * against elimination of the modes of a basis, static load, moved ends, names of strokes, refusals.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -13,6 +13,7 @@
 #include <hawser/damped.h>
 #include <hawser/rom.h>
 
+#include "rom/terms/ends.h"
 #include "tests/rom-eigenvalue.h"
 #include "tests/tap.h"
 
@@ -232,6 +233,43 @@ static void refusals(void)
 	hawser_modes_clear(&modes);
 }
 
+/* A massless absorber does not stretch its spring, so that under products of the coordinates with the
+ * motion of an end its stroke is that of the kept modes, T_jks/omega_s^2, in the static response. */
+static void moved(void)
+{
+	static const struct hawser_scene scene = {
+		.support = {{.present = 0}, {.present = 1, .motion = {0.0, 0.04, 0.0}, .harmonic = 1}},
+		.model = {.modes = 8, .condense = HAWSER_CONDENSE_STATIC}};
+	struct hawser_modes modes;
+	struct hawser_rom rom;
+	const double *K = NULL;
+	double worst = 0.0, size = 0.0;
+	int p = 0;
+
+	if (!solve(&modes, several, 3, 8) ||
+	    !ok(!hawser_rom_build(&rom, &modes, &scene, &report), "moved end: %s", report.message))
+		return;
+	while (p < rom.shapes.points && strcmp(rom.shapes.name[p], "stroke_3"))
+		p++;
+	for (int h = 0; h < rom.harmonics; h++)
+		if (rom.harmonic[h].load_power == 1 && rom.harmonic[h].K)
+			K = rom.harmonic[h].K;
+	ok(K && p < rom.shapes.points, "an end moves, and a stroke is known");
+	for (int k = 0; K && p < rom.shapes.points && k < rom.ends->modes; k++) {
+		double left = rom.ends->second_shape[3*(k*rom.shapes.points + p) + 1];
+		double signal = 0.04/rom.length;
+
+		size = fmax(size, fabs(left));
+		for (int s = 0; s < rom.n; s++)
+			left -= K[k*rom.n + s]/(signal*rom.K[s*(rom.n + 1)])*
+			        rom.shapes.shape[3*(s*rom.shapes.points + p) + 1];
+		worst = fmax(worst, fabs(left));
+	}
+	ok(worst < 1e-9*size, "strokes by products with a moved end: %.1e of %.1e", worst, size);
+	hawser_rom_clear(&rom);
+	hawser_modes_clear(&modes);
+}
+
 CASE(property_rom_absorber)
 {
 	linear((struct hawser_scene){.damping = {.kind = HAWSER_DAMPING_NONE}}, "only dampers", 1e-5);
@@ -247,6 +285,7 @@ CASE(property_rom_absorber)
 	if (getenv("HAWSER_LONG"))
 		condensation(2, 30);
 	static_load();
+	moved();
 	refusals();
 	return done_testing();
 }

@@ -197,13 +197,34 @@ static void compare(const struct hawser_rom *rom, const struct cable *cable, dou
 	}
 }
 
+/* Second derivatives of the quadratic energy by quadrature. */
+static void quadrature(double *stiffness, const struct hawser_modes *modes)
+{
+	int n = modes->n, points = modes->grid.points;
+
+	for (int j = 0; j < n; j++)
+		for (int k = 0; k < n; k++) {
+			const double *x = modes->slope + 3*j*points, *y = modes->slope + 3*k*points;
+			double sum = 0.0;
+
+			for (int p = 0; p < points; p++, x += 3, y += 3) {
+				/* not g - 1: eps may be 1e-12 */
+				double strain = hawser_statics_frame(&modes->statics, modes->grid.s[p]).strain;
+
+				sum += modes->grid.weight[p]/modes->statics.epsilon*
+				       (x[0]*y[0] + strain/(1.0 + strain)*(x[1]*y[1] + x[2]*y[2]));
+			}
+			stiffness[j*n + k] = sum;
+		}
+}
+
 /* K from the quadrature against diag(omega^2). */
 static void check_stiffness(const struct hawser_modes *modes, const struct hawser_rom *rom)
 {
 	double K[MAX*MAX], worst = 0.0;
 	int n = rom->n, diagonal = 1;
 
-	hawser__rom_stiffness(K, modes);
+	quadrature(K, modes);
 	for (int i = 0; i < n*n; i++) {
 		double scale = sqrt(rom->K[(i/n)*(n + 1)]*rom->K[(i%n)*(n + 1)]);
 
@@ -332,7 +353,7 @@ static void check_string(void)
 
 	string_modes(&modes, epsilon);
 	ok(!hawser_rom_build(&rom, &modes, NULL, &report), "taut string: model %s", report.message);
-	hawser__rom_stiffness(K, &modes);
+	quadrature(K, &modes);
 	for (int j = 0; j < 4; j++)
 		close_to(K[5*j], rom.K[5*j], 1e-12, "taut string: stiffness");
 	close_to(cubic_of(&rom, 0, 0, 0, 0), 0.75*V4*unit, 1e-12, "C_1111 = (1/(2 eps g^3)) int c^4");

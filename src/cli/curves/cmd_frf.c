@@ -368,7 +368,7 @@ static enum hawser_status load(struct cli_model *model, const struct settings *s
 	enum hawser_status status = cli_model_load(model, &common, settings->n, report);
 
 	if (status || !settings->over || !cli_over_needs_scene(settings->over) ||
-	    model->rom.inertia.shapes == 0 || common.sets == CLI_SETS)
+	    model->made || model->rom.inertia.shapes == 0 || common.sets == CLI_SETS)
 		return status;
 	common.set[common.sets++] = "model.inertia=none";
 	cli_model_clear(model);

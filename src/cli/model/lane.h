@@ -23,7 +23,8 @@ struct cli_lane_choice {
 	 CLI_POSITIVE_FOR(common.lane.damping, CLI_ROPEWAY)}, \
 	{"carriers", 0, "HOW", "ropeways: fixed at the phase, or smeared over the rope (fixed)", \
 	 CLI_TEXT_FOR(common.lane.carriers, CLI_ROPEWAY)}, \
-	{"lane", 0, "NAME", "ropeways: up or down (up)", CLI_TEXT_FOR(common.lane.lane, CLI_ROPEWAY)}, \
+	{"lane", 0, "NAME", "ropeways: up, down or both (both)", \
+	 CLI_TEXT_FOR(common.lane.lane, CLI_ROPEWAY)}, \
 	{"contact", 0, "HOW", "ropeways: slip or stick (the scene's contact.modes, or slip)", \
 	 CLI_TEXT_FOR(common.lane.contact, CLI_ROPEWAY)}, \
 	{"case", 0, "NAME", "ropeways: the load case (full)", \

@@ -83,3 +83,12 @@ void cli_made_chosen(struct hawser__table *table, const struct cli_model *model)
 		hawser__table_comment(table, "%d of %d modes chosen: --keep %s", made->modes.modes.n,
 		                      made->chosen, list_of(list, sizeof list, &made->modes.modes));
 }
+
+void cli_made_inertia(struct hawser__table *table, const struct hawser_rom *rom)
+{
+	if (rom->inertia.shift > 0.0)
+		hawser__table_comment(table, "inertia of what follows: frequencies of resonance lower by up "
+		                      "to %.1e, of which %d second-order shapes leave %.1e",
+		                      rom->inertia.shift, rom->inertia.shapes,
+		                      rom->inertia.left);
+}

@@ -44,6 +44,8 @@ enum hawser_status cli_made_keep(int *kept, int *count, int *n, const char *list
                                  struct hawser_report *report) HAWSER_MUST_CHECK;
 /* Comments on a choice, and where a range ends. */
 void cli_made_chosen(struct hawser__table *table, const struct cli_model *model);
+/* The inertia of what follows, where it matters. */
+void cli_made_inertia(struct hawser__table *table, const struct hawser_rom *rom);
 /* Whether a harmonic acts on coordinate j by more than round-off. */
 int cli_made_loaded(const struct hawser_rom *rom, int j);
 

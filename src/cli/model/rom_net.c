@@ -64,11 +64,7 @@ static void comments(struct hawser__table *table, const struct cli_model *model)
 		elements += of->net.cable[c].elements;
 	hawser__table_comment(table, "a net of %d cables with %ld elements", of->net.cables, elements);
 	cli_made_chosen(table, model);
-	if (model->rom.inertia.shift > 0.0)
-		hawser__table_comment(table, "inertia of what follows: frequencies of resonance lower by up "
-		                      "to %.1e, of which %d second-order shapes leave %.1e",
-		                      model->rom.inertia.shift, model->rom.inertia.shapes,
-		                      model->rom.inertia.left);
+	cli_made_inertia(table, &model->rom);
 	for (int k = 0; k < modes->n; k++)
 		hawser__table_comment(table, "u_%d: mode %d: %.9g rad/s%s", k + 1, modes->mode[k].place,
 		                      modes->mode[k].omega/modes->time_unit,

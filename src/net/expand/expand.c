@@ -150,12 +150,11 @@ static double third(const void *of, int j, int k, int l)
 /* w/g^2 (sigma, a b + b a, a c + c a) of a pair at an element. */
 static void force_of(double f[3], const struct hawser__nexpand *t, int e, int j, int k)
 {
-	const double *x = slopes_of(t, j)[e], *y = slopes_of(t, k)[e];
-	double g = 1.0 + t->strain[e], weight = t->weight[e]/(g*g);
+	double g = 1.0 + t->strain[e];
 
-	f[0] = weight*across(x, y);
-	f[1] = weight*(x[0]*y[1] + y[0]*x[1]);
-	f[2] = weight*(x[0]*y[2] + y[0]*x[2]);
+	hawser__pair_force(f, slopes_of(t, j)[e], slopes_of(t, k)[e]);
+	for (int c = 0; c < 3; c++)
+		f[c] *= t->weight[e]/(g*g);
 }
 
 /* row -= F_jk, N. */

@@ -12,7 +12,8 @@
 
 enum { CALLED = HAWSER__TEXT_ROOM + 64 };
 
-static enum hawser_status more(struct hawser_net_load **list, int count, struct hawser_report *report)
+enum hawser_status hawser__net_more(struct hawser_net_load **list, int count,
+                                    struct hawser_report *report)
 {
 	return hawser__more(list, count, sizeof **list) ? hawser__no_memory(report, "net") : HAWSER_OK;
 }
@@ -34,7 +35,7 @@ static enum hawser_status load_of(struct hawser__reader *reader, struct hawser_n
                                   const char *what)
 {
 	struct hawser_net_load *load;
-	enum hawser_status status = more(&net->load, net->loads, reader->report);
+	enum hawser_status status = hawser__net_more(&net->load, net->loads, reader->report);
 
 	if (status)
 		return status;
@@ -114,7 +115,7 @@ static enum hawser_status motion_of(struct hawser__reader *reader, struct hawser
 		struct hawser_net_load *motion;
 
 		if (!status)
-			status = more(&net->motion, net->motions, reader->report);
+			status = hawser__net_more(&net->motion, net->motions, reader->report);
 		if (status)
 			return status;
 		motion = &net->motion[net->motions];

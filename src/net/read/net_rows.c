@@ -2,13 +2,14 @@
  * scene/tree_rows.h. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
-#include <hawser/net.h>
+#include "net/read/read.h"
 #include "scene/tree_rows.h"
 
 #define NET_AT(member) offsetof(struct hawser_net, member)
 #define NODE_AT(member) offsetof(struct hawser_net_node, member)
 #define CABLE_AT(member) offsetof(struct hawser_net_cable, member)
 #define LOAD_AT(member) offsetof(struct hawser_net_load, member)
+#define PASS_AT(member) offsetof(struct hawser__net_passing, member)
 #define SURFACE_AT(member) offsetof(struct hawser_surface, member)
 
 #define WAVE(path) \
@@ -23,6 +24,8 @@
 #define LOAD_OF_NODE(path) LOAD_OF(path, ".force", "N", "force along x, y, z")
 #define LOAD_OF_CABLE(path) \
 	LOAD_OF(path, ".per_length", "N/m", "force per unstretched length along x, y, z") \
+	VECTOR(path ".extent", 2, OPTIONAL, "1", INCREASING, LOAD_AT(extent), "[0, 1]", \
+	       "parts of the unstretched length between which it acts") \
 	NUMBER(path ".harmonic.wavelength", OPTIONAL, "m", ANY, LOAD_AT(wavelength), NULL, \
 	       "unstretched length over which the phase falls by 2 pi, of a load that runs towards its " \
 	       "end; negative: towards its begin")
@@ -52,6 +55,8 @@ static const struct hawser__tree_key net_rows[] = {
 	NUMBER("net.cables[].axial", OPTIONAL, "s", NOT_NEGATIVE, CABLE_AT(axial), NULL,
 	       "damping of its own, beside damping.axial: T = EA (strain + axial d strain/dt), as of a "
 	       "damper")
+	NUMBER("net.cables[].damper", OPTIONAL, "N.s/m", NOT_NEGATIVE, CABLE_AT(damper), "0",
+	       "force over the rate of its length, beside axial: a damper between two cables is a cable")
 	CHOICE("net.cables[].length0", "m", CABLE_AT(value), CABLE_AT(given), "unstretched length")
 	CHOICE("net.cables[].tension", "N", CABLE_AT(value), CABLE_AT(given),
 	       "mean tension, from which the length follows")
@@ -86,6 +91,22 @@ static const struct hawser__tree_key net_rows[] = {
 	LIST("net.loads.**", OPTIONAL, "several loads of a cable")
 	MAPPING("net.loads.**[]", OPTIONAL, "load of a cable")
 	LOAD_OF_CABLE("net.loads.**[]")
+	LIST("net.passing", OPTIONAL, "carriers that pass along ropes at equal distances")
+	MAPPING("net.passing[]", OPTIONAL, "those of a rope")
+	LIST("net.passing[].along", REQUIRED, "cables of the rope, with length0, as they are passed")
+	TEXT("net.passing[].along[]", REQUIRED, NOWHERE, NULL, "a cable")
+	NUMBER("net.passing[].weight", ONE_OF, "N", POSITIVE, PASS_AT(weight), NULL,
+	       "weight of a carrier without inertia; its mean over the rope is a constant load")
+	NUMBER("net.passing[].mass", ONE_OF, "kg", POSITIVE, PASS_AT(mass), NULL,
+	       "mass of a carrier; its mean over the rope is added to rho")
+	NUMBER("net.passing[].spacing", REQUIRED, "m", POSITIVE, PASS_AT(spacing), NULL,
+	       "unstretched distance of the carriers")
+	NUMBER("net.passing[].first", OPTIONAL, "m", ANY, PASS_AT(first), "0",
+	       "unstretched distance of one from the begin of the rope at t = 0")
+	INTEGER("net.passing[].harmonics", OPTIONAL, 1, 20, PASS_AT(harmonics), "3",
+	        "multiples of the frequency 2 pi speed/spacing")
+	NUMBER("net.passing[].speed", OPTIONAL, "m/s", POSITIVE, PASS_AT(speed), NULL,
+	       "their speed; without it that of each frequency of a response")
 	SECTION("net.damping", OPTIONAL, "damping, of motions")
 	NUMBER("net.damping.alpha", OPTIONAL, "kg/m/s", NOT_NEGATIVE, NET_AT(alpha), NULL,
 	       "viscous force per length and velocity")

@@ -77,6 +77,11 @@ static enum hawser_status cable_of(struct hawser__reader *reader, struct hawser_
 	if (!status)
 		status = hawser__tree_fill(reader, cable, tree, what, "net.cables[]");
 	cable->elements_given = hawser__tree_find(tree, "elements") != NULL;
+	if (!status && cable->damper > 0.0 && cable->given != HAWSER_NET_LENGTH0)
+		status = hawser__reader_fail(reader, &tree->at, "cable %s has a damper and no length0, on "
+		                             "which its axial damping depends: give length0, or axial",
+		                             cable->name);
+	cable->axial += status ? 0.0 : cable->damper*cable->value/cable->EA;
 	if (!status)
 		status = end_of(reader, &cable->from, net, tree, "from", cable->name);
 	if (!status)
@@ -232,7 +237,7 @@ static enum hawser_status rules(struct hawser__reader *reader, const struct haws
 	return status;
 }
 
-enum { DYNAMICS = 5 }; /* the first section below that spans have too */
+enum { DYNAMICS = 6 }; /* the first section below that spans have too */
 
 /* The sections of nets from number `from` on. */
 static enum hawser_status common(struct hawser__reader *reader, struct hawser_net *net,
@@ -244,7 +249,8 @@ static enum hawser_status common(struct hawser__reader *reader, struct hawser_ne
 		                           const struct hawser__tree *);
 		int required;
 	} part[] = {{"nodes", nodes, 1}, {"cables", cables, 1}, {"supports", hawser__net_supports, 1},
-	            {"masses", masses, 0}, {"loads", hawser__net_loads, 0}, {"dynamics", dynamics, 0},
+	            {"masses", masses, 0}, {"loads", hawser__net_loads, 0},
+	            {"passing", hawser__net_passing, 0}, {"dynamics", dynamics, 0},
 	            {"obstacles", hawser__net_obstacles, 0}, {"contact", hawser__net_contact, 0}};
 	static const char *const plain[] = {"g", "damping", "dynamics", "contact"};
 	enum hawser_status status = HAWSER_OK;

@@ -11,6 +11,16 @@ enum hawser_status hawser__net_loads(struct hawser__reader *reader, struct hawse
                                      const struct hawser__tree *tree) HAWSER_MUST_CHECK;
 enum hawser_status hawser__net_supports(struct hawser__reader *reader, struct hawser_net *net,
                                         const struct hawser__tree *tree) HAWSER_MUST_CHECK;
+/* passing.c: `passing` of the scene, as loads of cables. */
+struct hawser__net_passing {
+	double weight, mass, spacing, first, speed; /* N or kg, m, m, m/s; 0: not given */
+	int harmonics;
+};
+enum hawser_status hawser__net_passing(struct hawser__reader *reader, struct hawser_net *net,
+                                       const struct hawser__tree *tree) HAWSER_MUST_CHECK;
+/* loads.c: room for one more load. */
+enum hawser_status hawser__net_more(struct hawser_net_load **list, int count,
+                                    struct hawser_report *report) HAWSER_MUST_CHECK;
 /* read-span.c: nodes, supports and the cable of a span. */
 enum hawser_status hawser__net_of_span(struct hawser__reader *reader, struct hawser_net *net,
                                        const struct hawser__tree *root) HAWSER_MUST_CHECK;

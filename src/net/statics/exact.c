@@ -33,6 +33,11 @@ enum hawser_status hawser__exact_open(struct hawser__exact *exact, const struct 
 			                    "%s: the method catenary takes cables with length0 only, and cable %s "
 			                    "has %s: find its length with another method first", net->name,
 			                    net->cable[c].name, word[net->cable[c].given]);
+	for (int i = 0; i < net->loads; i++)
+		if (net->load[i].extent[1] > 0.0 && !net->load[i].harmonic)
+			return hawser__fail(report, HAWSER_ERR_SCENE, "net", "%s: the method catenary takes loads "
+			                    "of whole cables, and that of cable %s has an extent: choose another "
+			                    "method", net->name, net->cable[net->load[i].cable].name);
 	joints.cable = malloc(cables*sizeof *joints.cable);
 	if (!joints.cable)
 		return hawser__no_memory(report, "net");

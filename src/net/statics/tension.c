@@ -120,7 +120,8 @@ static void load(double f[3], const struct hawser__tensions *of, int element, in
 		double factor = one->harmonic ? cos(one->Omega*of->t + one->phase) : 1.0;
 
 		for (int k = 0; one->cable == c && (of->v || !one->harmonic) && k < 3; k++)
-			f[k] += factor*(nodal ? nodal[k] : 0.5*L*one->value[k]);
+			f[k] += factor*(nodal ? nodal[k] : hawser__mesh_carried(mesh, one, element, side)*
+			                                   one->value[k]);
 	}
 	for (int k = 0; of->v && k < 3; k++)
 		f[k] -= (0.5 - of->far)*(m*of->a[node][k] + drag*of->v[node][k]) +

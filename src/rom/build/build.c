@@ -18,9 +18,9 @@
 #include <string.h>
 
 #include "core/report.h"
-#include "modes/grid.h"
 #include "modes/label.h"
 #include "rom/condense/answer.h"
+#include "rom/condense/load_fields.h"
 #include "rom/build/build.h"
 #include "rom/terms/drag.h"
 #include "rom/file/entries.h"
@@ -57,18 +57,13 @@ static enum hawser_status set_load(struct hawser_rom *rom, const struct hawser_m
 {
 	enum hawser_status status = HAWSER_OK;
 
-	if (loads->harmonics == 0)
-		return HAWSER_OK;
-	rom->harmonic = calloc((size_t)loads->harmonics, sizeof *rom->harmonic);
-	if (!rom->harmonic)
-		return hawser__no_memory(report, "rom");
 	for (int i = 0; i < loads->harmonics && !status; i++) {
-		struct hawser_harmonic *h = &rom->harmonic[rom->harmonics++];
+		struct hawser_harmonic *h = hawser__rom_harmonic(rom, loads->k[i], loads->sine[i]
+		                                                 ? HAWSER_SIN : HAWSER_COS);
 
-		h->k = loads->k[i];
-		h->phase = loads->sine[i] ? HAWSER_SIN : HAWSER_COS;
-		h->f = malloc((size_t)rom->n*sizeof *h->f);
-		if (!h->f)
+		if (h)
+			h->f = malloc((size_t)rom->n*sizeof *h->f);
+		if (!h || !h->f)
 			return hawser__no_memory(report, "rom");
 		status = hawser__loads_work(h->f, loads, i, modes, report);
 		for (int j = 0; !status && j < rom->n; j++)
@@ -78,43 +73,6 @@ static enum hawser_status set_load(struct hawser_rom *rom, const struct hawser_m
 				                      "finite", j + 1, h->f[j]);
 	}
 	return status;
-}
-
-/* The condensed modes also respond to the load, which thereby varies the stiffness of the kept
- * modes. */
-static enum hawser_status set_varying(struct hawser_rom *rom, const struct hawser_modes *modes,
-                                      int moving, const struct hawser_scene *scene,
-                                      struct hawser_report *report)
-{
-	struct hawser__loads loads;
-	enum hawser_status status = hawser__loads_make(&loads, &modes->statics, scene, report);
-
-	for (int h = 0; !status && h < loads.harmonics; h++) {
-		double *K = malloc((size_t)rom->n*(size_t)rom->n*sizeof *K);
-		int any = 0;
-
-		status = K ? hawser__follow_load(K, &any, modes, moving, &loads, h, report)
-		         : hawser__no_memory(report, "rom");
-		if (status || !any) {
-			free(K);
-			continue;
-		}
-		/* second-order shapes respond to the load as coordinates */
-		hawser__rom_held(K, rom, rom->harmonic[h].f, -1.0);
-		rom->harmonic[h].K = K;
-	}
-	hawser__loads_clear(&loads);
-	return status;
-}
-
-enum hawser_status hawser__rom_vary(struct hawser_rom *rom, const struct hawser_modes *modes,
-                                    int moving, const struct hawser_scene *scene,
-                                    struct hawser_report *report)
-{
-	enum hawser_status status = hawser__loaded(scene)
-	                            ? set_varying(rom, modes, moving, scene, report) : HAWSER_OK;
-
-	return status ? status : hawser__rom_travel_condensed(rom, modes, moving, scene, report);
 }
 
 /* --- labels and probes --- */
@@ -191,18 +149,6 @@ static char *name_of(const struct hawser_modes *modes, const struct hawser_scene
 	return strdup(text);
 }
 
-/* A stroke along the direction of its absorber, as P, Q, B. */
-static void set_stroke(double shape[3], const struct hawser_modes *modes, int i, double stroke)
-{
-	struct hawser_frame_point at = hawser_statics_frame(&modes->statics,
-	                                                    modes->statics.attached[i].s);
-	const double *a = modes->statics.attached[i].absorber_axis;
-
-	shape[0] = stroke*(a[0]*at.ex + a[1]*at.ey);
-	shape[1] = stroke*(a[1]*at.ex - a[0]*at.ey);
-	shape[2] = stroke*a[2];
-}
-
 static void set_probe(struct hawser_rom_shapes *shapes, const struct hawser_modes *modes, int p)
 {
 	int own = hawser__rom_stroke_point(&modes->statics, p);
@@ -218,8 +164,11 @@ static void set_probe(struct hawser_rom_shapes *shapes, const struct hawser_mode
 		size_t place = ((size_t)j*(size_t)shapes->points + (size_t)p)*3;
 
 		hawser_modes_at(modes, shapes->shape + place, shapes->slope + place, j, s);
-		if (own >= 0)
-			set_stroke(shapes->shape + place, modes, own, hawser__stroke(modes, j, own));
+		if (own >= 0) {
+			hawser__frame_in(shapes->shape + place, &at, modes->statics.attached[own].absorber_axis);
+			for (int c = 0; c < 3; c++)
+				shapes->shape[place + (size_t)c] *= hawser__stroke(modes, j, own);
+		}
 	}
 	for (int j = 0; modes->statics.space && j < modes->n; j++) {
 		double *shape = shapes->shape + ((size_t)j*(size_t)shapes->points + (size_t)p)*3;
@@ -235,25 +184,12 @@ static enum hawser_status set_second(struct hawser_rom *rom, const struct hawser
                                      const struct hawser__condensed *condensed,
                                      struct hawser_report *report)
 {
-	struct hawser_rom_shapes *shapes = &rom->shapes;
 	enum hawser_status status = hawser__rom_init_second(rom, report);
 
-	for (int p = 0; !status && p < shapes->points; p++) {
-		int own = hawser__rom_stroke_point(&modes->statics, p);
-
-		status = hawser__condensed_at(condensed, modes, shapes->second_shape + 3*p,
-		                              shapes->second_slope + 3*p, 3*shapes->points,
-		                              shapes->s[p], report);
-		for (int x = 0; !status && own >= 0 && x < condensed->pairs; x++)
-			set_stroke(shapes->second_shape + 3*(x*shapes->points + p), modes, own,
-			           condensed->stroke[x*modes->statics.attachments + own]);
-	}
-	for (int p = 0; !status && p < LINE; p++)
-		for (int x = 0; x < condensed->pairs; x++)
-			hawser__grid_at(rom->line.second_slope + ((size_t)x*LINE + p)*3, &modes->grid,
-			                condensed->strain + (size_t)x*condensed->points*3, 3, 3,
-			                rom->line.s[p]);
-	return status;
+	return status ? status
+	       : hawser__condensed_second(rom->shapes.second_shape, rom->shapes.second_slope,
+	                                  rom->line.second_slope, rom, condensed, modes, 0,
+	                                  condensed->pairs, report);
 }
 
 static enum hawser_status set_shapes(struct hawser_rom *rom, const struct hawser_modes *modes,
@@ -407,43 +343,64 @@ static enum hawser_status condense(struct hawser__condensed *condensed, struct h
 	return status ? status : hawser__condense(condensed, with, modes->n, report);
 }
 
-/* `compile`: prepare the forces as well. */
+/* --- models --- */
+
+/* Complete; the same without the prepared forces; for a linear problem, K, D and the harmonics, without
+ * tensors; that without the terms of the energy by what moves. */
+enum { WHOLE, ENTRIES, LINEAR, FORCES };
+
+static enum hawser_status compile(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                  const struct hawser__condensed *condensed, int what,
+                                  struct hawser_report *report)
+{
+	enum hawser_status status;
+
+	if (what != ENTRIES)
+		return what == WHOLE ? hawser__rom_compile_cable(rom, modes, condensed, report)
+		                     : hawser_rom_compile(rom, report);
+	status = hawser__entries_check(rom, report);
+	return status ? status : hawser__entries_merge(rom, report);
+}
+
+/* In a linear problem the condensed modes respond to the load and to the changes of speed as in the
+ * complete model. Second-order shapes (inertia.h), which that may have as coordinates, represent
+ * condensed modes and are omitted; hawser_linear_multipliers condenses them in complete models too. */
 static enum hawser_status build_with(struct hawser_rom *rom, const struct hawser_modes *kept,
-                                     const struct hawser_scene *scene, int compile,
+                                     const struct hawser_scene *scene, int what,
                                      struct hawser_report *report)
 {
-	struct hawser__condensed others = {0}, *condensed = NULL;
+	struct hawser__condensed others = {0}, *pairs = NULL;
 	enum hawser_status status = hawser__rom_begin(rom, kept, scene, report);
 	const struct hawser_modes *modes = kept;
 	struct hawser_modes with = {.n = 0};
+	struct hawser__load_fields loads = {.count = 0};
+	int condensed = scene && scene->model.condense == HAWSER_CONDENSE_STATIC, whole = what < LINEAR;
 
 	if (status)
 		return status;
-	if (scene && scene->model.condense == HAWSER_CONDENSE_STATIC) {
+	if (condensed && whole) {
 		status = condense(&others, &with, rom, kept, scene, report);
-		condensed = &others;
+		pairs = &others;
 		modes = with.n > 0 ? &with : kept;
 	}
-	if (!status)
-		status = hawser__rom_tensors(rom, modes, condensed, report);
+	if (!status && whole)
+		status = hawser__rom_tensors(rom, modes, pairs, report);
 	if (!status)
 		status = hawser__rom_finish(rom, modes, scene, report);
+	if (!status && pairs)
+		status = set_second(rom, modes, pairs, report);
 	if (!status && condensed)
-		status = set_second(rom, modes, condensed, report);
-	if (!status && condensed)
-		status = hawser__rom_vary(rom, modes, kept->n, scene, report);
-	if (!status && condensed)
+		status = hawser__rom_vary(rom, &loads, modes, kept->n, scene, report);
+	if (!status && pairs)
 		status = hawser__rom_answers(rom, modes, modes->n, scene, report);
 	if (!status && hawser__support_moves(scene))
-		status = hawser__support_forces(rom, modes, kept->n, condensed != NULL, scene, report);
+		status = hawser__support_forces(rom, modes, kept->n, condensed, scene, report);
+	if (!status && what != FORCES)
+		status = hawser__support_energy(rom, modes, kept, condensed ? &loads : NULL, scene, report);
 	if (!status)
-		status = hawser__support_energy(rom, modes, kept, condensed != NULL, scene, report);
-	if (!status)
-		status = compile ? hawser__rom_compile_cable(rom, modes, condensed, report)
-		                 : hawser__entries_check(rom, report);
-	if (!status && !compile)
-		status = hawser__entries_merge(rom, report);
+		status = compile(rom, modes, pairs, what, report);
 	hawser__condensed_clear(&others);
+	hawser__load_fields_clear(&loads);
 	hawser_modes_clear(&with);
 	if (status)
 		hawser_rom_clear(rom);
@@ -451,7 +408,7 @@ static enum hawser_status build_with(struct hawser_rom *rom, const struct hawser
 }
 
 static enum hawser_status build(struct hawser_rom *rom, const struct hawser_modes *modes,
-                                const struct hawser_scene *scene, int compile,
+                                const struct hawser_scene *scene, int what,
                                 struct hawser_report *report)
 {
 	struct hawser_modes with, carrying = {.n = 0};
@@ -460,10 +417,10 @@ static enum hawser_status build(struct hawser_rom *rom, const struct hawser_mode
 	double *turned = NULL;
 
 	memset(rom, 0, sizeof *rom);
-	if (!status)
+	if (!status && what != FORCES)
 		status = hawser__travel_modes(&carrying, &turned, own, scene, report);
 	if (!status)
-		status = build_with(rom, carrying.n > 0 ? &carrying : own, scene, compile, report);
+		status = build_with(rom, carrying.n > 0 ? &carrying : own, scene, what, report);
 	if (!status)
 		rom->carried = turned;
 	else
@@ -482,18 +439,32 @@ enum hawser_status hawser__rom_of_modes(struct hawser_rom *rom, const struct haw
 
 	hawser_modes_clear(&with);
 	memset(rom, 0, sizeof *rom);
-	return status ? status : build_with(rom, modes, scene, 1, report);
+	return status ? status : build_with(rom, modes, scene, WHOLE, report);
 }
 
 enum hawser_status hawser_rom_build_entries(struct hawser_rom *rom, const struct hawser_modes *kept,
                                             const struct hawser_scene *scene,
                                             struct hawser_report *report)
 {
-	return build(rom, kept, scene, 0, report);
+	return build(rom, kept, scene, ENTRIES, report);
 }
 
 enum hawser_status hawser_rom_build(struct hawser_rom *rom, const struct hawser_modes *kept,
                                     const struct hawser_scene *scene, struct hawser_report *report)
 {
-	return build(rom, kept, scene, 1, report);
+	return build(rom, kept, scene, WHOLE, report);
+}
+
+enum hawser_status hawser_rom_build_linear(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                           const struct hawser_scene *scene,
+                                           struct hawser_report *report)
+{
+	return build(rom, modes, scene, LINEAR, report);
+}
+
+enum hawser_status hawser__rom_build_forces(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                            const struct hawser_scene *scene,
+                                            struct hawser_report *report)
+{
+	return build(rom, modes, scene, FORCES, report);
 }

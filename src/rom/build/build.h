@@ -33,19 +33,12 @@ enum hawser_status hawser__rom_damping(struct hawser_rom *rom, const struct haws
                                        const struct hawser_scene *scene,
                                        struct hawser_report *report);
 
-/* Variation of the stiffness of the first `moving` modes by the static response of the others to
- * the load and to the changes of the speed: added to the harmonics and the ramp of a model, which
- * must exist. */
-enum hawser_status hawser__rom_vary(struct hawser_rom *rom, const struct hawser_modes *modes,
-                                    int moving, const struct hawser_scene *scene,
-                                    struct hawser_report *report);
-
 /* K [n][n] += factor * the stiffness that the second-order shapes add to the modes if a harmonic's
  * force f [n] displaces them statically by f_s/K_ss. Does nothing if the model has no shapes. */
 void hawser__rom_held(double *K, const struct hawser_rom *rom, const double *f, double factor);
 
 /* hawser_rom_build_linear without the terms of the energy by moving supports, which are the last
- * harmonics of a model. linear.c. */
+ * harmonics of a model. */
 enum hawser_status hawser__rom_build_forces(struct hawser_rom *rom,
                                             const struct hawser_modes *modes,
                                             const struct hawser_scene *scene,

@@ -4,27 +4,25 @@
 #include "config.h"
 
 #include <math.h>
-#include <stdlib.h>
 
+#include "core/grow.h"
 #include "core/report.h"
 #include "rom/build/expanded.h"
+#include "rom/build/model.h"
 
 static enum hawser_status set_quads(struct hawser_rom *rom, const struct hawser__expanded *e, int n,
                                     int least, struct hawser_report *report)
 {
-	int modes = rom->n - rom->inertia.shapes;
-	size_t equations = (size_t)modes, width = (size_t)n;
-
-	rom->Q = malloc((equations*width*(width + 1)/2 + 1)*sizeof *rom->Q);
-	if (!rom->Q)
-		return hawser__no_memory(report, "line rom");
-	for (int j = 0; j < modes; j++)
+	for (int j = 0; j < e->equations; j++)
 		for (int k = 0; k < n; k++)
 			for (int l = k > least ? k : least; l < n; l++) {
 				double value = e->third[((size_t)j*(size_t)e->n + (size_t)k)*(size_t)e->n + (size_t)l];
 
-				if (value != 0.0)
-					rom->Q[rom->quads++] = (struct hawser_quad){j, k, l, k == l ? 0.5*value : value};
+				if (value == 0.0)
+					continue;
+				if (hawser__more(&rom->Q, rom->quads, sizeof *rom->Q))
+					return hawser__no_memory(report, "rom");
+				rom->Q[rom->quads++] = (struct hawser_quad){j, k, l, k == l ? 0.5*value : value};
 			}
 	return HAWSER_OK;
 }
@@ -38,13 +36,7 @@ static double share(int k, int l, int m)
 static enum hawser_status set_cubics(struct hawser_rom *rom, const struct hawser__expanded *e, int n,
                                      int least, struct hawser_report *report)
 {
-	int modes = rom->n - rom->inertia.shapes;
-	size_t equations = (size_t)modes, width = (size_t)n;
-
-	rom->C = malloc((equations*width*(width + 1)*(width + 2)/6 + 1)*sizeof *rom->C);
-	if (!rom->C)
-		return hawser__no_memory(report, "line rom");
-	for (int j = 0; j < modes; j++)
+	for (int j = 0; j < e->equations; j++)
 		for (int k = 0; k < n; k++)
 			for (int l = k; l < n; l++)
 				for (int m = l > least ? l : least; m < n; m++) {
@@ -60,9 +52,11 @@ static enum hawser_status set_cubics(struct hawser_rom *rom, const struct hawser
 					}
 					value = e->fourth(e->of, index);
 					if (!isfinite(value))
-						return hawser__fail(report, HAWSER_ERR_NAN, "line rom", "the tensor C is %g "
-						                    "for modes %d, %d, %d, %d: their shapes are not finite",
+						return hawser__fail(report, HAWSER_ERR_NAN, "rom", "the tensor C is %g for "
+						                    "modes %d, %d, %d, %d: their shapes are not finite",
 						                    value, j + 1, k + 1, l + 1, m + 1);
+					if (hawser__more(&rom->C, rom->cubics, sizeof *rom->C))
+						return hawser__no_memory(report, "rom");
 					value /= share(k, l, m);
 					rom->C[rom->cubics++] = (struct hawser_cubic){j, k, l, m, value};
 				}
@@ -90,4 +84,15 @@ void hawser__expanded_second(double *shape, double *slope, double *line, const s
 		for (int p = points; p < points + along; p++, line += 3)
 			e->pair_at(u, line, e->of, pair, p);
 	}
+}
+
+enum hawser_status hawser__expanded_pairs(struct hawser_rom *rom, const struct hawser__expanded *e,
+                                          struct hawser_report *report)
+{
+	enum hawser_status status = hawser__rom_init_second(rom, report);
+
+	if (!status)
+		hawser__expanded_second(rom->shapes.second_shape, rom->shapes.second_slope,
+		                        rom->line.second_slope, rom, e, 0, e->equations*(e->equations + 1)/2);
+	return status;
 }

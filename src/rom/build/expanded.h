@@ -1,5 +1,6 @@
-/* rom/build/expanded.h - terms of a model from an energy that is expanded in shapes: of a rope over
- * sheaves (ropeway/expand/expand.h), or of a net (net/expand/expand.h).
+/* rom/build/expanded.h - terms of a model from an energy that is expanded in shapes: of a span
+ * (rom/energy/project.c), of a rope over sheaves (ropeway/expand/expand.h), or of a net
+ * (net/expand/expand.h).
  *
  * The first shapes are the modes that are coordinates of the model (second-order shapes that are, too,
  * are none of these shapes); behind them come fields, whose motion is known:
@@ -18,7 +19,8 @@
  * line, where u is not asked for. At it, u is P, Q, B and slope a, b, c. */
 struct hawser__expanded {
 	const void *of;
-	int n;                     /* shapes */
+	int n;                     /* shapes, of which the first `equations` are coordinates */
+	int equations;
 	const double *third;       /* [n][n][n] third derivatives of the energy */
 	double (*fourth)(const void *of, const int index[4]);
 	/* 0: the fourth derivative vanishes, by symmetry. */
@@ -53,6 +55,9 @@ void hawser__answers_clear(struct hawser__answers *answers);
  * entry is at least number `least`. */
 enum hawser_status hawser__expanded_tensors(struct hawser_rom *rom, const struct hawser__expanded *e,
                                             int n, int least, struct hawser_report *report);
+/* Displacement and strains of what follows the coordinates. */
+enum hawser_status hawser__expanded_pairs(struct hawser_rom *rom, const struct hawser__expanded *e,
+                                          struct hawser_report *report);
 /* Displacement and strains of `pairs` pairs of the expansion, from number `first` on, at the shape
  * points, [pairs][points][3], and strains along the line. */
 void hawser__expanded_second(double *shape, double *slope, double *line, const struct hawser_rom *rom,

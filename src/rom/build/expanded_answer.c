@@ -17,6 +17,7 @@
 #include "core/hold.h"
 #include "core/report.h"
 #include "rom/build/expanded.h"
+#include "rom/build/model.h"
 #include "rom/condense/known.h"
 #include "rom/terms/ends.h"
 
@@ -144,19 +145,16 @@ enum hawser_status hawser__expanded_lift(struct hawser_rom *rom, const struct ha
                                          struct hawser_report *report)
 {
 	size_t points = 4*(size_t)rom->shapes.points, line = (size_t)rom->line.points;
-	struct hawser_harmonic *h = realloc(rom->harmonic, ((size_t)rom->harmonics + 1)*sizeof *h);
+	struct hawser_harmonic *h = hawser__rom_harmonic(rom, answers->field[i].k, answers->field[i].sine
+	                                                 ? HAWSER_SIN : HAWSER_COS);
 	double slope[3];
 
 	if (!h)
 		return hawser__no_memory(report, "line rom");
-	rom->harmonic = h;
-	h += rom->harmonics++;
-	*h = (struct hawser_harmonic){.k = answers->field[i].k,
-		.phase = answers->field[i].sine ? HAWSER_SIN : HAWSER_COS,
-		.f = hawser__numbers((size_t)rom->n, 1), /* 0; a file asks for one */
-		.answer = calloc(ORDERS*points + 1, sizeof *h->answer),
-		.answer_line = calloc(ORDERS*line + 1, sizeof *h->answer_line),
-		.known = calloc((size_t)rom->known.modes + 1, sizeof *h->known)};
+	h->f = hawser__numbers((size_t)rom->n, 1); /* 0; a file asks for one */
+	h->answer = hawser__numbers(ORDERS, points);
+	h->answer_line = hawser__numbers(ORDERS, line);
+	h->known = hawser__numbers((size_t)rom->known.modes, 1);
 	if (!h->f || !h->answer || !h->answer_line || !h->known)
 		return hawser__no_memory(report, "line rom");
 	for (int p = 0; p < rom->shapes.points; p++) {

@@ -28,6 +28,11 @@ static enum hawser_status refuse(struct hawser_report *report, const char *what,
 	                    want);
 }
 
+static int any(const double *value, int lanes)
+{
+	return value[0] != 0.0 || (lanes > 1 && value[1] != 0.0);
+}
+
 static enum hawser_status check(const struct hawser_line_rom_options *o, int lanes,
                                 struct hawser_report *report)
 {
@@ -44,32 +49,39 @@ static enum hawser_status check(const struct hawser_line_rom_options *o, int lan
 		return refuse(report, "the damping ratio", o->ratio, "0 to 1");
 	if ((unsigned)o->load > HAWSER_LINE_LOAD_DRIVE || (unsigned)o->end > 1)
 		return refuse(report, "an option (load or end)", o->load, "one of its values");
-	if (!(o->running >= 0.0 && isfinite(o->running)))
-		return refuse(report, "the mass per length that runs (kg/m)", o->running,
-		              "0 or a positive one");
 	if (!(o->speed >= 0.0 && isfinite(o->speed)))
 		return refuse(report, "the speed (m/s)", o->speed, "0 or a positive one, and modes.backward");
-	if (o->running > 0.0 && o->modes.contact == HAWSER_LINE_STICK)
-		return refuse(report, "the mass per length that runs (kg/m)", o->running,
-		              "0: the contact is stick, and a rope that sticks does not run");
-	if (o->load != HAWSER_LINE_LOAD_NONE && (o->lane < 0 || o->lane >= lanes))
-		return refuse(report, "the lane of the load", o->lane, "that of a lane, counted from 0");
+	for (int i = 0; i < lanes; i++) {
+		if (!(o->running[i] >= 0.0 && isfinite(o->running[i])))
+			return refuse(report, "the mass per length that runs (kg/m)", o->running[i],
+			              "0 or a positive one");
+		if (o->running[i] > 0.0 && o->modes.contact == HAWSER_LINE_STICK)
+			return refuse(report, "the mass per length that runs (kg/m)", o->running[i],
+			              "0: the contact is stick, and a rope that sticks does not run");
+		if (!(o->weight[i] >= 0.0 && isfinite(o->weight[i])))
+			return refuse(report, "the weight that passes (N)", o->weight[i], "0 or a positive one");
+		if (!isfinite(o->first[i]))
+			return refuse(report, "the place of the first weight (m)", o->first[i], "a finite one");
+		if (!isfinite(o->amplitude[i]))
+			return refuse(report, "the amplitude of the drive (m)", o->amplitude[i], "a finite one");
+	}
 	if (o->load == HAWSER_LINE_LOAD_PASSING) {
-		if (!(o->weight > 0.0 && isfinite(o->weight)))
-			return refuse(report, "the weight that passes (N)", o->weight, "a positive one");
+		if (!any(o->weight, lanes))
+			return refuse(report, "the weight that passes (N)", 0.0, "a lane a positive one");
 		if (!(o->spacing > 0.0 && isfinite(o->spacing)))
 			return refuse(report, "the spacing (m)", o->spacing, "a positive one");
 		if (o->harmonics < 1 || o->harmonics > HARMONICS_MOST)
 			return refuse(report, "the number of harmonics", o->harmonics, "1 to 30");
 	}
-	if (o->load == HAWSER_LINE_LOAD_DRIVE && !(o->amplitude > 0.0 && isfinite(o->amplitude)))
-		return refuse(report, "the amplitude of the drive (m)", o->amplitude, "a positive one");
+	if (o->load == HAWSER_LINE_LOAD_DRIVE && !any(o->amplitude, lanes))
+		return refuse(report, "the amplitude of the drive (m)", 0.0, "a lane that moves one");
 	return HAWSER_OK;
 }
 
 /* --- labels and shape points --- */
 
-/* "in-plane 2 (span 1)": the span with more than half of the energy, if there is one. */
+/* "in-plane 2 (span 1)": the span with more than half of the energy, if there is one. Behind the modes
+ * are second-order shapes. */
 static enum hawser_status set_labels(struct hawser_rom *rom, const struct hawser_line_modes *modes,
                                      struct hawser_report *report)
 {
@@ -77,13 +89,14 @@ static enum hawser_status set_labels(struct hawser_rom *rom, const struct hawser
 	if (!rom->label)
 		return hawser__no_memory(report, "line rom");
 	for (int j = 0; j < rom->n; j++) {
-		char text[96], where[40] = "";
+		char text[96] = "second-order shape", where[40] = "";
 
-		for (int i = 0; i < modes->spans && modes->spans > 1; i++)
+		for (int i = 0; j < modes->n && i < modes->spans && modes->spans > 1; i++)
 			if (modes->share[j*modes->spans + i] > 0.5)
 				snprintf(where, sizeof where, " (span %d)", i + 1);
-		snprintf(text, sizeof text, "%s %d%s", hawser_plane_name(modes->mode[j].plane),
-		         modes->mode[j].number, where);
+		if (j < modes->n)
+			snprintf(text, sizeof text, "%s %d%s", hawser_plane_name(modes->mode[j].plane),
+			         modes->mode[j].number, where);
 		rom->label[j] = strdup(text);
 		if (!rom->label[j])
 			return hawser__no_memory(report, "line rom");
@@ -130,7 +143,7 @@ static enum hawser_status set_shapes(struct hawser_rom *rom, const struct hawser
 		shapes->tangent[2*p] = cos(angle);
 		shapes->tangent[2*p + 1] = sin(angle);
 		shapes->stretch[p] = stretch;
-		for (int j = 0; j < rom->n; j++) {
+		for (int j = 0; j < modes->n; j++) {
 			size_t place = 3*((size_t)j*(size_t)shapes->points + (size_t)p);
 
 			hawser_line_modes_at(shapes->shape + place, shapes->slope + place, modes, j, lane, s);
@@ -154,11 +167,11 @@ static enum hawser_status set_line(struct hawser_rom *rom, const struct hawser__
 		for (int k = 0; k < 3 && t->first[i] >= 0; k++, p++) {
 			const struct hawser__lmode_piece *piece = &t->rope->piece[i];
 			const struct hawser_line_modes_piece *on = &modes->piece[i];
-			double V = piece->V + t->rope->delta*piece->length*k/2.0;
+			double V = piece->V + piece->delta*piece->length*k/2.0;
 
 			line->s[p] = piece->s0 + piece->length*k/2.0;
 			line->stretch[p] = 1.0 + t->rope->epsilon*hypot(piece->H, V);
-			for (int j = 0; j < rom->n; j++)
+			for (int j = 0; j < modes->n; j++)
 				hawser__grid_at(line->slope + 3*((size_t)j*(size_t)points + (size_t)p), &on->grid,
 				                modes->slope + 3*((size_t)j*(size_t)modes->points + (size_t)on->first),
 				                3, 3, piece->length*k/2.0);
@@ -166,28 +179,48 @@ static enum hawser_status set_line(struct hawser_rom *rom, const struct hawser__
 	return status;
 }
 
-static enum hawser_status set_second(struct hawser_rom *rom, const struct hawser__expanded *e,
-                                     struct hawser_report *report)
+/* Second-order shapes at the shape points and on the line. */
+static void place_inertia(struct hawser_rom *rom, const struct hawser__expanded *e,
+                          const struct hawser__line_inertia *inertia)
 {
-	enum hawser_status status = hawser__rom_init_second(rom, report);
+	int points = rom->shapes.points, along = rom->line.points;
 
-	if (!status)
-		hawser__expanded_second(rom->shapes.second_shape, rom->shapes.second_slope,
-		                        rom->line.second_slope, rom, e, 0, rom->n*(rom->n + 1)/2);
-	return status;
+	for (int i = 0; i < rom->inertia.shapes; i++) {
+		const double *row = inertia->of.row + (size_t)i*inertia->t->width;
+		int j = inertia->modes->n + i;
+		double u[3];
+
+		for (int p = 0; p < points; p++)
+			e->field_at(rom->shapes.shape + 3*(j*points + p), rom->shapes.slope + 3*(j*points + p),
+			            e->of, row, p);
+		for (int p = 0; p < along; p++)
+			e->field_at(u, rom->line.slope + 3*(j*along + p), e->of, row, points + p);
+	}
 }
 
 /* --- build --- */
 
-static enum hawser_status fill(struct hawser_rom *rom, const struct hawser__lexpand *t,
-                               const struct hawser__answers *answers,
-                               const struct hawser_line_modes *modes,
-                               const struct hawser_line_rom_options *o, const double *pull,
-                               struct hawser_report *report)
+static void set_matrices(struct hawser_rom *rom, const struct hawser__line_inertia *inertia)
 {
-	const struct hawser__line_source source = {rom, t, o->ratio};
+	int n = rom->n, modes = inertia->modes->n;
+
+	for (int j = 0; j < n; j++) {
+		double omega = j < modes ? inertia->modes->mode[j].omega : sqrt(inertia->of.kappa2[j - modes]);
+
+		rom->K[j*(n + 1)] = omega*omega;
+		rom->D[j*(n + 1)] = 2.0*inertia->options->ratio*omega;
+	}
+}
+
+static enum hawser_status fill(struct hawser_rom *rom, struct hawser__line_inertia *inertia,
+                               const struct hawser__answers *answers, struct hawser_report *report)
+{
+	const struct hawser__lexpand *t = inertia->t;
+	const struct hawser_line_modes *modes = inertia->modes;
+	const struct hawser_line_rom_options *o = inertia->options;
+	const struct hawser__line_source source = {rom, t, modes->n, o->ratio};
 	const struct hawser__expanded e = hawser__line_expanded(&source);
-	enum hawser_status status = hawser__rom_init(rom, modes->n, report);
+	enum hawser_status status = hawser__rom_init(rom, modes->n + inertia->of.found.shapes, report);
 
 	if (status)
 		return status;
@@ -195,11 +228,16 @@ static enum hawser_status fill(struct hawser_rom *rom, const struct hawser__lexp
 	rom->time = modes->time_unit;
 	rom->force = modes->force_unit;
 	rom->scaled = 1;
-	for (int j = 0; j < rom->n; j++) {
-		rom->K[j*(rom->n + 1)] = modes->mode[j].omega*modes->mode[j].omega;
-		rom->D[j*(rom->n + 1)] = 2.0*o->ratio*modes->mode[j].omega;
-	}
-	status = hawser__expanded_tensors(rom, &e, rom->n, 0, report);
+	rom->inertia = inertia->of.found;
+	status = hawser__line_load(rom, t, modes, o, inertia->pull, report); /* on all that follows */
+	if (!status)
+		status = hawser__line_inertia_make(inertia, report);
+	if (status)
+		return status;
+	set_matrices(rom, inertia);
+	status = hawser__expanded_tensors(rom, &e, modes->n, 0, report);
+	if (!status)
+		status = hawser__inertia_quads(rom, &inertia->of, report);
 	if (!status)
 		status = set_labels(rom, modes, report);
 	if (!status)
@@ -207,11 +245,11 @@ static enum hawser_status fill(struct hawser_rom *rom, const struct hawser__lexp
 	if (!status)
 		status = set_line(rom, t, modes, report);
 	if (!status)
-		status = set_second(rom, &e, report);
+		place_inertia(rom, &e, inertia);
+	if (!status)
+		status = hawser__expanded_pairs(rom, &e, report);
 	if (!status)
 		status = hawser__line_contacts(rom, modes, report);
-	if (!status)
-		status = hawser__line_load(rom, t, modes, o, pull, report);
 	if (!status)
 		status = hawser__expanded_answers(rom, &e, answers, report);
 	if (!status)
@@ -228,8 +266,8 @@ enum hawser_status hawser_line_rom_build(struct hawser_rom *rom, struct hawser_l
 	struct hawser__lexpand_modes own = {.shape = NULL};
 	struct hawser__lexpand t = {.rope = NULL};
 	struct hawser__answers answers = {.count = 0};
-	double pull[HAWSER_LINE_ROM_MODES], wave;
-	int drive = o.load == HAWSER_LINE_LOAD_DRIVE;
+	double pull[HAWSER_LINE_ROM_MODES] = {0.0}, wave;
+	struct hawser__line_inertia inertia = {.t = &t, .modes = modes, .options = &o, .pull = pull};
 	enum hawser_status status;
 
 	memset(rom, 0, sizeof *rom);
@@ -242,15 +280,16 @@ enum hawser_status hawser_line_rom_build(struct hawser_rom *rom, struct hawser_l
 	status = hawser__lexpand_modes_open(&own, modes, lane, lanes, &o.modes, wave, report);
 	if (!status && o.kept)
 		hawser__lexpand_modes_keep(&own, modes, o.kept, o.count);
-	if (!status && drive)
-		status = hawser__lexpand_drive(&own, pull, o.lane, o.end, report);
 	if (!status)
-		status = hawser__line_answers_make(&answers, &own, modes, &o, report);
+		status = hawser__line_answers_make(&answers, pull, &own, modes, &o, report);
 	if (!status)
 		status = hawser__lexpand_open(&t, &own.rope, own.shape, modes->n + answers.fields, o.held,
 		                              report);
 	if (!status)
-		status = fill(rom, &t, &answers, modes, &o, pull, report);
+		status = hawser__line_inertia_find(&inertia, &own, report);
+	if (!status)
+		status = fill(rom, &inertia, &answers, report);
+	hawser__line_inertia_clear(&inertia);
 	hawser__lexpand_clear(&t);
 	hawser__answers_clear(&answers);
 	hawser__lexpand_modes_clear(&own);

@@ -62,7 +62,8 @@ static void pair_at(double u[3], double slope[3], const void *of, int pair, int 
 	const struct hawser__line_source *source = of;
 	struct place at = place_of(source, p);
 
-	hawser__lexpand_second_at(u, slope, source->t, pair, at.piece, at.s, at.angle);
+	hawser__lexpand_field_at(u, slope, source->t->rope, source->t->second +
+	                         (size_t)pair*source->t->width, at.piece, at.s, at.angle);
 }
 
 static void field_at(double u[3], double slope[3], const void *of, const double *row, int p)
@@ -121,7 +122,8 @@ static double damping(const void *of, const double *row, double omega2)
 
 struct hawser__expanded hawser__line_expanded(const struct hawser__line_source *source)
 {
-	return (struct hawser__expanded){.of = source, .n = source->t->n, .third = source->t->third,
+	return (struct hawser__expanded){.of = source, .n = source->t->n, .equations = source->n,
+		.third = source->t->third,
 		.fourth = fourth, .even = even, .shape_at = shape_at, .pair_at = pair_at,
 		.field_at = field_at, .tightens = tightens, .damping = damping};
 }
@@ -152,7 +154,7 @@ static void add_fields(struct hawser__answers *answers, struct hawser__lexpand_m
 	}
 }
 
-enum hawser_status hawser__line_answers_make(struct hawser__answers *answers,
+enum hawser_status hawser__line_answers_make(struct hawser__answers *answers, double *pull,
                                              struct hawser__lexpand_modes *own,
                                              const struct hawser_line_modes *modes,
                                              const struct hawser_line_rom_options *o,
@@ -163,7 +165,7 @@ enum hawser_status hawser__line_answers_make(struct hawser__answers *answers,
 
 	if (o->load == HAWSER_LINE_LOAD_NONE)
 		return HAWSER_OK;
-	answers->factor = passing ? 1.0 : o->amplitude/modes->length_unit;
+	answers->factor = 1.0;
 	answers->driven = calloc((size_t)count, sizeof *answers->driven);
 	if (!answers->driven)
 		return hawser__no_memory(report, "line rom");
@@ -171,9 +173,11 @@ enum hawser_status hawser__line_answers_make(struct hawser__answers *answers,
 		int i = answers->count++;
 		struct hawser__line_wave wave = passing ? hawser__line_wave(modes, o, i)
 		                                        : (struct hawser__line_wave){.sine = 0};
+		const struct hawser__lexpand_force force = {
+			.pull = passing ? hawser__line_pull : NULL, .wave = &wave, .end = o->end,
+			.motion = {o->amplitude[0]/modes->length_unit, o->amplitude[1]/modes->length_unit}};
 
-		status = hawser__lexpand_answer(&answers->driven[i], own, passing ? hawser__line_pull : NULL,
-		                                &wave, o->lane, report);
+		status = hawser__lexpand_answer(&answers->driven[i], pull, own, &force, report);
 	}
 	for (int i = 0; i < count && !status; i++)
 		add_fields(answers, own, i);

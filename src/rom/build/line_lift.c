@@ -116,7 +116,7 @@ enum hawser_status hawser__line_contacts(struct hawser_rom *rom, const struct ha
 		rom->contacts.name[count] = strdup(modes->lane[arc.lane]->line->sheave[arc.sheave].name);
 		if (!rom->contacts.name[count])
 			return hawser__no_memory(report, "line rom");
-		for (int j = 0; j < rom->n; j++)
+		for (int j = 0; j < modes->n; j++)
 			rom->contacts.turn[j*rom->contacts.count + count] = turn(&arc, modes, j);
 		count++;
 	}

@@ -46,20 +46,26 @@ static struct hawser_harmonic *add(struct hawser_rom *rom, int k, enum hawser_ph
 
 /* --- passing --- */
 
-double hawser__line_pull(const void *wave, double s)
+double hawser__line_pull(const void *wave, int lane, double s)
 {
 	const struct hawser__line_wave *w = wave;
+	double phase = w->number*(s - w->first[lane]);
 
-	return w->scale*(w->sine ? sin(w->number*s) : cos(w->number*s));
+	return w->scale[lane]*(w->sine ? sin(phase) : cos(phase));
 }
 
 struct hawser__line_wave hawser__line_wave(const struct hawser_line_modes *modes,
                                            const struct hawser_line_rom_options *o, int i)
 {
 	double per = modes->length_unit/o->spacing;
+	struct hawser__line_wave wave = {.number = 2.0*M_PI*(i/2 + 1)*per, .sine = i%2};
 
-	return (struct hawser__line_wave){2.0*M_PI*(i/2 + 1)*per, i%2,
-		-2.0*o->weight/modes->force_unit*per*(i%2 && o->modes.backward[o->lane] ? -1.0 : 1.0)};
+	for (int lane = 0; lane < modes->lanes; lane++) {
+		wave.scale[lane] = -2.0*o->weight[lane]/modes->force_unit*per*
+		                   (i%2 && o->modes.backward[lane] ? -1.0 : 1.0);
+		wave.first[lane] = o->first[lane]/modes->length_unit;
+	}
+	return wave;
 }
 
 /* Gauss rules of the modes' grids on parts of elements on which the wave turns by at most this
@@ -87,17 +93,18 @@ static double vertical(const struct field *field, int piece, double s)
 		                3*((size_t)field->mode*(size_t)field->modes->points + (size_t)on->first), 3, 3,
 		                s);
 	else
-		hawser__lexpand_second_at(u, NULL, field->t, field->pair, piece, s, angle);
+		hawser__lexpand_field_at(u, NULL, field->t->rope, field->t->second +
+		                         (size_t)field->pair*field->t->width, piece, s, angle);
 	return u[0]*sin(angle) + u[1]*cos(angle);
 }
 
 /* add[waves] += the integral of y times each wave over a piece. */
 static void integrate(double *sum, const struct field *field, int piece,
-                      const struct hawser__line_wave *wave,
-                      int waves)
+                      const struct hawser__line_wave *wave, int waves)
 {
 	const struct hawser_grid *grid = &field->modes->piece[piece].grid;
 	double s0 = field->t->rope->piece[piece].s0;
+	int lane = field->t->rope->piece[piece].lane;
 
 	for (int e = 0; e < grid->elements; e++) {
 		double length = grid->edge[e + 1] - grid->edge[e];
@@ -109,46 +116,59 @@ static void integrate(double *sum, const struct field *field, int piece,
 				double y = grid->weight[e*grid->order + i]/parts*vertical(field, piece, s);
 
 				for (int k = 0; k < waves; k++)
-					sum[k] += y*hawser__line_pull(&wave[k], s0 + s);
+					sum[k] += y*hawser__line_pull(&wave[k], lane, s0 + s);
 			}
 	}
 }
 
-static void project(double *sum, const struct field *field, int lane,
-                    const struct hawser__line_wave *wave,
+static void project(double *sum, const struct field *field, const struct hawser__line_wave *wave,
                     int waves)
 {
 	for (int k = 0; k < waves; k++)
 		sum[k] = 0.0;
 	for (int i = 0; i < field->t->rope->pieces; i++)
-		if (field->t->rope->piece[i].lane == lane && field->modes->piece[i].grid.points > 0)
+		if (wave->scale[field->t->rope->piece[i].lane] != 0.0 &&
+		    field->modes->piece[i].grid.points > 0)
 			integrate(sum, field, i, wave, waves);
 }
 
-/* A - A' times r, plus what is in G. */
-static void add_gyroscopic(double *G, const struct hawser_line_modes *modes, double r)
+/* Mass that runs along a lane over that of the rope; signed: positive from end A to end B. */
+static double running_of(const struct hawser_line_modes *modes, const struct hawser_line_rom_options *o,
+                         int lane)
 {
-	int n = modes->n;
-
-	for (int j = 0; j < n; j++)
-		for (int k = 0; k < n; k++) {
-			const double *u = modes->shape + 3*(size_t)j*(size_t)modes->points;
-			const double *slope = modes->slope + 3*(size_t)k*(size_t)modes->points;
-			double sum = 0.0;
-
-			if (modes->mode[j].plane != modes->mode[k].plane)
-				continue;
-			for (int p = 0; p < modes->points; p++, u += 3, slope += 3)
-				sum += modes->weight[p]*(u[0]*slope[0] + u[1]*slope[1] + u[2]*slope[2]);
-			G[j*n + k] += r*sum;
-			G[k*n + j] -= r*sum;
-		}
+	return o->running[lane]/modes->rho*(o->modes.backward[lane] ? -1.0 : 1.0);
 }
 
-/* Of the rope's own mass; signed: positive from end A to end B. */
-static double running_of(const struct hawser_line_modes *modes, const struct hawser_line_rom_options *o)
+/* Integral of Phi_j.Phi_k' over a piece. */
+static double along(const struct hawser_line_modes *modes, const struct hawser_line_modes_piece *piece,
+                    int j, int k)
 {
-	return o->running/modes->rho*(o->modes.backward[o->lane] ? -1.0 : 1.0);
+	size_t first = (size_t)piece->first, points = (size_t)modes->points;
+	const double *u = modes->shape + 3*((size_t)j*points + first);
+	const double *slope = modes->slope + 3*((size_t)k*points + first), *weight = modes->weight + first;
+	double sum = 0.0;
+
+	for (int p = 0; p < piece->grid.points; p++, u += 3, slope += 3)
+		sum += weight[p]*(u[0]*slope[0] + u[1]*slope[1] + u[2]*slope[2]);
+	return sum;
+}
+
+/* r (A - A') times the speed, plus what is in G [n][n]. */
+static void add_gyroscopic(double *G, int n, const struct hawser_line_modes *modes,
+                           const struct hawser_line_rom_options *o, double speed)
+{
+	for (int j = 0; j < modes->n; j++)
+		for (int k = 0; k < modes->n; k++) {
+			double sum = 0.0;
+
+			for (int i = 0; i < modes->pieces && modes->mode[j].plane == modes->mode[k].plane; i++) {
+				const struct hawser_line_modes_piece *piece = &modes->piece[i];
+
+				sum += speed*running_of(modes, o, piece->lane)*along(modes, piece, j, k);
+			}
+			G[j*n + k] += sum;
+			G[k*n + j] -= sum;
+		}
 }
 
 static enum hawser_status passing_runs(struct hawser_rom *rom, const struct hawser_line_modes *modes,
@@ -157,7 +177,7 @@ static enum hawser_status passing_runs(struct hawser_rom *rom, const struct haws
 {
 	struct hawser_harmonic *h = &rom->harmonic[rom->harmonics];
 
-	if (!(o->running > 0.0))
+	if (!(o->running[0] + o->running[1] > 0.0))
 		return HAWSER_OK;
 	h->D = calloc((size_t)rom->n*(size_t)rom->n, sizeof *h->D);
 	if (!h->D)
@@ -165,7 +185,7 @@ static enum hawser_status passing_runs(struct hawser_rom *rom, const struct haws
 	rom->harmonics++;
 	h->phase = HAWSER_COS;
 	h->omega_power = 1;
-	add_gyroscopic(h->D, modes, running_of(modes, o)*o->spacing/modes->length_unit/(2.0*M_PI));
+	add_gyroscopic(h->D, rom->n, modes, o, o->spacing/modes->length_unit/(2.0*M_PI));
 	return HAWSER_OK;
 }
 
@@ -191,23 +211,41 @@ static enum hawser_status passing(struct hawser_rom *rom, const struct hawser__l
 		if (!h[k])
 			return HAWSER_ERR_MEMORY;
 	}
-	for (int j = 0; j < rom->n; j++) {
+	for (int j = 0; j < modes->n; j++) {
 		field.mode = j;
-		project(sum, &field, o->lane, wave, waves);
+		project(sum, &field, wave, waves);
 		for (int k = 0; k < waves; k++)
 			h[k]->f[j] = sum[k];
 	}
 	field.mode = -1;
-	for (int j = 0; j < rom->n; j++)
+	for (int j = 0; j < modes->n; j++)
 		for (int l = 0; l <= j; l++) {
 			if (modes->mode[j].plane != modes->mode[l].plane)
 				continue;
 			field.pair = hawser__pair(l, j);
-			project(sum, &field, o->lane, wave, waves);
+			project(sum, &field, wave, waves);
 			for (int k = 0; k < waves; k++)
 				h[k]->K[j*rom->n + l] = h[k]->K[l*rom->n + j] = -sum[k];
 		}
 	return passing_runs(rom, modes, o, report);
+}
+
+double hawser__line_force(const struct hawser__lexpand *t, const struct hawser_line_modes *modes,
+                          const struct hawser_line_rom_options *o, const double *pull, int j)
+{
+	struct hawser__line_wave wave[WAVES_MOST] = {{.sine = 0}};
+	const struct field field = {.t = t, .modes = modes, .mode = j, .pair = -1};
+	double sum[WAVES_MOST] = {0.0}, most = 0.0;
+	int waves = 2*o->harmonics;
+
+	if (o->load != HAWSER_LINE_LOAD_PASSING)
+		return o->load == HAWSER_LINE_LOAD_DRIVE ? fabs(pull[j]) : 0.0;
+	for (int k = 0; k < waves; k++)
+		wave[k] = hawser__line_wave(modes, o, k);
+	project(sum, &field, wave, waves);
+	for (int k = 0; k < waves; k += 2)
+		most = fmax(most, hypot(sum[k], sum[k + 1]));
+	return most;
 }
 
 /* --- drive --- */
@@ -218,22 +256,20 @@ static enum hawser_status drive(struct hawser_rom *rom, const struct hawser__lex
                                 struct hawser_report *report)
 {
 	struct hawser_harmonic *h;
-	double r = o->amplitude/modes->length_unit;
 	int n = rom->n;
 
-	if (o->running > 0.0)
-		add_gyroscopic(rom->D, modes, running_of(modes, o)*o->speed*modes->time_unit/
-		               modes->length_unit);
+	add_gyroscopic(rom->D, rom->n, modes, o, o->speed*modes->time_unit/modes->length_unit);
 	rom->harmonic = calloc(1, sizeof *rom->harmonic);
 	if (!rom->harmonic)
 		return hawser__no_memory(report, "line rom");
 	h = add(rom, 1, HAWSER_COS, report);
 	if (!h)
 		return HAWSER_ERR_MEMORY;
-	for (int j = 0; j < n; j++) {
-		h->f[j] = -pull[j]*r;
-		for (int k = 0; k < n; k++)
-			h->K[j*n + k] = r*t->third[(j*t->n + k)*t->n + n];
+	for (int j = 0; j < modes->n; j++) {
+		h->f[j] = -pull[j];
+		for (int k = 0; k < modes->n; k++)
+			for (int i = modes->n; i < t->n; i++)
+				h->K[j*n + k] += t->third[(j*t->n + k)*t->n + i];
 	}
 	return HAWSER_OK;
 }

@@ -75,6 +75,18 @@ enum hawser_status hawser__rom_init_second(struct hawser_rom *rom, struct hawser
 	return hawser__no_memory(report, "rom");
 }
 
+struct hawser_harmonic *hawser__rom_harmonic(struct hawser_rom *rom, int k, enum hawser_phase phase)
+{
+	struct hawser_harmonic *h = realloc(rom->harmonic, ((size_t)rom->harmonics + 1)*sizeof *h);
+
+	if (!h)
+		return NULL;
+	rom->harmonic = h;
+	h += rom->harmonics++;
+	*h = (struct hawser_harmonic){.k = k, .phase = phase};
+	return h;
+}
+
 static void free_words(char **word, int count)
 {
 	for (int i = 0; word && i < count; i++)

@@ -23,6 +23,9 @@ enum hawser_status hawser__rom_init_second(struct hawser_rom *rom, struct hawser
 enum hawser_status hawser__rom_init_line(struct hawser_rom *rom, int points,
                                          struct hawser_report *report);
 
+/* Another harmonic, zero but for these; NULL if out of memory. It moves the others. */
+struct hawser_harmonic *hawser__rom_harmonic(struct hawser_rom *rom, int k, enum hawser_phase phase);
+
 /* xyz [3], in global axes, of a displacement local [3] along e, n, z at shape point p. */
 void hawser__shapes_global(double *xyz, const struct hawser_rom_shapes *shapes, int p,
                            const double local[3]);

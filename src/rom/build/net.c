@@ -120,7 +120,6 @@ static enum hawser_status find_like(struct hawser__net_source *source, int *alig
 	source->EA = fine->EA;
 	source->n = fine->n;
 	source->inertia.found = fine->inertia.found;
-	source->inertia.pairs = fine->inertia.pairs;
 	source->inertia.by = fine->inertia.by;
 	status = allocate(source, report);
 	return status ? status : hawser__net_align(aligned, source, fine, report);

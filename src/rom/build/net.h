@@ -7,7 +7,7 @@
 
 #include "net/expand/expand.h"
 #include "rom/build/expanded.h"
-#include "rom/condense/inertia_choice.h"
+#include "rom/build/expanded_inertia.h"
 
 /* Between two nodes of the mesh, with the strains of two elements. */
 struct hawser__net_place {
@@ -29,16 +29,6 @@ struct hawser__net_lift {
 	double (*shape)[3];    /* [nodes] m */
 };
 
-/* Second-order shapes that are coordinates behind the modes. */
-struct hawser__net_inertia {
-	struct hawser_rom_inertia found;
-	int pairs;
-	double *by;            /* [shapes][pairs] what they are made of */
-	double *row, (*slope)[3]; /* [shapes][unknowns] m; [shapes][elements] */
-	double kappa2[HAWSER__INERTIA_MOST]; /* their stiffness */
-	double *third;         /* [shapes][pairs of modes] third derivatives of the energy */
-};
-
 struct hawser__net_source {
 	struct hawser__net_modal modal;
 	struct hawser__nexpand t;
@@ -51,7 +41,7 @@ struct hawser__net_source {
 	int waves, lifts;
 	struct hawser__net_wave *wave;
 	struct hawser__net_lift *lift;
-	struct hawser__net_inertia inertia;
+	struct hawser__inertia inertia; /* coordinates behind the modes; rows in m */
 	double *scratch;           /* [unknowns] */
 	struct hawser__hold hold;
 };

@@ -53,30 +53,6 @@ static enum hawser_status set_matrices(struct hawser_rom *rom, const struct haws
 	return HAWSER_OK;
 }
 
-/* T_jkpsi u_j u_k/2 in the equation of a second-order shape, and T_jkpsi u_k psi in those of modes. */
-static enum hawser_status set_follow(struct hawser_rom *rom, const struct hawser__net_source *source,
-                                     struct hawser_report *report)
-{
-	int n = source->n, pairs = n*(n + 1)/2;
-	struct hawser_quad *Q = realloc(rom->Q, ((size_t)rom->quads + 3*(size_t)pairs*
-	                                         (size_t)rom->inertia.shapes + 1)*sizeof *Q);
-
-	if (!Q)
-		return hawser__no_memory(report, "net rom");
-	rom->Q = Q;
-	for (int i = 0; i < rom->inertia.shapes; i++)
-		for (int k = 0; k < n; k++)
-			for (int j = 0; j <= k; j++) {
-				double value = source->inertia.third[i*pairs + hawser__pair(j, k)];
-
-				Q[rom->quads++] = (struct hawser_quad){n + i, j, k, j == k ? 0.5*value : value};
-				Q[rom->quads++] = (struct hawser_quad){j, k, n + i, value};
-				if (j < k)
-					Q[rom->quads++] = (struct hawser_quad){k, j, n + i, value};
-			}
-	return HAWSER_OK;
-}
-
 /* Forces on the coordinates, and the stiffness by the static response of the others. */
 static enum hawser_status set_harmonics(struct hawser_rom *rom, const struct hawser__net_source *source,
                                         const struct hawser__answers *answers,
@@ -176,18 +152,6 @@ static enum hawser_status set_places(struct hawser_rom *rom, struct hawser__net_
 	return status;
 }
 
-static enum hawser_status set_second(struct hawser_rom *rom, const struct hawser__expanded *e,
-                                     struct hawser_report *report)
-{
-	enum hawser_status status = hawser__rom_init_second(rom, report);
-	int modes = rom->n - rom->inertia.shapes;
-
-	if (!status)
-		hawser__expanded_second(rom->shapes.second_shape, rom->shapes.second_slope,
-		                        rom->line.second_slope, rom, e, 0, modes*(modes + 1)/2);
-	return status;
-}
-
 enum hawser_status hawser__net_fill(struct hawser_rom *rom, struct hawser__net_source *source,
                                     const struct hawser__answers *answers, struct hawser_report *report)
 {
@@ -205,13 +169,13 @@ enum hawser_status hawser__net_fill(struct hawser_rom *rom, struct hawser__net_s
 	if (!status)
 		status = hawser__expanded_tensors(rom, &e, source->n, 0, report);
 	if (!status)
-		status = set_follow(rom, source, report);
+		status = hawser__inertia_quads(rom, &source->inertia, report);
 	if (!status)
 		status = set_labels(rom, source, report);
 	if (!status)
 		status = set_places(rom, source, report);
 	if (!status)
-		status = set_second(rom, &e, report);
+		status = hawser__expanded_pairs(rom, &e, report);
 	if (!status)
 		status = set_harmonics(rom, source, answers, report);
 	if (!status)

@@ -252,7 +252,8 @@ static double damping(const void *of, const double *row, double omega2)
 
 struct hawser__expanded hawser__net_expanded(const struct hawser__net_source *source)
 {
-	return (struct hawser__expanded){.of = source, .n = source->t.n, .third = source->t.third,
+	return (struct hawser__expanded){.of = source, .n = source->t.n,
+		.equations = source->n, .third = source->t.third,
 		.fourth = fourth, .even = even, .shape_at = shape_at, .pair_at = pair_at,
 		.field_at = field_at, .tightens = tightens, .damping = damping};
 }

@@ -74,37 +74,52 @@ static void add_ramp(double *out, const double *from, int count, double factor)
 		out[i] += factor*from[i];
 }
 
-/* out[count] += those of shape point p, from number `first` of its four on. */
-static void at_point(const struct hawser_rom *rom, double *out, int p, int first, int count,
-                     const struct hawser_rom_moment *moment, int rate)
+/* out[count] += the numbers from `at` on of what is stored at the shape points or (line) along the
+ * line. Returns whether there are any. */
+static int add_all(double *out, const struct hawser_rom *rom, int line, size_t at, int count,
+                   const struct hawser_rom_moment *moment, int rate)
 {
-	size_t points = (size_t)rom->shapes.points, at = 4*(size_t)p + (size_t)first;
+	size_t apart = line ? (size_t)rom->line.points : 4*(size_t)rom->shapes.points;
+	const double *known = line ? rom->known.line : rom->known.shape;
 	double s[HAWSER_RAMP_TERMS];
+	int any = 0;
 
-	for (int h = 0; h < rom->harmonics; h++) {
-		if (!rom->harmonic[h].answer)
+	for (int i = 0; i < rom->harmonics; i++) {
+		const struct hawser_harmonic *h = &rom->harmonic[i];
+		const double *from = line ? h->answer_line : h->answer;
+
+		if (!from)
 			continue;
-		add_harmonic(out, &rom->harmonic[h], rom->harmonic[h].answer + at, 4*points, count,
-		             moment, rate);
-		if (rom->harmonic[h].known)
-			add_known(out, rom, &rom->harmonic[h], rom->known.shape + at, 4*points, count,
-			          moment, rate);
+		add_harmonic(out, h, from + at, apart, count, moment, rate);
+		if (h->known && known)
+			add_known(out, rom, h, known + at, apart, count, moment, rate);
+		any = 1;
 	}
-	for (int i = 0; rom->history && i < rom->history->terms; i++)
-		if (rom->history->term[i].answer)
-			add_ramp(out, rom->history->term[i].answer + at, count,
-			         hawser__history_factor(rom->history, i, moment->time, rate));
 	if (rom->ramp)
 		slope_factors(s, rom->ramp, moment->time, rate);
-	for (int i = 0; rom->ramp && i < HAWSER_RAMP_TERMS; i++)
-		if (rom->ramp->term[i].answer)
-			add_ramp(out, rom->ramp->term[i].answer + at, count, s[i]);
+	for (int i = 0; rom->ramp && i < HAWSER_RAMP_TERMS; i++) {
+		const double *from = line ? rom->ramp->term[i].answer_line : rom->ramp->term[i].answer;
+
+		if (from)
+			add_ramp(out, from + at, count, s[i]);
+		any |= from != NULL;
+	}
+	for (int i = 0; rom->history && i < rom->history->terms; i++) {
+		const struct hawser_ramp_term *term = &rom->history->term[i];
+		const double *from = line ? term->answer_line : term->answer;
+
+		if (from)
+			add_ramp(out, from + at, count,
+			         hawser__history_factor(rom->history, i, moment->time, rate));
+		any |= from != NULL;
+	}
+	return any;
 }
 
 void hawser__rom_answer_shape(const struct hawser_rom *rom, double local[3], int p,
                               const struct hawser_rom_moment *moment, int rate)
 {
-	at_point(rom, local, p, 0, 3, moment, rate);
+	(void)add_all(local, rom, 0, 4*(size_t)p, 3, moment, rate);
 }
 
 double hawser__rom_answer_slope(const struct hawser_rom *rom, int p,
@@ -112,55 +127,18 @@ double hawser__rom_answer_slope(const struct hawser_rom *rom, int p,
 {
 	double strain = 0.0;
 
-	at_point(rom, &strain, p, 3, 1, moment, 0);
+	(void)add_all(&strain, rom, 0, 4*(size_t)p + 3, 1, moment, 0);
 	return strain;
-}
-
-/* extra[count] of `count` points of the line, from `first` on. Returns whether there are any. */
-static int on_line(const struct hawser_rom *rom, double *extra, int first, int count,
-                   const struct hawser_rom_moment *moment)
-{
-	size_t points = (size_t)rom->line.points, at = (size_t)first;
-	double s[HAWSER_RAMP_TERMS];
-	int any = 0;
-
-	memset(extra, 0, (size_t)count*sizeof *extra);
-	for (int h = 0; h < rom->harmonics; h++) {
-		if (!rom->harmonic[h].answer_line)
-			continue;
-		add_harmonic(extra, &rom->harmonic[h], rom->harmonic[h].answer_line + at, points, count,
-		             moment, 0);
-		if (rom->harmonic[h].known && rom->known.line)
-			add_known(extra, rom, &rom->harmonic[h], rom->known.line + at, points, count,
-			          moment, 0);
-		any = 1;
-	}
-	for (int i = 0; rom->history && i < rom->history->terms; i++) {
-		if (!rom->history->term[i].answer_line)
-			continue;
-		add_ramp(extra, rom->history->term[i].answer_line + at, count,
-		         hawser__history_factor(rom->history, i, moment->time, 0));
-		any = 1;
-	}
-	if (rom->ramp)
-		slope_factors(s, rom->ramp, moment->time, 0);
-	for (int i = 0; rom->ramp && i < HAWSER_RAMP_TERMS; i++) {
-		if (!rom->ramp->term[i].answer_line)
-			continue;
-		add_ramp(extra, rom->ramp->term[i].answer_line + at, count, s[i]);
-		any = 1;
-	}
-	return any;
 }
 
 double hawser__rom_answer_strain(const struct hawser_rom *rom, int place,
                                  const struct hawser_rom_moment *moment)
 {
-	double strain;
+	double strain = 0.0;
 
 	if (rom->line.points == 0)
 		return hawser__rom_answer_slope(rom, place, moment);
-	(void)on_line(rom, &strain, place, 1, moment);
+	(void)add_all(&strain, rom, 1, (size_t)place, 1, moment, 0);
 	return strain;
 }
 
@@ -175,14 +153,8 @@ int hawser__rom_answer_strains(const struct hawser_rom *rom, double *extra,
 	if (rom->exact)
 		return any;
 	if (rom->line.points > 0)
-		return on_line(rom, extra, 0, rom->line.points, moment) || any;
-	for (int h = 0; h < rom->harmonics; h++)
-		any |= rom->harmonic[h].answer != NULL;
-	for (int i = 0; rom->ramp && i < HAWSER_RAMP_TERMS; i++)
-		any |= rom->ramp->term[i].answer != NULL;
-	for (int i = 0; rom->history && i < rom->history->terms; i++)
-		any |= rom->history->term[i].answer != NULL;
-	for (int p = 0; any && p < rom->shapes.points; p++)
-		extra[p] = hawser__rom_answer_slope(rom, p, moment);
+		return add_all(extra, rom, 1, 0, rom->line.points, moment, 0) || any;
+	for (int p = 0; p < rom->shapes.points; p++)
+		any |= add_all(extra + p, rom, 0, 4*(size_t)p + 3, 1, moment, 0);
 	return any;
 }

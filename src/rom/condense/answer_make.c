@@ -26,11 +26,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/hold.h"
 #include "core/report.h"
 #include "modes/grid.h"
 #include "modes/label.h"
 #include "rom/condense/answer.h"
 #include "rom/build/build.h"
+#include "rom/build/model.h"
 #include "rom/condense/follow.h"
 #include "rom/energy/kernel.h"
 #include "rom/condense/support.h"
@@ -83,26 +85,11 @@ static enum hawser_status work_make(struct work *work, const struct hawser_modes
 	       : hawser__no_memory(report, "rom");
 }
 
-/* along = the integral of the local field [stations][3] from end A, in global axes. */
-static void integrate(struct work *work, const double *field)
+/* along = displacement of z. */
+static void integrate(struct work *work)
 {
-	const struct hawser_statics *st = &work->stations.modes->statics;
-	int count = work->stations.count;
-
-	for (int i = 0; i < count; i++) {
-		struct hawser_frame_point at = hawser_statics_frame(st, work->stations.s[i]);
-		double v[3];
-
-		hawser__frame_out(v, &at, field + 3*(size_t)i);
-		for (int axis = 0; axis < 3; axis++)
-			work->global[axis*count + i] = v[axis];
-	}
-	for (int axis = 0; axis < 3; axis++) {
-		hawser__grid_running(work->along + axis*count, &work->grid, &work->reference,
-		                     work->global + axis*count);
-		for (int i = 0; st->elastic && i < count; i++)
-			work->along[axis*count + i] += work->stations.start[axis];
-	}
+	hawser__displacement(work->along, &work->grid, &work->reference, &work->stations.modes->statics,
+	                     work->stations.z, work->stations.start, work->global);
 }
 
 /* Displacement and strain of z at the shape points, strain on the line; along is the displacement. */
@@ -110,25 +97,12 @@ static void note(struct work *work, int order)
 {
 	const struct hawser_rom_shapes *shapes = &work->rom->shapes;
 	const struct hawser_rom_line *line = &work->rom->line;
-	int count = work->stations.count;
 
 	for (int p = 0; p < shapes->points; p++) {
-		const struct hawser_statics *st = &work->stations.modes->statics;
-		struct hawser_frame_point at = hawser_statics_frame(st, shapes->s[p]);
 		double *out = work->shape + 4*((size_t)order*(size_t)shapes->points + (size_t)p);
-		int own = hawser__rom_stroke_point(st, p);
-		double global[3];
 
-		for (int axis = 0; axis < 3; axis++)
-			if (own >= 0)
-				global[axis] = work->stations.stroke[own]*st->attached[own].absorber_axis[axis];
-			else
-				hawser__grid_at(&global[axis], &work->grid, work->along + axis*count, 1, 1,
-				                shapes->s[p]);
-		if (st->space)
-			memcpy(out, global, sizeof global); /* as in set_probe of build.c */
-		else
-			hawser__frame_in(out, &at, global);
+		hawser__displaced_at(out, work->rom, &work->stations.modes->statics, &work->grid, work->along,
+		                  work->stations.stroke, p);
 		hawser__grid_at(out + 3, &work->grid, work->stations.z, 3, 1, shapes->s[p]);
 	}
 	for (int p = 0; p < line->points; p++)
@@ -202,7 +176,7 @@ static void solve(struct work *work)
 
 	for (int order = 0; order < ORDERS; order++) {
 		hawser__follow(&work->stations);
-		integrate(work, work->stations.z);
+		integrate(work);
 		note(work, order);
 		if (order + 1 == ORDERS)
 			break;
@@ -356,7 +330,7 @@ static void lag(double *T, struct work *work, int squared)
 {
 	hawser__speed_pull(&work->stations, squared);
 	hawser__follow(&work->stations);
-	integrate(work, work->stations.z);
+	integrate(work);
 	pull_of(work, 1, NULL, NULL);
 	hawser__follow(&work->stations);
 	(void)hawser__follow_stiffness(T, &work->stations);
@@ -368,26 +342,24 @@ enum hawser_status hawser__rom_travel_lag(struct hawser_rom *rom, const struct h
 	const double nu = modes->statics.motion.nu, V = modes->statics.motion.swing;
 	/* travel.c, times k^2 */
 	const double factor[] = {2.0*nu*V, -V, -2.0*V*V};
-	size_t n2 = (size_t)rom->n*(size_t)rom->n, count = (size_t)rom->harmonics;
+	size_t n2 = (size_t)rom->n*(size_t)rom->n;
 	struct work work = {.rom = rom};
-	struct hawser_harmonic *h;
 	enum hawser_status status;
 
 	if (V == 0.0)
 		return HAWSER_OK;
-	h = realloc(rom->harmonic, (count + 3)*sizeof *h);
-	if (!h)
-		return hawser__no_memory(report, "rom");
-	rom->harmonic = h;
 	status = work_make(&work, modes, modes->n, NULL, 0, report);
 	for (int i = 0; !status && i < 3; i++) {
-		h = &rom->harmonic[rom->harmonics++];
-		*h = (struct hawser_harmonic){.k = i == 2 ? 2 : 1, .phase = i == 0 ? HAWSER_SIN : HAWSER_COS,
-			.omega_power = i == 1 ? 3 : 2, .K = calloc(n2, sizeof *h->K)};
-		if (!h->K) {
+		struct hawser_harmonic *h = hawser__rom_harmonic(rom, i == 2 ? 2 : 1, i == 0 ? HAWSER_SIN
+		                                                                             : HAWSER_COS);
+
+		if (h)
+			h->K = hawser__numbers(n2, 1);
+		if (!h || !h->K) {
 			status = hawser__no_memory(report, "rom");
 			break;
 		}
+		h->omega_power = i == 1 ? 3 : 2;
 		lag(h->K, &work, i != 1);
 		cblas_dscal((int)n2, factor[i], h->K, 1);
 	}

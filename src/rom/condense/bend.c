@@ -295,23 +295,3 @@ void hawser__bend_gram(double *gram, const struct hawser__bend *bend, double *ro
 	cblas_dsyrk(CblasRowMajor, CblasLower, CblasNoTrans, count, wide, 1.0, rows, wide, 1.0, gram,
 	            count);
 }
-
-enum hawser_status hawser__bend_of(struct hawser__bend **bend, const struct hawser_modes *modes,
-                                   struct hawser_report *report)
-{
-	const struct hawser_grid *grid = &modes->grid;
-	struct hawser__place *place;
-	enum hawser_status status;
-
-	*bend = NULL;
-	if (!(modes->statics.bending.EI > 0.0))
-		return HAWSER_OK;
-	place = malloc((size_t)grid->points*sizeof *place);
-	for (int p = 0; place && p < grid->points; p++)
-		place[p] = hawser__place_at(modes, grid->s[p], grid->weight[p]);
-	status = place ? hawser__bend_make(bend, &modes->statics, grid->edge, grid->elements, grid->order,
-	                                   place, report)
-	               : hawser__no_memory(report, "rom");
-	free(place);
-	return status;
-}

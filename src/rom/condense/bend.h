@@ -30,9 +30,6 @@ enum hawser_status hawser__bend_make(struct hawser__bend **bend, const struct ha
                                      const double *edge, int parts, int order,
                                      const struct hawser__place *place,
                                      struct hawser_report *report);
-/* The same for the grid of the modes. */
-enum hawser_status hawser__bend_of(struct hawser__bend **bend, const struct hawser_modes *modes,
-                                   struct hawser_report *report);
 void hawser__bend_free(struct hawser__bend *bend);
 
 /* Replace forces against the strains a, b, c, x [points][3], by the strains that answer them if no

@@ -3,22 +3,14 @@
  *    f      load per length
  *    P      integral of f along the cable from end A to s
  *
- * Condensed modes also respond to the load, which adds cos(Omega t) T_jk to the stiffness of the
- * kept modes (follow.h): the load varies the tension. The largest effect is due to its component
- * along the cable, acting on longitudinal modes, which are hardly ever kept. Terms of higher degree in
- * the response are those of support_energy.c.
- *
  * Since a displacement vanishes at both ends, the work of f on it is that of -P on its derivative.
  * P jumps at a force at a point.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
-#include <stdlib.h>
 #include <string.h>
 
-#include "modes/grid.h"
-#include "rom/build/build.h"
 #include "rom/condense/follow.h"
 #include "statics/frame.h"
 
@@ -95,44 +87,4 @@ void hawser__load_pull(struct hawser__stations *stations, const struct hawser__l
 	for (int i = 0; i < loads->count; i++)
 		if (loads->piece[i].harmonic[loads->sine[h]] == h)
 			pull_one(stations, &loads->piece[i], loads, h);
-}
-
-enum hawser_status hawser__follow_load(double *T, int *any, const struct hawser_modes *modes,
-                                       int moving, const struct hawser__loads *loads, int h,
-                                       struct hawser_report *report)
-{
-	struct hawser__stations stations;
-	enum hawser_status status = hawser__stations_make(&stations, modes, moving, loads->cut,
-	                                                  loads->cuts, report);
-
-	if (!status) {
-		hawser__load_pull(&stations, loads, h);
-		hawser__follow(&stations);
-		*any = hawser__follow_stiffness(T, &stations);
-	}
-	hawser__stations_clear(&stations);
-	return status;
-}
-
-enum hawser_status hawser__follow_strains(double *strain, const struct hawser_modes *modes, int moving,
-                                          const struct hawser__loads *loads, int h,
-                                          struct hawser_report *report)
-{
-	struct hawser__stations stations;
-	struct hawser_grid grid = {.points = 0}; /* its points are the stations */
-	enum hawser_status status = hawser__stations_make(&stations, modes, moving, loads->cut,
-	                                                  loads->cuts, report);
-
-	if (!status)
-		status = hawser__grid_init(&grid, stations.parts, modes->grid.order, stations.edge, NULL,
-		                           report);
-	if (!status) {
-		hawser__load_pull(&stations, loads, h);
-		hawser__follow(&stations);
-		for (int p = 0; p < modes->grid.points; p++)
-			hawser__grid_at(strain + 3*(size_t)p, &grid, stations.z, 3, 3, modes->grid.s[p]);
-	}
-	hawser__grid_clear(&grid);
-	hawser__stations_clear(&stations);
-	return status;
 }

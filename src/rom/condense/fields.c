@@ -9,6 +9,7 @@
 
 #include "core/grow.h"
 #include "core/report.h"
+#include "rom/build/model.h"
 #include "rom/condense/fields.h"
 #include "rom/terms/history.h"
 
@@ -143,12 +144,9 @@ static struct hawser_harmonic *find(struct hawser_rom *rom, int first, int k, en
 		if (rom->harmonic[i].k == k && rom->harmonic[i].phase == phase &&
 		    rom->harmonic[i].load_power == power)
 			return &rom->harmonic[i];
-	h = realloc(rom->harmonic, ((size_t)rom->harmonics + 1)*sizeof *h);
-	if (!h)
-		return NULL;
-	rom->harmonic = h;
-	h += rom->harmonics++;
-	*h = (struct hawser_harmonic){.k = k, .phase = phase, .load_power = power};
+	h = hawser__rom_harmonic(rom, k, phase);
+	if (h)
+		h->load_power = power;
 	return h;
 }
 

@@ -3,12 +3,13 @@
  *   e, n         tangent and normal; eps, k, g of struct hawser__place
  *   lambda       change of the end force
  *
- * As in condense.c, V2 has no derivatives of the strains, so the strains z follow from the force point
- * by point, with lambda from the condition that the ends stay fixed:
+ * V2 has no derivatives of the strains, so the strains z follow from the force point by point, with
+ * lambda from the condition that the ends stay fixed:
  *
  *     a = eps (p_a - lambda.e)      b = (p_b - lambda.n)/k      c = (p_c - lambda_z)/k
  *
- * minus the part along the kept modes, Phi_s times the work of p on it over omega_s^2.
+ * (with springs and bending stiffness as in ties.c), minus the part along the kept modes, Phi_s times
+ * the work of p on it over omega_s^2.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -20,6 +21,7 @@
 
 #include "core/order.h"
 #include "core/report.h"
+#include "core/vec3.h"
 #include "modes/bending/bending.h"
 #include "modes/grid.h"
 #include "modes/label.h"
@@ -61,12 +63,16 @@ static void add_part(struct hawser__stations *stations, int e, double from, doub
 /* slope [3] = those of a mode, at the points with these weights. */
 static void combine(double *slope, const double *of, const double *weight, int order)
 {
-	double sum[3] = {0.0};
+	double a = 0.0, b = 0.0, c = 0.0; /* no array, which would be in memory */
 
-	for (int k = 0; k < order; k++)
-		for (int c = 0; c < 3; c++)
-			sum[c] += weight[k]*of[3*k + c];
-	memcpy(slope, sum, sizeof sum);
+	for (int k = 0; k < order; k++, of += 3) {
+		a += weight[k]*of[0];
+		b += weight[k]*of[1];
+		c += weight[k]*of[2];
+	}
+	slope[0] = a;
+	slope[1] = b;
+	slope[2] = c;
 }
 
 /* weight [order] is scratch. */
@@ -97,17 +103,14 @@ static void set_slopes(struct hawser__stations *to, double *weight)
 	}
 }
 
-static enum hawser_status set_springs(struct hawser__stations *stations, struct hawser_report *report)
+static enum hawser_status set_ties(struct hawser__stations *stations, struct hawser_report *report)
 {
-	enum hawser_status status = hawser__springs_make(&stations->springs, stations->modes, report);
+	enum hawser_status status = hawser__bend_make(&stations->bend, &stations->modes->statics,
+	                                              stations->edge, stations->parts,
+	                                              stations->modes->grid.order, stations->place, report);
 
-	if (!status)
-		status = hawser__bend_make(&stations->bend, &stations->modes->statics, stations->edge,
-		                           stations->parts, stations->modes->grid.order, stations->place,
-		                           report);
-	return status || !stations->springs ? status
-	       : hawser__springs_assemble(stations->springs, stations->bend, stations->place,
-	                                  stations->s, stations->count, report);
+	return status ? status : hawser__ties_make(&stations->ties, stations->modes, stations->bend,
+	                                           stations->place, stations->s, stations->count, report);
 }
 
 /* Add to all [*count] what divides the cable beside a cut, where a force that jumps there makes a
@@ -157,7 +160,7 @@ static enum hawser_status make(struct hawser__stations *stations, const struct h
 		add_part(stations, e, from, grid->edge[e + 1]);
 	}
 	set_slopes(stations, stations->z); /* z is not yet used */
-	return set_springs(stations, report);
+	return set_ties(stations, report);
 }
 
 enum hawser_status hawser__stations_make(struct hawser__stations *stations,
@@ -185,7 +188,7 @@ enum hawser_status hawser__stations_make(struct hawser__stations *stations,
 void hawser__stations_clear(struct hawser__stations *stations)
 {
 	hawser__hold_clear(&stations->hold);
-	hawser__springs_free(stations->springs);
+	hawser__ties_free(stations->ties);
 	hawser__bend_free(stations->bend);
 	*stations = (struct hawser__stations){.count = 0};
 }
@@ -205,92 +208,48 @@ static double work_on(const struct hawser__stations *stations, const double *str
 	return sum;
 }
 
-/* Strains of the response with springs, before the part along the kept modes is removed. */
-static void follow_springs(struct hawser__stations *stations)
+/* Take mode s out of the response. */
+static void remove_mode(struct hawser__stations *stations, int s)
 {
-	struct hawser__springs *springs = stations->springs;
-	double stretch[sizeof springs->spring/sizeof *springs->spring];
+	const struct hawser_modes *modes = stations->modes;
+	const struct hawser__ties *ties = stations->ties;
+	int width = 3*stations->count;
+	const double *slope = stations->slope + (size_t)s*(size_t)width;
+	double omega = modes->mode[s].omega, part = work_on(stations, slope), u[3];
 
-	memset(springs->z, 0, sizeof springs->z);
-	memcpy(stations->z, stations->p, 3*(size_t)stations->count*sizeof *stations->z);
-	hawser__comply(stations->bend, stations->z, stations->place, stations->count);
-	for (int i = 0; i < stations->count; i++)
-		hawser__springs_load(springs, &stations->place[i], stations->s[i], stations->z + 3*i);
-	memcpy(springs->beyond, stations->beyond, sizeof springs->beyond);
-	hawser__springs_solve(springs);
-	hawser__springs_release(stations->z, springs, stations->bend, stations->place, stations->s,
-	                        stations->count);
-	for (int m = springs->size - 3; m < springs->size - 3 + springs->joints; m++)
-		stretch[m] = hawser__springs_stretch(springs, m);
-	hawser__springs_start(stations->start, springs, stretch);
-}
-
-static void follow_cable(struct hawser__stations *stations)
-{
-	struct hawser__ties ties = {.mz = 0.0};
-	double r[3] = {0.0}, lambda[3];
-
-	for (int i = 0; i < stations->count; i++) {
-		const struct hawser__place *at = &stations->place[i];
-		const double *p = stations->p + 3*i;
-
-		hawser__ties_add(&ties, at);
-		if (at->space) {
-			const double free[3] = {at->eps*p[0], p[1]/at->k, p[2]/at->k};
-
-			hawser__space_reach(r, at, free, at->weight);
-			continue;
-		}
-		r[0] += at->weight*(at->eps*p[0]*at->ex - p[1]/at->k*at->ey);
-		r[1] += at->weight*(at->eps*p[0]*at->ey + p[1]/at->k*at->ex);
-		r[2] += at->weight*p[2]/at->k;
+	if (modes->statics.elastic) {
+		hawser__modes_attached(u, modes, s, modes->statics.attachments + 1);
+		part += hawser__dot(stations->beyond, u);
 	}
-	hawser__ties_solve(lambda, &ties, r);
-	for (int i = 0; i < stations->count; i++) {
-		const struct hawser__place *at = &stations->place[i];
-		const double *p = stations->p + 3*i;
-		double *z = stations->z + 3*i;
-
-		if (at->space) {
-			for (int c = 0; c < 3; c++)
-				z[c] = (p[c] - hawser__space_along(at, lambda, c))*(c == 0 ? at->eps : 1.0/at->k);
-			continue;
-		}
-		z[0] = at->eps*(p[0] - lambda[0]*at->ex - lambda[1]*at->ey);
-		z[1] = (p[1] + lambda[0]*at->ey - lambda[1]*at->ex)/at->k;
-		z[2] = (p[2] - lambda[2])/at->k;
+	for (int i = 0; modes->stroke && i < modes->statics.attachments; i++)
+		part += stations->load[i]*hawser__stroke(modes, s, i);
+	part /= omega*omega;
+	for (int i = 0; modes->stroke && i < modes->statics.attachments; i++)
+		stations->stroke[i] -= part*hawser__stroke(modes, s, i);
+	for (int m = 0; m < hawser__ties_springs(ties); m++) {
+		hawser__modes_attached(u, modes, s, ties->spring[m].attachment);
+		stations->stretch[m] -= part*hawser__dot(u, ties->spring[m].way);
 	}
+	cblas_daxpy(width, -part, slope, 1, stations->z, 1);
 }
 
 void hawser__follow(struct hawser__stations *stations)
 {
 	const struct hawser_modes *modes = stations->modes;
-	int width = 3*stations->count;
+	struct hawser__ties *ties = stations->ties;
 
-	if (stations->springs)
-		follow_springs(stations);
-	else
-		follow_cable(stations);
+	memcpy(stations->z, stations->p, 3*(size_t)stations->count*sizeof *stations->z);
+	memcpy(ties->beyond, stations->beyond, sizeof ties->beyond);
+	hawser__ties_answer(ties, stations->z);
+	for (int m = 0; m < hawser__ties_springs(ties); m++)
+		stations->stretch[m] = hawser__ties_stretch(ties, m);
 	/* a spring to a free mass carries no static force of the cable, only that on the stroke itself */
 	for (int i = 0; modes->stroke && i < modes->statics.attachments; i++)
 		stations->stroke[i] = stations->load[i] != 0.0
 			? stations->load[i]/hawser__absorber_stiffness(&modes->statics, i) : 0.0;
-	for (int s = 0; s < stations->moving; s++) {
-		const double *slope = stations->slope + (size_t)s*(size_t)width;
-		double omega = modes->mode[s].omega, part = work_on(stations, slope), u[3];
-
-		if (modes->statics.elastic) {
-			hawser__modes_attached(u, modes, s, modes->statics.attachments + 1);
-			part += cblas_ddot(3, stations->beyond, 1, u, 1);
-			hawser__modes_attached(u, modes, s, modes->statics.attachments);
-			cblas_daxpy(3, -part/(omega*omega), u, 1, stations->start, 1);
-		}
-		for (int i = 0; modes->stroke && i < modes->statics.attachments; i++)
-			part += stations->load[i]*hawser__stroke(modes, s, i);
-		for (int i = 0; modes->stroke && i < modes->statics.attachments; i++)
-			stations->stroke[i] -= part/(omega*omega)*hawser__stroke(modes, s, i);
-		cblas_daxpy(width, -part/(omega*omega), slope, 1, stations->z, 1);
-	}
+	for (int s = 0; s < stations->moving; s++)
+		remove_mode(stations, s);
+	hawser__ties_start(stations->start, ties, stations->stretch);
 }
 
 /* T_jk; *size: the sum of the absolute values of its terms. */

@@ -16,6 +16,7 @@
 
 #include "core/hold.h"
 #include "rom/condense/condense.h"
+#include "rom/terms/ties.h"
 
 /* Quadrature nodes, with the values of cable and modes there. */
 struct hawser__stations {
@@ -33,7 +34,8 @@ struct hawser__stations {
 	double start[3];             /* of z: displacement of end A along x, y, z */
 	double load[HAWSER_ATTACH_MAX];   /* of p: forces on the strokes of absorbers; 0 on entry */
 	double stroke[HAWSER_ATTACH_MAX]; /* of z */
-	struct hawser__springs *springs; /* of the attachments (ties.h), or NULL */
+	double stretch[HAWSER__TIE_SPRINGS]; /* of z: displacement of the springs along their axes */
+	struct hawser__ties *ties; /* conditions at the ends and springs */
 	struct hawser__bend *bend;       /* bending stiffness (bend.h), or NULL */
 	struct hawser__hold hold; /* its arrays */
 };

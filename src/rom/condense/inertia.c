@@ -29,37 +29,26 @@
 #include <cblas.h>
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "core/hold.h"
 #include "core/report.h"
-#include "modes/grid.h"
 #include "modes/label.h"
-#include "rom/condense/bend.h"
 #include "rom/condense/inertia.h"
 #include "rom/condense/inertia_choice.h"
-#include "rom/condense/inertia_field.h"
+#include "rom/condense/basis.h"
 
 enum { MOST = HAWSER__INERTIA_MOST, PAIRS = HAWSER__INERTIA_PAIRS };
 
 struct work {
 	const struct hawser_modes *modes;
 	const struct hawser__condensed *condensed;
-	int width;        /* of the rows of inertia_field.h */
+	struct hawser__basis basis; /* the relevant pairs, weighted; shapes behind all pairs */
 	int count;        /* number of relevant pairs */
 	int *pair;        /* [count] */
 	double *factor;   /* [count] weight of the pair */
-	int rows;         /* initial number of pairs: shapes are stored behind them */
-	double *rest;     /* [rows + MOST][width] P, Q, B of the condensed motion, weighted; shapes */
-	double *strain, *root; /* [rows + MOST][width] a, b, c, likewise; [width] roots of the weights */
-	double *stiff;    /* [width] and of weight times stiffness against a, b, c */
-	double *scratch;  /* [2*width] */
-	double *square;   /* [rows] mean square of a pair: its (d/a)^2 */
-	double *scaled;   /* [PAIRS][width] */
+	double *square;   /* [count] mean square of a pair: its (d/a)^2 */
 	double *gram;     /* [2][PAIRS][PAIRS] */
 	double *combination; /* [MOST][count] */
-	struct hawser__bend *bend; /* or NULL */
-	double *bent;        /* [PAIRS] rows of bend.h */
 	double omega[MOST];
 	struct hawser__hold hold;
 };
@@ -67,27 +56,25 @@ struct work {
 static void work_clear(struct work *work)
 {
 	hawser__hold_clear(&work->hold);
-	hawser__bend_free(work->bend);
-	free(work->bent);
+	hawser__basis_clear(&work->basis);
 }
 
 static int work_make(struct work *work)
 {
-	size_t count = (size_t)work->condensed->pairs, width = (size_t)work->width;
+	size_t count = (size_t)work->condensed->pairs;
 
-	work->rows = (int)count;
 	work->pair = hawser__hold(&work->hold, count, sizeof *work->pair);
 	work->factor = hawser__hold(&work->hold, count, sizeof *work->factor);
-	work->rest = hawser__hold(&work->hold, (count + MOST)*width, sizeof *work->rest);
-	work->strain = hawser__hold(&work->hold, (count + MOST)*width, sizeof *work->strain);
-	work->root = hawser__hold(&work->hold, width, sizeof *work->root);
-	work->stiff = hawser__hold(&work->hold, width, sizeof *work->stiff);
-	work->scratch = hawser__hold(&work->hold, 2*width, sizeof *work->scratch);
 	work->square = hawser__hold(&work->hold, count, sizeof *work->square);
-	work->scaled = hawser__hold(&work->hold, PAIRS*width, sizeof *work->scaled);
 	work->gram = hawser__hold(&work->hold, 2*PAIRS*PAIRS, sizeof *work->gram);
 	work->combination = hawser__hold(&work->hold, MOST*PAIRS, sizeof *work->combination);
 	return !work->hold.short_of_memory;
+}
+
+/* The row of a pair, or of a shape behind all of them. */
+static double *row_of(const struct work *work, int x)
+{
+	return work->basis.row + (size_t)x*(size_t)work->basis.width;
 }
 
 /* --- amplitudes --- */
@@ -110,40 +97,25 @@ static void choose_pairs(struct work *work, const double *load, const double *da
 
 /* --- condensed motion --- */
 
-static enum hawser_status take_pairs(struct work *work, struct hawser_report *report)
+static void take_pairs(struct work *work)
 {
-	const struct hawser_grid *grid = &work->modes->grid;
-	size_t width = (size_t)work->width;
-	struct hawser__reference reference;
-	enum hawser_status status = hawser__reference_init(&reference, grid, grid->order - 1, report);
+	const struct hawser__condensed *condensed = work->condensed;
+	int strokes = work->modes->statics.attachments;
 
-	for (int x = 0; !status && x < work->count; x++) {
-		double *strain = work->strain + (size_t)x*width, *shape = work->rest + (size_t)x*width;
+	for (int x = 0; x < work->count; x++) {
+		size_t pair = (size_t)work->pair[x];
 
-		memcpy(strain, work->condensed->strain + (size_t)work->pair[x]*3*(size_t)grid->points,
-		       3*(size_t)grid->points*sizeof *strain);
-		hawser__inertia_displacement(shape, work->modes, &reference, strain,
-		                             work->condensed, work->pair[x], work->scratch);
-		for (size_t p = 3*(size_t)grid->points; p < width; p++)
-			strain[p] = shape[p];
-		cblas_dscal(work->width, work->factor[x], strain, 1);
-		cblas_dscal(work->width, work->factor[x], shape, 1);
+		hawser__basis_put(&work->basis, row_of(work, x),
+		                    condensed->strain + pair*3*(size_t)condensed->points,
+		                    condensed->start + 3*pair,
+		                    condensed->stroke ? condensed->stroke + (int)pair*strokes : NULL);
+		cblas_dscal(work->basis.width, work->factor[x], row_of(work, x), 1);
 	}
-	if (!status)
-		hawser__reference_clear(&reference);
-	return status;
 }
 
-/* The integral of the product of two rows of displacements. */
-static double product(const struct work *work, const double *x, const double *y)
+static double square_of(const struct work *work, int x)
 {
-	double sum = 0.0;
-
-	for (int p = 0; p < work->width; p++)
-		/* all of width is filled */
-		/* NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult) */
-		sum += work->root[p]*work->root[p]*x[p]*y[p];
-	return sum;
+	return hawser__basis_product(&work->basis, row_of(work, x), row_of(work, x));
 }
 
 /* Whether the inertia of any pair matters, with all modes that are not kept. */
@@ -151,69 +123,48 @@ static int counts(const struct work *work, double allowed)
 {
 	int any = 0;
 
-	for (int x = 0; x < work->count; x++) {
-		const double *row = work->rest + (size_t)x*(size_t)work->width;
-
-		any |= product(work, row, row) > allowed;
-	}
+	for (int x = 0; x < work->count; x++)
+		any |= square_of(work, x) > allowed;
 	return any;
-}
-
-/* Remove the part along one mode, given by its fields at the points of the grid, from every pair. */
-static void remove_mode(struct work *work, const double *shape, const double *slope)
-{
-	for (int x = 0; x < work->count; x++) {
-		size_t row = (size_t)x*(size_t)work->width;
-		double part = -product(work, work->rest + row, shape);
-
-		cblas_daxpy(work->width, part, shape, 1, work->rest + row, 1);
-		cblas_daxpy(work->width, part, slope, 1, work->strain + row, 1);
-	}
 }
 
 /* The part of the pairs beyond the lowest modes; nothing if these cannot be computed. */
 static enum hawser_status remove_lowest(struct work *work, struct hawser_report *report)
 {
 	const struct hawser_modes_options options = {.n = HAWSER__LOWEST};
-	size_t width = (size_t)work->width;
-	double *field = calloc(2*width, sizeof *field);
+	int width = work->basis.width;
+	double *mode = hawser__numbers((size_t)width, 1);
 	enum hawser_status status;
 	struct hawser_modes lowest;
 
-	if (!field)
+	if (!mode)
 		return hawser__no_memory(report, "rom");
 	status = hawser_modes_solve(&lowest, &work->modes->statics, &options, NULL);
 	if (status) {
 		work->count = 0;
-		free(field);
+		free(mode);
 		return status == HAWSER_ERR_MEMORY ? hawser__no_memory(report, "rom") : HAWSER_OK;
 	}
 	for (int s = 0; s < lowest.n; s++) {
-		for (int p = 0; p < work->modes->grid.points; p++)
-			hawser_modes_at(&lowest, field + 3*p, field + width + 3*p, s,
-			                work->modes->grid.s[p]);
-		for (int i = 0; i < hawser__points(&lowest.statics); i++)
-			hawser__modes_attached(field + 3*(work->modes->grid.points + i), &lowest, s, i);
-		hawser__inertia_absorbers(field, work->modes, lowest.stroke
-		                          ? lowest.stroke + s*lowest.statics.attachments : NULL);
-		for (size_t p = 3*(size_t)work->modes->grid.points; p < width; p++)
-			field[width + p] = field[p];
-		remove_mode(work, field, field + width);
+		hawser__basis_mode(&work->basis, mode, &lowest, s);
+		for (int x = 0; x < work->count; x++) {
+			double *row = row_of(work, x);
+
+			cblas_daxpy(width, -hawser__basis_product(&work->basis, row, mode), mode, 1, row, 1);
+		}
 	}
 	hawser_modes_clear(&lowest);
-	free(field);
+	free(mode);
 	return HAWSER_OK;
 }
 
 /* Move the relevant pairs with the largest weights to the first rows. */
 static void shorten(struct work *work, double least)
 {
-	size_t width = (size_t)work->width;
 	int kept = 0;
 
 	for (int x = 0; x < work->count; x++)
-		work->square[x] = product(work, work->rest + (size_t)x*width,
-		                          work->rest + (size_t)x*width);
+		work->square[x] = square_of(work, x);
 	for (; kept < PAIRS; kept++) {
 		int best = kept;
 
@@ -222,10 +173,7 @@ static void shorten(struct work *work, double least)
 				best = x;
 		if (kept >= work->count || !(work->square[best] > least))
 			break;
-		cblas_dswap(work->width, work->rest + (size_t)kept*width, 1,
-		            work->rest + (size_t)best*width, 1);
-		cblas_dswap(work->width, work->strain + (size_t)kept*width, 1,
-		            work->strain + (size_t)best*width, 1);
+		cblas_dswap(work->basis.width, row_of(work, kept), 1, row_of(work, best), 1);
 		cblas_dswap(1, work->square + kept, 1, work->square + best, 1);
 	}
 	work->count = kept;
@@ -233,30 +181,12 @@ static void shorten(struct work *work, double least)
 
 /* --- shapes --- */
 
-/* gram [count][count] = products of rows, times root squared. Springs act on displacements. */
-static void products(double *gram, const struct work *work, const double *rows, const double *root)
-{
-	size_t width = (size_t)work->width, own = 3*(size_t)work->modes->grid.points;
-
-	for (size_t i = 0; i < (size_t)work->count*width; i++)
-		work->scaled[i] = root[i%width]*(i%width < own ? rows : work->rest)[i];
-	cblas_dsyrk(CblasRowMajor, CblasLower, CblasNoTrans, work->count, work->width, 1.0,
-	            work->scaled, work->width, 0.0, gram, work->count);
-}
-
-/* to[width] = combination i of the rows. */
-static void combine(double *to, const struct work *work, const double *rows, int i)
-{
-	cblas_dgemv(CblasRowMajor, CblasTrans, work->count, work->width, 1.0, rows, work->width,
-	            work->combination + i*work->count, 1, 0.0, to, 1);
-}
-
-/* Their displacements are stored behind the rows of `rest`, their strains behind those of `strain`. */
+/* Their rows are stored behind those of all pairs. */
 static enum hawser_status find_shapes(struct hawser_rom_inertia *inertia, struct work *work,
                                       double allowed, struct hawser_report *report)
 {
 	double *mass = work->gram, *K = mass + PAIRS*PAIRS;
-	size_t width = (size_t)work->width;
+	int width = work->basis.width;
 	enum hawser_status status;
 
 	shorten(work, HAWSER__INERTIA_TRIFLE*allowed);
@@ -264,41 +194,27 @@ static enum hawser_status find_shapes(struct hawser_rom_inertia *inertia, struct
 		inertia->shift = inertia->left = fmax(inertia->left, work->square[x]);
 	if (!(inertia->left > allowed))
 		return HAWSER_OK;
-	products(mass, work, work->rest, work->root);
-	products(K, work, work->strain, work->stiff);
-	hawser__bend_gram(K, work->bend, work->bent, work->strain, work->width, work->count);
-	status = hawser__inertia_choose(inertia, work->combination, work->omega, mass, K, work->count,
-	                                allowed, report);
-	for (int i = 0; i < inertia->shapes && !status; i++) {
-		combine(work->rest + (size_t)(work->rows + i)*width, work, work->rest, i);
-		combine(work->strain + (size_t)(work->rows + i)*width, work, work->strain, i);
-	}
+	status = hawser__basis_products(mass, K, &work->basis, work->count, report);
+	if (!status)
+		status = hawser__inertia_choose(inertia, work->combination, work->omega, work->square, mass,
+		                                mass, K, work->count, allowed, report);
+	for (int i = 0; i < inertia->shapes && !status; i++)
+		cblas_dgemv(CblasRowMajor, CblasTrans, work->count, width, 1.0, work->basis.row, width,
+		            work->combination + i*work->count, 1, 0.0,
+		            row_of(work, work->condensed->pairs + i), 1);
 	return status;
 }
 
 /* Append behind the others, ascending. */
 static void place_shapes(struct hawser_modes *with, const struct work *work, int shapes)
 {
-	size_t width = (size_t)work->width, row = 3*(size_t)work->modes->grid.points;
-	int n = work->modes->n;
-
 	for (int i = 0; i < shapes; i++) {
-		int k = n;
+		int k = work->modes->n;
 
 		for (int j = 0; j < shapes; j++)
 			k += work->omega[j] < work->omega[i];
-		memcpy(with->shape + (size_t)k*row, work->rest + (size_t)(work->rows + i)*width,
-		       row*sizeof *with->shape);
-		memcpy(with->slope + (size_t)k*row, work->strain + (size_t)(work->rows + i)*width,
-		       row*sizeof *with->slope);
-		for (int a = 0; with->stroke && a < with->statics.attachments; a++)
-			with->stroke[k*with->statics.attachments + a] =
-				work->rest[(size_t)(work->rows + i)*width + hawser__inertia_stroke(with, a)];
-		with->mode[k].omega = work->omega[i];
-		with->mode[k].place = k + 1;
-		(void)hawser__mode_label(with, k);
-		with->mode[k].plane = with->mode[k].out_of_plane_share > 0.5 ? HAWSER_OUT_OF_PLANE
-		                                                             : HAWSER_IN_PLANE;
+		hawser__basis_take(with, k, &work->basis, row_of(work, work->condensed->pairs + i),
+		                     work->omega[i]);
 	}
 }
 
@@ -309,26 +225,19 @@ enum hawser_status hawser__inertia_extend(struct hawser_modes *with,
                                           const double *load, const double *damping,
                                           double allowed, struct hawser_report *report)
 {
-	struct work work = {.modes = modes, .condensed = condensed,
-	                    .width = hawser__inertia_width(modes)};
-	enum hawser_status status = HAWSER_OK;
+	struct work work = {.modes = modes, .condensed = condensed};
+	enum hawser_status status = hawser__basis_make(&work.basis, modes, condensed->pairs + MOST,
+	                                                 report);
 
 	*with = (struct hawser_modes){.n = 0};
 	*inertia = (struct hawser_rom_inertia){.shapes = 0};
-	if (!work_make(&work)) {
+	if (!status && !work_make(&work))
 		status = hawser__no_memory(report, "rom");
+	if (status)
 		goto done;
-	}
-	hawser__inertia_roots(work.root, work.stiff, modes);
 	choose_pairs(&work, load, damping);
-	status = hawser__bend_of(&work.bend, modes, report);
-	if (!status && work.bend) {
-		work.bent = malloc(PAIRS*(size_t)hawser__bend_width(work.bend)*sizeof *work.bent);
-		status = work.bent ? HAWSER_OK : hawser__no_memory(report, "rom");
-	}
-	if (!status)
-		status = take_pairs(&work, report);
-	if (status || !counts(&work, allowed))
+	take_pairs(&work);
+	if (!counts(&work, allowed))
 		goto done;
 	status = remove_lowest(&work, report);
 	if (!status)

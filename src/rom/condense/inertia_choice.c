@@ -23,8 +23,8 @@ struct choosing {
 };
 
 /* The vibration modes: orthonormal in mass, diagonal in stiffness. */
-static enum hawser_status vibrate(struct choosing *c, const double *mass, const double *stiffness,
-                                  struct hawser_report *report)
+static enum hawser_status vibrate(struct choosing *c, const double *cross, const double *mass,
+                                  const double *stiffness, struct hawser_report *report)
 {
 	int count = c->count, info;
 
@@ -51,7 +51,7 @@ static enum hawser_status vibrate(struct choosing *c, const double *mass, const 
 		                    count);
 	cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, count, c->own, c->own, 1.0, c->half, c->own,
 	            c->gram, c->own, 0.0, c->combination, c->own);
-	cblas_dsymm(CblasRowMajor, CblasLeft, CblasLower, count, c->own, 1.0, mass, count, c->combination,
+	cblas_dsymm(CblasRowMajor, CblasLeft, CblasLower, count, c->own, 1.0, cross, count, c->combination,
 	            c->own, 0.0, c->part, c->own);
 	return HAWSER_OK;
 }
@@ -84,8 +84,9 @@ static double largest(const struct choosing *c)
 }
 
 enum hawser_status hawser__inertia_choose(struct hawser_rom_inertia *inertia, double *combination,
-                                          double *omega, const double *mass, const double *stiffness,
-                                          int count, double allowed, struct hawser_report *report)
+                                          double *omega, const double *square, const double *cross,
+                                          const double *mass, const double *stiffness, int count,
+                                          double allowed, struct hawser_report *report)
 {
 	size_t n = (size_t)count;
 	struct hawser__hold hold = {.last = NULL};
@@ -99,11 +100,11 @@ enum hawser_status hawser__inertia_choose(struct hawser_rom_inertia *inertia, do
 
 	*inertia = (struct hawser_rom_inertia){.shapes = 0};
 	for (int x = 0; x < count && !status; x++)
-		c.square[x] = mass[x*(count + 1)];
+		c.square[x] = square[x];
 	if (!status)
 		inertia->shift = inertia->left = largest(&c);
 	if (!status && inertia->left > allowed)
-		status = vibrate(&c, mass, stiffness, report);
+		status = vibrate(&c, cross, mass, stiffness, report);
 	while (!status && inertia->left > allowed && inertia->shapes < HAWSER__INERTIA_MOST &&
 	       inertia->shapes < c.own) {
 		int best = take(&c);

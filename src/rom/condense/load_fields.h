@@ -15,12 +15,14 @@ struct hawser__load_fields {
 	int k[HAWSER__LOAD_FIELDS], sine[HAWSER__LOAD_FIELDS];
 };
 
-/* Those that matter, K-orthogonal to the first `moving` modes. Clear *fields, on failure too.
- * HAWSER_ERR_SCENE: a load that is not on the cable. */
-enum hawser_status hawser__load_fields_make(struct hawser__load_fields *fields,
-                                            const struct hawser_modes *modes, int moving,
-                                            const struct hawser_scene *scene,
-                                            struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Variation of the stiffness of the first `moving` modes by the static response of the others to the
+ * load and to the changes of the speed: added to the harmonics and the ramp of a model, which must
+ * exist. The responses to the load that matter as fields, K-orthogonal to these modes, are in *fields,
+ * zero on entry. Clear it, on failure too. HAWSER_ERR_SCENE: a load that is not on the cable. */
+enum hawser_status hawser__rom_vary(struct hawser_rom *rom, struct hawser__load_fields *fields,
+                                    const struct hawser_modes *modes, int moving,
+                                    const struct hawser_scene *scene,
+                                    struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser__load_fields_clear(struct hawser__load_fields *fields);
 
 #endif

@@ -27,13 +27,17 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/hold.h"
 #include "core/report.h"
-#include "modes/grid.h"
+#include "core/vec3.h"
 #include "modes/label.h"
 #include "rom/build/build.h"
+#include "rom/build/model.h"
+#include "rom/condense/condense.h"
 #include "rom/terms/ends.h"
 #include "rom/terms/history.h"
 #include "rom/condense/support.h"
+#include "statics/frame.h"
 
 int hawser__support_moves(const struct hawser_scene *scene)
 {
@@ -142,11 +146,10 @@ static double work_on(const struct field *field, const struct hawser_modes *mode
 
 	for (int p = 0; p < points; p++) {
 		struct hawser_frame_point at = hawser_statics_frame(&modes->statics, grid->s[p]);
-		const double *q = shape + 3*p;
-		double x = force[p], y = force[points + p];
+		const double f[3] = {force[p], force[points + p], force[2*points + p]};
 
-		sum += grid->weight[p]*(q[0]*(x*at.ex + y*at.ey) + q[1]*(y*at.ex - x*at.ey) +
-		                        q[2]*force[2*points + p]);
+		hawser__frame_in(u, &at, f);
+		sum += grid->weight[p]*hawser__dot(u, shape + 3*p);
 	}
 	for (int i = 0; i < hawser__points(&modes->statics); i++) {
 		hawser__modes_attached(u, modes, j, i);
@@ -163,25 +166,13 @@ static enum hawser_status show(struct hawser_harmonic *h, const struct hawser_ro
                                const struct hawser_modes *modes, const struct field *field,
                                struct hawser_report *report)
 {
-	const struct hawser_grid *grid = &modes->grid;
 	int points = rom->shapes.points;
 
 	h->answer = calloc(2*4*(size_t)points + 1, sizeof *h->answer);
 	if (!h->answer)
 		return hawser__no_memory(report, "rom");
-	for (int p = 0; p < points; p++) {
-		struct hawser_frame_point at = hawser_statics_frame(&modes->statics, rom->shapes.s[p]);
-		double *out = h->answer + 4*p, global[3];
-
-		if (hawser__rom_stroke_point(&modes->statics, p) >= 0)
-			continue;
-		for (int axis = 0; axis < 3; axis++)
-			hawser__grid_at(&global[axis], grid, field->r + axis*grid->points, 1, 1,
-			                rom->shapes.s[p]);
-		out[0] = global[0]*at.ex + global[1]*at.ey;
-		out[1] = global[1]*at.ex - global[0]*at.ey;
-		out[2] = global[2];
-	}
+	for (int p = 0; p < points; p++)
+		hawser__displaced_at(h->answer + 4*p, rom, &modes->statics, &modes->grid, field->r, NULL, p);
 	return HAWSER_OK;
 }
 
@@ -226,15 +217,12 @@ static int set_force(struct field *field, const struct hawser_scene *scene,
 static struct hawser_harmonic *append(struct hawser_rom *rom, int k, enum hawser_phase phase,
                                       int power)
 {
-	struct hawser_harmonic *h = realloc(rom->harmonic,
-	                                    ((size_t)rom->harmonics + 1)*sizeof *h);
+	struct hawser_harmonic *h = hawser__rom_harmonic(rom, k, phase);
 
 	if (!h)
 		return NULL;
-	rom->harmonic = h;
-	h += rom->harmonics++;
-	*h = (struct hawser_harmonic){.k = k, .phase = phase, .omega_power = power,
-		.f = calloc((size_t)rom->n, sizeof(double))};
+	h->omega_power = power;
+	h->f = hawser__numbers((size_t)rom->n, 1);
 	return h->f ? h : NULL;
 }
 

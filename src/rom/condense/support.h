@@ -57,12 +57,14 @@ enum hawser_status hawser__support_forces(struct hawser_rom *rom, const struct h
                                           const struct hawser_scene *scene,
                                           struct hawser_report *report);
 
-/* Add the terms of the strain energy by what moves in a known way: the supports, and (if the other
- * modes are condensed) the static response to the load; and the second-order displacement and
- * strain by the supports. After the forces. modes: the `kept` ones, then second-order shapes; to
- * the load these respond without their inertia, as in the linear model. */
+/* Add the terms of the strain energy by what moves in a known way: the supports, and the static
+ * response to the load, `loads` (NULL if the other modes are not condensed); and the second-order
+ * displacement and strain by the supports. After the forces. modes: the `kept` ones, then second-order
+ * shapes; to the load these respond without their inertia, as in the linear model. */
+struct hawser__load_fields;
 enum hawser_status hawser__support_energy(struct hawser_rom *rom, const struct hawser_modes *modes,
-                                          const struct hawser_modes *kept, int condensed,
+                                          const struct hawser_modes *kept,
+                                          const struct hawser__load_fields *loads,
                                           const struct hawser_scene *scene,
                                           struct hawser_report *report);
 

@@ -29,6 +29,7 @@
 #include "core/report.h"
 #include "rom/condense/condense.h"
 #include "modes/grid.h"
+#include "modes/label.h"
 #include "rom/terms/ends.h"
 #include "rom/energy/kernel.h"
 #include "rom/condense/load_fields.h"
@@ -38,9 +39,9 @@
 enum { ENDS = 1, LOAD = 2 }; /* fields */
 
 struct work {
-	int n, moving;                        /* modes and shapes; modes */
+	int moving;                           /* modes without shapes */
 	int number[HAWSER__SUPPORT_MOST];     /* of the shapes (support.h) of the supports */
-	struct hawser__load_fields loads;     /* the other fields */
+	const struct hawser__load_fields *loads; /* the other fields; NULL: no modes are condensed */
 	struct hawser__fields fields;
 	struct hawser_modes wide;             /* the first `moving` modes, the fields, the other modes */
 	struct hawser__condensed condensed;
@@ -51,13 +52,9 @@ static void work_clear(struct work *work)
 {
 	hawser__fields_clear(&work->fields);
 	hawser__condensed_clear(&work->condensed);
-	hawser__load_fields_clear(&work->loads);
 	free(work->big.Q);
 	free(work->big.C);
-	free(work->wide.mode);
-	free(work->wide.slope);
-	free(work->wide.shape);
-	free(work->wide.stroke);
+	hawser_modes_clear(&work->wide);
 }
 
 /* --- the tensors --- */
@@ -68,8 +65,8 @@ static void add_answer(struct work *work, int i)
 	size_t each = 3*(size_t)wide->grid.points, at = (size_t)(work->moving + i);
 
 	i -= work->fields.ends;
-	memcpy(wide->slope + at*each, work->loads.strain + (size_t)i*each, each*sizeof(double));
-	wide->mode[at] = (struct hawser_mode){.omega = INFINITY, .plane = work->loads.plane[i],
+	memcpy(wide->slope + at*each, work->loads->strain + (size_t)i*each, each*sizeof(double));
+	wide->mode[at] = (struct hawser_mode){.omega = INFINITY, .plane = work->loads->plane[i],
 		.symmetry = HAWSER_MIXED};
 }
 
@@ -88,45 +85,37 @@ static void add_psi(struct work *work, int i, const struct hawser__support_shape
 		.symmetry = axis == 0 ? HAWSER_SYMMETRIC : HAWSER_ANTISYMMETRIC};
 }
 
+/* Rows from `first` on, of `rows`, move `by` rows back; zeros take their place. */
+static void move_rows(void *array, size_t row, size_t first, size_t rows, size_t by)
+{
+	char *at = (char *)array + first*row;
+
+	memmove(at + by*row, at, (rows - first)*row);
+	memset(at, 0, by*row);
+}
+
 static enum hawser_status widen(struct work *work, const struct hawser_modes *modes,
                                 const struct hawser__support_shapes *shapes,
                                 struct hawser_report *report)
 {
 	struct hawser_modes *wide = &work->wide;
-	size_t each = 3*(size_t)modes->grid.points, n = (size_t)work->n, m = (size_t)work->fields.count;
-	size_t moving = (size_t)work->moving;
+	size_t each = 3*(size_t)modes->grid.points, n = (size_t)modes->n, m = (size_t)work->fields.count;
+	size_t moving = (size_t)work->moving, marks = (size_t)modes->statics.attachments;
+	enum hawser_status status;
 
-	if (work->n + work->fields.count > HAWSER_ROM_MAX)
+	if (modes->n + work->fields.count > HAWSER_ROM_MAX)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
 		                    "%d modes of a cable whose supports move in %d ways: at most %d "
-		                    "together are possible, keep fewer modes (model.modes)", work->n,
+		                    "together are possible, keep fewer modes (model.modes)", modes->n,
 		                    work->fields.count, HAWSER_ROM_MAX);
-	*wide = *modes;
-	wide->n = work->n + work->fields.count;
-	wide->mode = malloc((n + m)*sizeof *wide->mode);
-	wide->slope = malloc((n + m)*each*sizeof *wide->slope);
-	wide->shape = calloc((n + m)*each, sizeof *wide->shape); /* 0 for psi: not a part of a response */
-	wide->stroke = NULL;
-	if (modes->stroke)
-		wide->stroke = calloc(n + m, (size_t)modes->statics.attachments*sizeof *wide->stroke);
-	if (!wide->mode || !wide->slope || !wide->shape || (modes->stroke && !wide->stroke))
-		return hawser__no_memory(report, "rom");
-	memcpy(wide->mode, modes->mode, moving*sizeof *wide->mode);
-	memcpy(wide->mode + moving + m, modes->mode + moving, (n - moving)*sizeof *wide->mode);
-	for (int k = 0; k < 2; k++) {
-		double *to = k ? wide->shape : wide->slope;
-		const double *from = k ? modes->shape : modes->slope;
-
-		memcpy(to, from, moving*each*sizeof *to);
-		memcpy(to + (moving + m)*each, from + moving*each, (n - moving)*each*sizeof *to);
-	}
-	if (wide->stroke) {
-		size_t marks = (size_t)modes->statics.attachments;
-
-		memcpy(wide->stroke, modes->stroke, moving*marks*sizeof *wide->stroke);
-		memcpy(wide->stroke + (moving + m)*marks, modes->stroke + moving*marks,
-		       (n - moving)*marks*sizeof *wide->stroke);
-	}
+	status = hawser__modes_extend(wide, modes, work->fields.count, report);
+	if (status)
+		return status;
+	move_rows(wide->mode, sizeof *wide->mode, moving, n, m);
+	move_rows(wide->slope, each*sizeof *wide->slope, moving, n, m);
+	move_rows(wide->shape, each*sizeof *wide->shape, moving, n, m);
+	if (wide->stroke)
+		move_rows(wide->stroke, marks*sizeof *wide->stroke, moving, n, m);
 	for (int i = 0; i < work->fields.ends; i++)
 		add_psi(work, i, shapes);
 	for (int i = work->fields.ends; i < work->fields.count; i++)
@@ -154,32 +143,16 @@ static enum hawser_status list_shapes(struct work *work, const struct hawser_mod
 	return status;
 }
 
-/* The responses to the load that matter. A table that moves the ends leaves no room for them. */
-static enum hawser_status list_answers(struct work *work, const struct hawser_modes *modes,
-                                       const struct hawser_scene *scene, struct hawser_report *report)
+/* The responses to the load. */
+static void list_answers(struct work *work)
 {
-	const struct hawser__load_fields *loads = &work->loads;
-	enum hawser_status status = HAWSER_OK;
+	const struct hawser__load_fields *loads = work->loads;
 
-	if (hawser__loaded(scene) && !hawser__support_given(scene))
-		status = hawser__load_fields_make(&work->loads, modes, work->moving, scene, report);
 	for (int i = 0; i < loads->count; i++, work->fields.count++) {
 		work->fields.signal[work->fields.count] = (struct hawser__signal){{0.0}, {0.0}};
 		*(loads->sine[i] ? &work->fields.signal[work->fields.count].s[loads->k[i]]
 		  : &work->fields.signal[work->fields.count].c[loads->k[i]]) = 1.0;
 	}
-	return status;
-}
-
-/* The second-order response to the motion of the supports, without that to the load. */
-static enum hawser_status condensed_ends(struct hawser_rom *rom, const struct work *work,
-                                         struct hawser_report *report)
-{
-	struct hawser__condensed own = work->condensed;
-
-	own.n = work->moving + work->fields.ends;
-	own.pairs = own.n*(own.n + 1)/2;
-	return hawser__ends_condensed(rom, &work->wide, &own, report);
 }
 
 /* The second-order response to the load alone, where no support moves. The strain of the fields along
@@ -195,10 +168,10 @@ static enum hawser_status condensed_answers(struct hawser_rom *rom, const struct
 		return status;
 	for (int i = 0; i < count; i++)
 		for (int p = 0; p < points + line; p++) {
-			double *slope = p < points ? rom->ends->slope + 3*((size_t)i*(size_t)points + (size_t)p)
-			                : rom->ends->line + 3*((size_t)i*(size_t)line + (size_t)(p - points));
+			double *slope = p < points ? rom->ends->slope + 3*(i*points + p)
+			                : rom->ends->line + 3*(i*line + p - points);
 
-			hawser__grid_at(slope, &work->wide.grid, work->loads.strain + (size_t)i*each, 3, 3,
+			hawser__grid_at(slope, &work->wide.grid, work->loads->strain + (size_t)i*each, 3, 3,
 			                p < points ? rom->shapes.s[p] : rom->line.s[p - points]);
 			slope[0] = 0.0;
 		}
@@ -207,32 +180,33 @@ static enum hawser_status condensed_answers(struct hawser_rom *rom, const struct
 
 /* Terms of some of the fields, of the first `moving` modes. */
 static enum hawser_status add_fields(struct hawser_rom *rom, const struct hawser_modes *modes,
-                                     int moving, int condensed, int fields,
+                                     int moving, const struct hawser__load_fields *loads, int fields,
                                      const struct hawser_scene *scene, struct hawser_report *report)
 {
-	struct work work = {.n = modes->n, .moving = moving,
+	struct work work = {.moving = moving, .loads = loads,
 	                    .fields = {.size = rom->n, .moving = moving}};
 	struct hawser__support_shapes shapes = {.count = 0};
 	enum hawser_status status = HAWSER_OK;
 
 	if (fields & ENDS)
 		status = list_shapes(&work, modes, scene, &shapes, report);
-	if (!status && condensed && (fields & LOAD))
-		status = list_answers(&work, modes, scene, report);
+	/* a table that moves the ends leaves no room for those of the load */
+	if (!status && loads && (fields & LOAD) && !hawser__support_given(scene))
+		list_answers(&work);
 	if (status || work.fields.count == 0) {
 		hawser__support_shapes_clear(&shapes);
 		work_clear(&work);
 		return status;
 	}
 	status = widen(&work, modes, &shapes, report);
-	if (!status && condensed)
+	if (!status && loads)
 		status = hawser__condense(&work.condensed, &work.wide, moving + work.fields.count, report);
 	if (!status)
-		status = hawser__rom_tensors(&work.big, &work.wide, condensed ? &work.condensed : NULL,
+		status = hawser__rom_tensors(&work.big, &work.wide, loads ? &work.condensed : NULL,
 		                             report);
-	if (!status && condensed && rom->shapes.second_slope && work.fields.ends > 0)
-		status = condensed_ends(rom, &work, report);
-	if (!status && condensed && rom->shapes.second_slope && !rom->ends)
+	if (!status && loads && rom->shapes.second_slope && work.fields.ends > 0)
+		status = hawser__ends_condensed(rom, &work.wide, &work.condensed, report);
+	if (!status && loads && rom->shapes.second_slope && !rom->ends)
 		status = condensed_answers(rom, &work, report);
 	if (!status)
 		status = hawser__fields_sort(&work.fields, &work.big, report);
@@ -246,14 +220,15 @@ static enum hawser_status add_fields(struct hawser_rom *rom, const struct hawser
 }
 
 enum hawser_status hawser__support_energy(struct hawser_rom *rom, const struct hawser_modes *modes,
-                                          const struct hawser_modes *kept, int condensed,
+                                          const struct hawser_modes *kept,
+                                          const struct hawser__load_fields *loads,
                                           const struct hawser_scene *scene,
                                           struct hawser_report *report)
 {
 	int together = modes == kept;
-	enum hawser_status status = add_fields(rom, modes, kept->n, condensed,
+	enum hawser_status status = add_fields(rom, modes, kept->n, loads,
 	                                       together ? ENDS | LOAD : ENDS, scene, report);
 
 	return status || together ? status
-	       : add_fields(rom, kept, kept->n, condensed, LOAD, scene, report);
+	       : add_fields(rom, kept, kept->n, loads, LOAD, scene, report);
 }

@@ -22,6 +22,7 @@
 
 #include "core/report.h"
 #include "modes/grid.h"
+#include "rom/condense/follow.h"
 #include "rom/energy/exact_bend.h"
 
 /* Rows of a strain: those of bend.h, then sqrt(weight T/g) times b and c on the grid of the modes, and
@@ -111,16 +112,16 @@ enum hawser_status hawser__exact_bend(double *matrix, const struct hawser_rom_ex
                                       const struct hawser_modes *modes,
                                       struct hawser_report *report)
 {
-	struct hawser__bend *bend = NULL;
+	struct hawser__stations stations;
 	struct rows rows = {.count = 0};
-	enum hawser_status status = hawser__bend_of(&bend, modes, report);
+	enum hawser_status status = hawser__stations_make(&stations, modes, 0, NULL, 0, report);
 
-	if (!status && bend)
-		status = of_modes(&rows, exact, modes, bend, report);
-	if (!status && bend)
+	if (!status && stations.bend)
+		status = of_modes(&rows, exact, modes, stations.bend, report);
+	if (!status && stations.bend)
 		multiply(matrix, &rows, &rows);
 	free(rows.row);
-	hawser__bend_free(bend);
+	hawser__stations_clear(&stations);
 	return status;
 }
 
@@ -128,9 +129,10 @@ enum hawser_status hawser__exact_bend_pull(double *pull, const struct hawser_rom
                                            const struct hawser_modes *modes, const double *strain,
                                            const double *at, struct hawser_report *report)
 {
-	struct hawser__bend *bend = NULL;
+	struct hawser__stations stations;
 	struct rows rows = {.count = 0}, one = {.count = 0};
-	enum hawser_status status = hawser__bend_of(&bend, modes, report);
+	enum hawser_status status = hawser__stations_make(&stations, modes, 0, NULL, 0, report);
+	const struct hawser__bend *bend = stations.bend;
 
 	if (!status && bend)
 		status = of_modes(&rows, exact, modes, bend, report);
@@ -142,6 +144,6 @@ enum hawser_status hawser__exact_bend_pull(double *pull, const struct hawser_rom
 	}
 	free(rows.row);
 	free(one.row);
-	hawser__bend_free(bend);
+	hawser__stations_clear(&stations);
 	return status;
 }

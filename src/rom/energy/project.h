@@ -15,9 +15,10 @@ enum hawser_status hawser__rom_tensors(struct hawser_rom *rom, const struct haws
                                        const struct hawser__condensed *condensed,
                                        struct hawser_report *report);
 
-/* stiffness [n][n]: second derivatives of the quadratic energy by quadrature. For converged modes
- * it is diag(omega^2), which the model uses; the difference is a check of modes and grid. */
-void hawser__rom_stiffness(double *stiffness, const struct hawser_modes *modes);
+/* pairing [pairs][pairs] of the first n modes, of which the lower triangle is given, += what one way to
+ * pair four indices gives of the fourth derivative of V4; it is symmetric then. HAWSER_ERR_MEMORY. */
+enum hawser_status hawser__rom_pairing(double *pairing, const struct hawser_modes *modes, int n,
+                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* Whether mirror symmetry can make tensor entries vanish: parity[n] becomes 1 for modes that are
  * antisymmetric about mid-span, 0 for symmetric ones. Returns 0, with all entries 0, for an

@@ -17,6 +17,7 @@
 #include "core/report.h"
 #include "rom/terms/absorbers.h"
 #include "rom/terms/dampers.h"
+#include "rom/condense/follow.h"
 #include "rom/energy/kernel.h"
 #include "rom/energy/project.h"
 #include "rom/energy/quartic.h"
@@ -172,10 +173,10 @@ static void set_ends(struct hawser__quartic *q, int p, const struct hawser__plac
 	int a = HAWSER__QUARTIC_A(p, q->width), b = HAWSER__QUARTIC_B(p, q->width);
 	double *along = q->ab + (size_t)q->in*2*width, *across = along + 2*width;
 
-	along[a] = place->eps*place->ex;
-	along[b] = -place->ey/place->k;
-	across[a] = place->eps*place->ey;
-	across[b] = place->ex/place->k;
+	along[a] = place->eps*place->axis[0][0];
+	along[b] = place->axis[1][0]/place->k;
+	across[a] = place->eps*place->axis[0][1];
+	across[b] = place->axis[1][1]/place->k;
 	q->c[(size_t)q->out*width + (size_t)p] = 1.0/place->k;
 }
 
@@ -250,7 +251,7 @@ static int combine(double *B, double *G, const double *E, int rows, int stride)
 
 /* E of a plane: 1/omega^2 of its coordinates; `ties` [ends][ends], ends = 1 or 2, is T. */
 static void set_inverse(double *E, const struct hawser__quartic *q, const struct hawser_modes *modes,
-                        int plane, const struct hawser__ties *ties)
+                        int plane, struct hawser__ties *ties)
 {
 	int first = plane ? q->in : 0, size = plane ? q->out : q->in;
 	int rows = plane ? q->rows_out : q->rows_in;
@@ -261,14 +262,13 @@ static void set_inverse(double *E, const struct hawser__quartic *q, const struct
 		E[i*rows + i] = 1.0/(omega*omega);
 	}
 	for (int e = 0; e < (plane ? 1 : 2); e++) {
-		double r[3] = {0.0}, lambda[3];
-
-		r[plane ? 2 : e] = 1.0;
-		hawser__ties_solve(lambda, ties, r);
+		memset(ties->z, 0, sizeof ties->z);
+		ties->z[plane ? 2 : e] = 1.0;
+		hawser__ties_solve(ties);
 		if (plane)
-			E[size*rows + size] = lambda[2];
+			E[size*rows + size] = ties->z[2];
 		for (int f = 0; !plane && f < 2; f++)
-			E[(size + e)*rows + size + f] = lambda[f];
+			E[(size + e)*rows + size + f] = ties->z[f];
 	}
 }
 
@@ -299,7 +299,7 @@ static void set_M(double *in_plane, double *out_of_plane, const struct hawser__q
 
 /* B of both planes. */
 static int set_bend(struct hawser__quartic *q, const struct hawser_modes *modes,
-                    const struct hawser__place *place, const struct hawser__ties *ties)
+                    const struct hawser__place *place, struct hawser__ties *ties)
 {
 	int width = q->width, most = q->rows_in > q->rows_out ? q->rows_in : q->rows_out;
 	double *M = array(3, width), *E = array(most, most), *G = array(most, most);
@@ -366,20 +366,15 @@ static void fill_columns(struct hawser__quartic *q, const struct hawser_modes *m
 static int fill(struct hawser__quartic *q, const struct hawser_rom *rom,
                 const struct hawser_modes *modes)
 {
-	struct hawser__place *place = malloc((size_t)q->points*sizeof *place);
-	struct hawser__ties ties = {.mz = 0.0};
-	int failed = !place || set_order(q, modes);
+	struct hawser__stations stations;
+	int failed = hawser__stations_make(&stations, modes, 0, NULL, 0, NULL) || set_order(q, modes);
 
-	for (int p = 0; !failed && p < q->points; p++) {
-		place[p] = hawser__place_at(modes, modes->grid.s[p], modes->grid.weight[p]);
-		hawser__ties_add(&ties, &place[p]);
-	}
 	if (!failed)
-		fill_columns(q, modes, place);
+		fill_columns(q, modes, stations.place);
 	set_stiffness(q, rom);
 	if (!failed && q->condensed)
-		failed = set_bend(q, modes, place, &ties) || hawser__quartic_pull(q);
-	free(place);
+		failed = set_bend(q, modes, stations.place, stations.ties) || hawser__quartic_pull(q);
+	hawser__stations_clear(&stations);
 	return failed;
 }
 

@@ -21,22 +21,22 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <cblas.h>
 #include <lapacke.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/hold.h"
 #include "core/report.h"
-#include "modes/grid.h"
 #include "modes/label.h"
 #include "rom/terms/absorbers.h"
-#include "rom/condense/bend.h"
 #include "rom/build/build.h"
 #include "rom/terms/dampers.h"
 #include "rom/condense/follow.h"
+#include "rom/condense/basis.h"
+#include "statics/frame.h"
 
-enum { MOST = 4*HAWSER_ATTACH_MAX, STROKE = 3, MARKS = HAWSER_ATTACH_MAX + 2 };
+enum { MOST = 4*HAWSER_ATTACH_MAX, STROKE = 3 };
 /* Squared frequencies above this multiple of the lowest one belong to shapes that are linear
  * combinations of the others up to round-off. */
 static const double dependent = 1e12;
@@ -115,146 +115,37 @@ void hawser__springs_add(double *K, const struct hawser_modes *modes)
 
 struct work {
 	const struct hawser_modes *modes;
-	struct hawser__stations stations;   /* the points of the grid */
-	struct hawser__reference reference;
-	int count, points;
-	double *shape, *slope;  /* [count][points][3] in the local frame */
-	double *kink;           /* [count][MARKS][3] along x, y, z at the points of label.h */
-	double *start;          /* [count][3] the same of end A */
-	double *stroke;         /* [count][HAWSER_ATTACH_MAX] of absorbers */
-	double *along;          /* [2][3][points] */
-	double *bent;           /* [count] rows of bend.h */
-	struct hawser__hold hold;
+	struct hawser__stations stations;  /* the points of the grid */
+	struct hawser__basis basis;    /* a row a force, then one more */
+	int count;
 };
-
-static int work_make(struct work *work)
-{
-	size_t count = (size_t)work->count, points = (size_t)work->points;
-
-	work->shape = hawser__hold(&work->hold, 3*count*points, sizeof *work->shape);
-	work->slope = hawser__hold(&work->hold, 3*count*points, sizeof *work->slope);
-	work->kink = hawser__hold(&work->hold, 3*count*MARKS, sizeof *work->kink);
-	work->start = hawser__hold(&work->hold, count, 3*sizeof *work->start);
-	work->stroke = hawser__hold(&work->hold, count, HAWSER_ATTACH_MAX*sizeof *work->stroke);
-	work->along = hawser__hold(&work->hold, 6*points, sizeof *work->along);
-	return !work->hold.short_of_memory;
-}
 
 static void work_clear(struct work *work)
 {
 	hawser__stations_clear(&work->stations);
-	hawser__reference_clear(&work->reference);
-	hawser__hold_clear(&work->hold);
+	hawser__basis_clear(&work->basis);
 }
 
-/* Strains and displacement of end A of the response to a unit force along axis at attachment i, or,
- * with the axis STROKE, on the stroke of its absorber. */
-static void respond(struct work *work, double *slope, double *start, int i, int axis)
+/* The response to a unit force along axis at attachment i, or, with the axis STROKE, on the stroke of
+ * its absorber. */
+static void respond(struct work *work, double *row, int i, int axis)
 {
+	struct hawser__stations *stations = &work->stations;
 	const struct hawser_statics *st = &work->modes->statics;
+	const double pull[3] = {-(axis == 0), -(axis == 1), -(axis == 2)};
 
-	for (int p = 0; p < work->points; p++) {
-		struct hawser_frame_point at = hawser_statics_frame(st, work->stations.s[p]);
-		double h = work->stations.s[p] > st->attached[i].s ? -1.0 : 0.0, *to;
+	for (int p = 0; p < stations->count; p++) {
+		struct hawser_frame_point at = hawser_statics_frame(st, stations->s[p]);
 
-		to = work->stations.p + 3*(size_t)p;
-		to[0] = axis == 0 ? h*at.ex : axis == 1 ? h*at.ey : 0.0;
-		to[1] = axis == 0 ? -h*at.ey : axis == 1 ? h*at.ex : 0.0;
-		to[2] = axis == 2 ? h : 0.0;
+		memset(stations->p + 3*p, 0, 3*sizeof *stations->p);
+		if (stations->s[p] > st->attached[i].s)
+			hawser__frame_in(stations->p + 3*p, &at, pull);
 	}
-	memset(work->stations.beyond, 0, sizeof work->stations.beyond);
-	memset(work->stations.load, 0, sizeof work->stations.load);
-	*(axis == STROKE ? &work->stations.load[i] : &work->stations.beyond[axis]) = 1.0;
-	hawser__follow(&work->stations);
-	if (st->elastic)
-		memcpy(start, work->stations.start, 3*sizeof *start);
-	memcpy(slope, work->stations.z, 3*(size_t)work->points*sizeof *slope);
-}
-
-/* Displacement of strains and of end A, at the points of the grid and those of label.h. */
-static void integrate(struct work *work, double *shape, double *kink, const double *slope,
-                      const double start[3])
-{
-	const struct hawser_modes *modes = work->modes;
-	const struct hawser_statics *st = &modes->statics;
-	int points = work->points;
-	double *global = work->along, *along = work->along + 3*points;
-
-	for (int p = 0; p < points; p++) {
-		struct hawser_frame_point at = hawser_statics_frame(st, modes->grid.s[p]);
-		const double *f = slope + 3*p;
-
-		global[p] = f[0]*at.ex - f[1]*at.ey;
-		global[points + p] = f[0]*at.ey + f[1]*at.ex;
-		global[2*points + p] = f[2];
-	}
-	for (int c = 0; c < 3; c++) {
-		(void)hawser__grid_running(along + c*points, &modes->grid, &work->reference,
-		                           global + c*points);
-		for (int p = 0; p < points; p++)
-			along[c*points + p] += start[c];
-		for (int i = 0; i < hawser__points(st); i++)
-			hawser__grid_at(kink + 3*i + c, &modes->grid, along + c*points, 1, 1,
-			                hawser__point(st, i).s);
-	}
-	for (int p = 0; p < points; p++) {
-		struct hawser_frame_point at = hawser_statics_frame(st, modes->grid.s[p]);
-		double x = along[p], y = along[points + p];
-
-		shape[3*p] = x*at.ex + y*at.ey;
-		shape[3*p + 1] = y*at.ex - x*at.ey;
-		shape[3*p + 2] = along[2*points + p];
-	}
-}
-
-/* Mass and stiffness of the absorber at attachment i, of two displacements there and their strokes. */
-static void add_absorber(double *M, double *K, const struct hawser_statics *st, int i,
-                         const double x[3], const double y[3], const double *stroke,
-                         const double *other)
-{
-	const double *a = st->attached[i].absorber_axis;
-
-	for (int c = 0; c < 3; c++)
-		*M += st->attached[i].absorber*(x[c] + stroke[i]*a[c])*(y[c] + other[i]*a[c]);
-	*K += hawser__absorber_stiffness(st, i)*stroke[i]*other[i];
-}
-
-/* Mass and stiffness of the responses, [count][count]. */
-static void matrices(const struct work *work, double *mass, double *stiff)
-{
-	const struct hawser_statics *st = &work->modes->statics;
-	const struct hawser__bend *bend = work->stations.bend;
-	size_t row = 3*(size_t)work->points, wide = (size_t)hawser__bend_width(bend);
-
-	for (int a = 0; a < work->count && bend; a++)
-		hawser__bend_rows(work->bent + (size_t)a*wide, bend, work->slope + (size_t)a*row);
-	for (int a = 0; a < work->count; a++)
-		for (int b = 0; b < work->count; b++) {
-			const double *x = work->shape + a*row, *y = work->shape + b*row;
-			const double *v = work->slope + a*row, *w = work->slope + b*row;
-			double M = 0.0, K = 0.0;
-
-			for (int p = 0; p < work->points; p++, x += 3, y += 3, v += 3, w += 3) {
-				const struct hawser__place *at = &work->stations.place[p];
-
-				M += at->weight*(x[0]*y[0] + x[1]*y[1] + x[2]*y[2]);
-				K += at->weight*(v[0]*w[0]/at->eps + at->k*(v[1]*w[1] + v[2]*w[2]));
-			}
-			x = work->kink + 3*MARKS*a;
-			y = work->kink + 3*MARKS*b;
-			for (int i = 0; i < hawser__points(st); i++, x += 3, y += 3) {
-				M += hawser__point_bare(st, i)*(x[0]*y[0] + x[1]*y[1] + x[2]*y[2]);
-				for (int c = 0; c < 3; c++)
-					K += stiffness(st, i, c, 0.0)*x[c]*y[c];
-				if (i < st->attachments && st->attached[i].absorber > 0.0)
-					add_absorber(&M, &K, st, i, x, y, work->stroke + HAWSER_ATTACH_MAX*a,
-					             work->stroke + HAWSER_ATTACH_MAX*b);
-			}
-			for (size_t i = 0; i < wide; i++)
-				K += work->bent[(size_t)a*wide + i]*work->bent[(size_t)b*wide + i];
-			mass[a*work->count + b] = M;
-			stiff[a*work->count + b] = K;
-		}
+	memset(stations->beyond, 0, sizeof stations->beyond);
+	memset(stations->load, 0, sizeof stations->load);
+	*(axis == STROKE ? &stations->load[i] : &stations->beyond[axis]) = 1.0;
+	hawser__follow(stations);
+	hawser__basis_put(&work->basis, row, stations->z, stations->start, stations->stroke);
 }
 
 /* Append the vibration modes `vector` (columns) with 1/omega^2 mu [count], ascending in mu. */
@@ -262,29 +153,17 @@ static enum hawser_status append(struct hawser_modes *with, const struct work *w
                                  const double *vector, const double *mu, int taken,
                                  struct hawser_report *report)
 {
-	size_t row = 3*(size_t)work->points;
-	int n = work->modes->n;
+	const struct hawser__basis *basis = &work->basis;
+	int count = work->count, width = basis->width;
+	double *row = basis->row + (size_t)count*(size_t)width;
 	enum hawser_status status = hawser__modes_extend(with, work->modes, taken, report);
 
 	for (int k = 0; !status && k < taken; k++) {
-		int column = work->count - 1 - k; /* descending mu: ascending omega */
-		struct hawser_mode *mode = &with->mode[n + k];
+		int column = count - 1 - k; /* descending mu: ascending omega */
 
-		for (int a = 0; a < work->count && with->stroke; a++)
-			for (int i = 0; i < with->statics.attachments; i++)
-				with->stroke[(n + k)*with->statics.attachments + i] +=
-					vector[a*work->count + column]*work->stroke[a*HAWSER_ATTACH_MAX + i];
-		for (int a = 0; a < work->count; a++)
-			for (size_t i = 0; i < row; i++) {
-				double part = vector[a*work->count + column];
-
-				with->shape[(size_t)(n + k)*row + i] += part*work->shape[a*row + i];
-				with->slope[(size_t)(n + k)*row + i] += part*work->slope[a*row + i];
-			}
-		mode->omega = 1.0/sqrt(mu[column]);
-		mode->place = n + k + 1;
-		(void)hawser__mode_label(with, n + k);
-		mode->plane = mode->out_of_plane_share > 0.5 ? HAWSER_OUT_OF_PLANE : HAWSER_IN_PLANE;
+		cblas_dgemv(CblasRowMajor, CblasTrans, count, width, 1.0, basis->row, width,
+		            vector + column, count, 0.0, row, 1);
+		hawser__basis_take(with, work->modes->n + k, basis, row, 1.0/sqrt(mu[column]));
 	}
 	return status;
 }
@@ -300,8 +179,8 @@ static enum hawser_status vibrate(struct hawser_modes *with, const struct work *
 
 	if (status)
 		return status;
-	matrices(work, mass, stiff);
-	if (LAPACKE_dsygv(LAPACK_ROW_MAJOR, 1, 'V', 'L', count, mass, count, stiff, count, mu))
+	status = hawser__basis_products(mass, stiff, &work->basis, count, report);
+	if (!status && LAPACKE_dsygv(LAPACK_ROW_MAJOR, 1, 'V', 'L', count, mass, count, stiff, count, mu))
 		status = hawser__fail(report, HAWSER_ERR_NAN, "rom",
 		                      "the static shapes of the dampers' forces are linearly dependent or "
 		                      "not finite: move dampers apart, or keep fewer modes");
@@ -319,7 +198,7 @@ enum hawser_status hawser__dampers_extend(struct hawser_modes *with,
                                           struct hawser_report *report)
 {
 	const struct hawser_statics *st = &modes->statics;
-	struct work work = {.modes = modes, .points = modes->grid.points};
+	struct work work = {.modes = modes};
 	int axis[MOST], at[MOST];
 	enum hawser_status status;
 
@@ -332,25 +211,11 @@ enum hawser_status hawser__dampers_extend(struct hawser_modes *with,
 			}
 	if (work.count == 0)
 		return HAWSER_OK;
-	status = work_make(&work) ? HAWSER_OK : hawser__no_memory(report, "rom");
+	status = hawser__basis_make(&work.basis, modes, work.count + 1, report);
 	if (!status)
 		status = hawser__stations_make(&work.stations, modes, modes->n, NULL, 0, report);
-	if (!status)
-		status = hawser__reference_init(&work.reference, &modes->grid, modes->grid.order - 1,
-		                                report);
-	if (!status && work.stations.bend) {
-		work.bent = hawser__hold(&work.hold, (size_t)work.count*
-		                         (size_t)hawser__bend_width(work.stations.bend), sizeof *work.bent);
-		status = work.bent ? HAWSER_OK : hawser__no_memory(report, "rom");
-	}
-	for (int a = 0; !status && a < work.count; a++) {
-		size_t row = (size_t)a*3*(size_t)work.points;
-		double *start = work.start + 3*(size_t)a;
-
-		respond(&work, work.slope + row, start, at[a], axis[a]);
-		memcpy(work.stroke + a*HAWSER_ATTACH_MAX, work.stations.stroke, sizeof work.stations.stroke);
-		integrate(&work, work.shape + row, work.kink + (size_t)a*3*MARKS, work.slope + row, start);
-	}
+	for (int a = 0; !status && a < work.count; a++)
+		respond(&work, work.basis.row + (size_t)a*(size_t)work.basis.width, at[a], axis[a]);
 	if (!status)
 		status = vibrate(with, &work, report);
 	work_clear(&work);

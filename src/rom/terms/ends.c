@@ -132,23 +132,12 @@ enum hawser_status hawser__ends_condensed(struct hawser_rom *rom, const struct h
                                           struct hawser_report *report)
 {
 	struct hawser_rom_ends *ends = rom->ends;
-	int first = ends->modes*(ends->modes + 1)/2, points = rom->shapes.points,
-	    line = rom->line.points;
-	size_t each = 3*(size_t)condensed->points;
-	const struct hawser__condensed with_ends = {.n = condensed->n, .points = condensed->points,
-		.pairs = condensed->pairs - first, .strain = condensed->strain + (size_t)first*each,
-		.start = condensed->start + 3*(size_t)first};
-	enum hawser_status status = ends->second_shape || make_second(ends, (size_t)points, (size_t)line)
-	                            ? HAWSER_OK : hawser__no_memory(report, "rom");
 
-	for (int p = 0; !status && p < points; p++)
-		status = hawser__condensed_at(&with_ends, wide, ends->second_shape + 3*p,
-		                              ends->second_slope + 3*p, 3*points, rom->shapes.s[p], report);
-	for (int x = 0; !status && x < with_ends.pairs; x++)
-		for (int p = 0; p < line; p++)
-			hawser__grid_at(ends->second_line + 3*((size_t)x*(size_t)line + (size_t)p),
-			                &wide->grid, with_ends.strain + (size_t)x*each, 3, 3, rom->line.s[p]);
-	return status;
+	if (!ends->second_shape && !make_second(ends, (size_t)rom->shapes.points, (size_t)rom->line.points))
+		return hawser__no_memory(report, "rom");
+	return hawser__condensed_second(ends->second_shape, ends->second_slope, ends->second_line, rom,
+	                                condensed, wide, ends->modes*(ends->modes + 1)/2,
+	                                (int)hawser__ends_pairs(ends), report);
 }
 
 /* --- at an instant --- */

@@ -1,4 +1,5 @@
-/* rom/terms/ties.c - springs of attachments in the static response of the condensed modes.
+/* rom/terms/ties.c - the static response of a cable whose ends are held, with springs: of its condensed
+ * modes (condense.c, follow.c), and to displacements of its ends (support_shape.c).
  *
  *   F(s)      force in the cable that answers a load: lambda + the sum of z_m h_m over springs beyond s
  *   phi_a     unit forces of which F is made: along, across the chord and along z; h_m up to spring m
@@ -14,13 +15,15 @@
  * (elastic supports have a strain at each end: phi_a(0) phi_b(0)/k of end A and phi_a(l) phi_b(l)/k
  * of end B are further parts of A, and the whole load, P, moves end B by P/k without F:
  * r_a -= phi_a(l) P/k,)
- * With bending stiffness C is not pointwise (bend.c), and nothing else changes. A is
- * symmetric and positive definite: the closed form of condense.c with a row a spring. A spring of any
- * stiffness is a small number here, so that a support is the limit without loss.
+ * With bending stiffness C is not pointwise (bend.c), and nothing else changes. A is symmetric and
+ * positive definite. In axes along and across the chord that of a straight cable is graded, so that a
+ * tiny eps is not lost in round-off. A spring of any stiffness is a small number here, so that a
+ * support is the limit without loss.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <cblas.h>
 #include <lapacke.h>
 #include <math.h>
 #include <stdlib.h>
@@ -29,7 +32,6 @@
 #include "core/report.h"
 #include "core/vec3.h"
 #include "modes/label.h"
-#include "rom/terms/dampers.h"
 #include "rom/terms/ties.h"
 
 enum { ENDS = 3 };
@@ -50,46 +52,28 @@ static void set_spring(struct hawser__tie_spring *spring, const struct hawser_st
 	spring->h[2] = spring->way[2];
 }
 
-void hawser__springs_free(struct hawser__springs *springs)
+void hawser__ties_free(struct hawser__ties *ties)
 {
-	if (springs)
-		free(springs->field);
-	free(springs);
+	if (ties)
+		free(ties->field);
+	free(ties);
 }
 
-enum hawser_status hawser__springs_make(struct hawser__springs **made, const struct hawser_modes *modes,
-                                        struct hawser_report *report)
+static void set_springs(struct hawser__ties *to, const struct hawser_statics *st)
 {
-	const struct hawser_statics *st = &modes->statics;
-	struct hawser__springs *to;
-
-	*made = NULL;
-	if (!hawser__has_springs(st) && !st->elastic && !(st->bending.EI > 0.0))
-		return HAWSER_OK;
-	to = calloc(1, sizeof *to);
-	if (!to)
-		return hawser__no_memory(report, "rom");
 	to->size = ENDS;
-	for (int i = 0; i < st->attachments; i++)
-		for (int c = 0; c < 3; c++) {
-			struct hawser__tie_spring *spring = &to->spring[to->size - ENDS];
-
-			if (!(st->attached[i].spring[c] > 0.0))
-				continue;
-			set_spring(spring, st, i, c, st->attached[i].spring[c]);
-			to->size++;
-		}
+	for (int i = 0; i < 3*st->attachments; i++)
+		if (st->attached[i/3].spring[i%3] > 0.0)
+			set_spring(&to->spring[to->size++ - ENDS], st, i/3, i%3, st->attached[i/3].spring[i%3]);
 	to->ends = st->attachments;
 	for (int i = 0; st->elastic && i < 6; i++)
 		if (isfinite(st->held[i/3].stiffness[i%3]))
 			set_spring(&to->spring[to->size - ENDS + to->joints++], st, to->ends + i/3, i%3,
 			           st->held[i/3].stiffness[i%3]);
-	*made = to;
-	return HAWSER_OK;
 }
 
 /* phi_a at s, in axes along and across the chord and along z. */
-static void phi(double f[3], const struct hawser__springs *springs, int a, double s)
+static void phi(double f[3], const struct hawser__ties *ties, int a, double s)
 {
 	const struct hawser__tie_spring *spring;
 
@@ -98,146 +82,143 @@ static void phi(double f[3], const struct hawser__springs *springs, int a, doubl
 		f[a] = 1.0;
 		return;
 	}
-	spring = &springs->spring[a - ENDS];
+	spring = &ties->spring[a - ENDS];
 	if (s < spring->s)
 		memcpy(f, spring->h, sizeof spring->h);
 }
 
-/* Components along e, n, z at the place, in space along its three axes. */
+/* Components along e, n and the third axis of the place. */
 static void to_local(double f[3], const struct hawser__place *at)
 {
-	double along = f[0], across = f[1], z = f[2];
+	const double v[3] = {f[0], f[1], f[2]};
 
-	for (int c = 0; c < 3 && at->space; c++)
-		f[c] = along*at->axis[c][0] + across*at->axis[c][1] + z*at->axis[c][2];
-	if (at->space)
-		return;
-	f[0] = along*at->ex + across*at->ey;
-	f[1] = across*at->ex - along*at->ey;
+	for (int c = 0; c < 3; c++)
+		f[c] = hawser__dot(v, at->axis[c]);
 }
 
-/* A of the cable: fields that answer phi_a, against phi_b. */
-static void add_cable(struct hawser__springs *springs, const struct hawser__bend *bend,
-                      const struct hawser__place *place, const double *s, int count)
+/* to[a] += the integral of x.phi_a at a node. */
+static void add_node(double *to, const struct hawser__ties *ties, int i, const double x[3])
 {
-	double *x = springs->field;
+	const struct hawser__place *at = &ties->place[i];
+	double v[3];
 
-	for (int a = 0; a < springs->size; a++) {
-		for (int i = 0; i < count; i++) {
-			phi(x + 3*i, springs, a, s[i]);
-			to_local(x + 3*i, &place[i]);
-		}
-		hawser__comply(bend, x, place, count);
-		for (int i = 0; i < count; i++)
-			for (int b = 0; b <= a; b++) {
-				double g[3];
-
-				phi(g, springs, b, s[i]);
-				to_local(g, &place[i]);
-				springs->A[a*HAWSER__TIES + b] +=
-					place[i].weight*(x[3*i]*g[0] + x[3*i + 1]*g[1] + x[3*i + 2]*g[2]);
-			}
+	for (int c = 0; c < 3; c++) {
+		v[c] = at->weight*(x[0]*at->axis[0][c] + x[1]*at->axis[1][c] + x[2]*at->axis[2][c]);
+		to[c] += v[c];
 	}
+	for (int a = ENDS; a < ties->size; a++)
+		if (ties->s[i] < ties->spring[a - ENDS].s)
+			to[a] += hawser__dot(v, ties->spring[a - ENDS].h);
 }
 
 /* phi_a at joint j along its axis. */
-static double at_joint(const struct hawser__springs *springs, int a, int j)
+static double at_joint(const struct hawser__ties *ties, int a, int j)
 {
-	const struct hawser__tie_spring *joint = &springs->spring[springs->size - ENDS + j];
+	const struct hawser__tie_spring *joint = &ties->spring[ties->size - ENDS + j];
 	double f[3];
 
-	phi(f, springs, a, joint->s);
-	return f[0]*joint->h[0] + f[1]*joint->h[1] + f[2]*joint->h[2];
+	phi(f, ties, a, joint->s);
+	return hawser__dot(f, joint->h);
 }
 
-enum hawser_status hawser__springs_assemble(struct hawser__springs *springs,
-                                            const struct hawser__bend *bend,
-                                            const struct hawser__place *place, const double *s,
-                                            int count, struct hawser_report *report)
+/* Row a: the fields that answer phi_a, against all. */
+static void fill_row(struct hawser__ties *ties, int a)
 {
-	springs->field = malloc(3*(size_t)count*sizeof *springs->field);
-	if (!springs->field)
+	double *x = ties->field, *row = ties->A + a*HAWSER__TIES;
+
+	for (int i = 0; i < ties->count; i++) {
+		phi(x + 3*i, ties, a, ties->s[i]);
+		to_local(x + 3*i, &ties->place[i]);
+	}
+	hawser__comply(ties->bend, x, ties->place, ties->count);
+	for (int i = 0; i < ties->count; i++)
+		add_node(row, ties, i, x + 3*i);
+	for (int j = 0; j < ties->joints; j++)
+		for (int b = 0; b < ties->size; b++)
+			row[b] += at_joint(ties, a, j)*at_joint(ties, b, j)/ties->spring[ties->size - ENDS + j].k;
+	if (a >= ENDS)
+		row[a] += 1.0/ties->spring[a - ENDS].k;
+}
+
+enum hawser_status hawser__ties_make(struct hawser__ties **made, const struct hawser_modes *modes,
+                                     const struct hawser__bend *bend,
+                                     const struct hawser__place *place, const double *s, int count,
+                                     struct hawser_report *report)
+{
+	struct hawser__ties *to = *made = calloc(1, sizeof *to);
+
+	if (to)
+		to->field = malloc(3*(size_t)count*sizeof *to->field);
+	if (!to || !to->field)
 		return hawser__no_memory(report, "rom");
-	add_cable(springs, bend, place, s, count);
-	for (int j = 0; j < springs->joints; j++)
-		for (int a = 0; a < springs->size; a++)
-			for (int b = 0; b <= a; b++)
-				springs->A[a*HAWSER__TIES + b] +=
-					at_joint(springs, a, j)*at_joint(springs, b, j)/
-					springs->spring[springs->size - ENDS + j].k;
-	for (int a = ENDS; a < springs->size; a++)
-		springs->A[a*HAWSER__TIES + a] += 1.0/springs->spring[a - ENDS].k;
+	to->count = count;
+	to->s = s;
+	to->place = place;
+	to->bend = bend;
+	set_springs(to, &modes->statics);
+	for (int a = 0; a < to->size; a++)
+		fill_row(to, a);
 	/* rows of the lower triangle are columns of the upper one */
-	springs->failed = LAPACKE_dpotrf(LAPACK_COL_MAJOR, 'U', springs->size, springs->A,
-	                                 HAWSER__TIES) != 0;
+	to->failed = LAPACKE_dpotrf(LAPACK_COL_MAJOR, 'U', to->size, to->A, HAWSER__TIES) != 0;
 	return HAWSER_OK;
 }
 
-void hawser__springs_load(struct hawser__springs *springs, const struct hawser__place *at, double s,
-                          const double x[3])
+void hawser__ties_solve(struct hawser__ties *ties)
 {
-	for (int a = 0; a < springs->size; a++) {
-		double f[3];
-
-		phi(f, springs, a, s);
-		to_local(f, at);
-		springs->z[a] += at->weight*(f[0]*x[0] + f[1]*x[1] + f[2]*x[2]);
-	}
+	if (ties->failed || LAPACKE_dpotrs(LAPACK_COL_MAJOR, 'U', ties->size, 1, ties->A, HAWSER__TIES,
+	                                   ties->z, ties->size) != 0)
+		for (int a = 0; a < ties->size; a++)
+			ties->z[a] = NAN; /* reported as the entries of the model */
 }
 
-void hawser__springs_solve(struct hawser__springs *springs)
+void hawser__ties_settle(struct hawser__ties *ties, double *x)
 {
-	for (int j = 0; j < springs->joints; j++) {
-		const struct hawser__tie_spring *joint = &springs->spring[springs->size - ENDS + j];
+	double *F = ties->field;
 
-		for (int a = 0; a < springs->size && joint->attachment > springs->ends; a++)
-			springs->z[a] -= at_joint(springs, a, j)*hawser__dot(springs->beyond, joint->way)/joint->k;
+	hawser__ties_solve(ties);
+	for (int i = 0; i < ties->count; i++) {
+		memcpy(F + 3*i, ties->z, 3*sizeof *F);
+		for (int a = ENDS; a < ties->size; a++)
+			for (int c = 0; c < 3 && ties->s[i] < ties->spring[a - ENDS].s; c++)
+				F[3*i + c] += ties->z[a]*ties->spring[a - ENDS].h[c];
+		to_local(F + 3*i, &ties->place[i]);
 	}
-	if (springs->failed || LAPACKE_dpotrs(LAPACK_COL_MAJOR, 'U', springs->size, 1, springs->A,
-	                                      HAWSER__TIES, springs->z, springs->size) != 0)
-		for (int a = 0; a < springs->size; a++)
-			springs->z[a] = NAN; /* reported as the entries of the model */
+	hawser__comply(ties->bend, F, ties->place, ties->count);
+	cblas_daxpy(3*ties->count, -1.0, F, 1, x, 1);
 }
 
-void hawser__springs_release(double *x, struct hawser__springs *springs,
-                             const struct hawser__bend *bend, const struct hawser__place *place,
-                             const double *s, int count)
+void hawser__ties_answer(struct hawser__ties *ties, double *x)
 {
-	double *F = springs->field;
+	memset(ties->z, 0, sizeof ties->z);
+	hawser__comply(ties->bend, x, ties->place, ties->count);
+	for (int i = 0; i < ties->count; i++)
+		add_node(ties->z, ties, i, x + 3*i);
+	for (int j = 0; j < ties->joints; j++) {
+		const struct hawser__tie_spring *joint = &ties->spring[ties->size - ENDS + j];
 
-	memset(F, 0, 3*(size_t)count*sizeof *F);
-	for (int i = 0; i < count; i++) {
-		for (int a = 0; a < springs->size; a++) {
-			double g[3];
-
-			phi(g, springs, a, s[i]);
-			for (int c = 0; c < 3; c++)
-				F[3*i + c] += springs->z[a]*g[c];
-		}
-		to_local(F + 3*i, &place[i]);
+		for (int a = 0; a < ties->size && joint->attachment > ties->ends; a++)
+			ties->z[a] -= at_joint(ties, a, j)*hawser__dot(ties->beyond, joint->way)/joint->k;
 	}
-	hawser__comply(bend, F, place, count);
-	for (int i = 0; i < 3*count; i++)
-		x[i] -= F[i];
+	hawser__ties_settle(ties, x);
 }
 
-double hawser__springs_stretch(const struct hawser__springs *springs, int m)
+double hawser__ties_stretch(const struct hawser__ties *ties, int m)
 {
-	const struct hawser__tie_spring *joint = &springs->spring[m];
+	const struct hawser__tie_spring *joint = &ties->spring[m];
 	double pull = 0.0;
 
-	if (m < springs->size - ENDS)
-		return springs->z[ENDS + m]/joint->k;
-	for (int a = 0; a < springs->size; a++)
-		pull += springs->z[a]*at_joint(springs, a, m - (springs->size - ENDS));
-	return joint->attachment > springs->ends
-		? (hawser__dot(springs->beyond, joint->way) + pull)/joint->k : -pull/joint->k;
+	if (m < ties->size - ENDS)
+		return ties->z[ENDS + m]/joint->k;
+	for (int a = 0; a < ties->size; a++)
+		pull += ties->z[a]*at_joint(ties, a, m - (ties->size - ENDS));
+	return joint->attachment > ties->ends
+		? (hawser__dot(ties->beyond, joint->way) + pull)/joint->k : -pull/joint->k;
 }
 
-void hawser__springs_start(double u[3], const struct hawser__springs *springs, const double *stretch)
+void hawser__ties_start(double u[3], const struct hawser__ties *ties, const double *stretch)
 {
 	memset(u, 0, 3*sizeof *u);
-	for (int m = springs->size - ENDS; m < springs->size - ENDS + springs->joints; m++)
-		for (int c = 0; c < 3 && springs->spring[m].attachment == springs->ends; c++)
-			u[c] += stretch[m]*springs->spring[m].way[c];
+	for (int m = ties->size - ENDS; m < hawser__ties_springs(ties); m++)
+		for (int c = 0; c < 3 && ties->spring[m].attachment == ties->ends; c++)
+			u[c] += stretch[m]*ties->spring[m].way[c];
 }

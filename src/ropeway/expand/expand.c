@@ -121,12 +121,7 @@ void hawser__lexpand_clear(struct hawser__lexpand *t)
 			free(t->end[i].form[f]);
 	for (int i = 0; t->mass && i < t->weights; i++)
 		free(t->mass[i].u);
-	for (int i = 0; t->rope && i < t->rope->systems; i++) {
-		if (t->second)
-			free(t->second[i]);
-		if (t->second_strain)
-			free(t->second_strain[i]);
-	}
+	free(t->second);
 	hawser__hold_clear(&t->hold);
 	*t = (struct hawser__lexpand){.rope = NULL};
 }

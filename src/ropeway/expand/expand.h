@@ -65,11 +65,19 @@ struct hawser__lexpand {
 	double *third;        /* [n][n][n] third derivatives of the energy */
 	double *pairing;      /* [pairs][pairs]: the part of fourth derivatives that one way to pair four
 	                       * indices gives */
-	/* The second-order displacement 1/2 sum u_j u_k w_jk, which follows, of every system:
-	 * [pairs][size] and [pairs][strains], zero where the system has none. */
-	double **second, **second_strain; /* [systems] */
+	size_t width;         /* of a displacement of the whole rope as a row, see below */
+	double *second;       /* [pairs][width] second-order displacement 1/2 sum u_j u_k w_jk: follows */
 	struct hawser__hold hold; /* its arrays */
 };
+
+/* A displacement of the whole rope is a row: the states of all systems, then their strains. The part of
+ * one system of it, and its width. expand_at.c. */
+struct hawser__lexpand_part {
+	double *x, *strain;   /* [size], [strains] of the system */
+};
+struct hawser__lexpand_part hawser__lexpand_part(const struct hawser__lmode *rope, double *row,
+                                                 int system);
+size_t hawser__lexpand_width(const struct hawser__lmode *rope);
 
 /* The systems of the rope must have their grids and factors, and none may circulate. `rope` is
  * kept, and used for static solutions. HAWSER_ERR_ARGUMENT (what the expansion does not cover),

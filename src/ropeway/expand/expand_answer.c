@@ -11,29 +11,12 @@
 #include "core/report.h"
 #include "ropeway/expand/expand_modes.h"
 
-struct work {
-	const struct hawser__lmode *rope;
-	const struct hawser__lexpand_modes *modes;
-	size_t size, strains;  /* of all systems */
-	double *load;          /* [size of a system] */
-};
-
-/* A row of a displacement. */
-struct field {
-	double *x, *strain;
-};
-
-static struct field field_of(const struct work *w, double *row)
-{
-	return (struct field){row, row + w->size};
-}
-
 /* --- products --- */
 
 /* x'y in the inner product of M. */
 static double product(const void *of, const double *x, const double *y)
 {
-	const struct work *w = of;
+	const struct hawser__lexpand_work *w = of;
 	double sum = 0.0;
 
 	for (int i = 0; i < w->rope->systems; i++) {
@@ -47,26 +30,35 @@ static double product(const void *of, const double *x, const double *y)
 	return sum;
 }
 
-/* Where system `own` begins. */
-static struct field part_of(const struct work *w,
-                                            const struct field *field, int own)
+double hawser__lexpand_stiffness(const void *work, const double *x, const double *y)
 {
-	struct field part = *field;
+	const struct hawser__lexpand_work *w = work;
+	const double *strain = x, *other = y;
+	double sum = 0.0;
 
-	for (int i = 0; i < own; i++) {
-		part.x += w->rope->system[i].size;
-		part.strain += w->rope->system[i].strains;
+	for (int i = 0; i < w->rope->systems; i++) {
+		strain += w->rope->system[i].size;
+		other += w->rope->system[i].size;
 	}
-	return part;
+	for (int i = 0; i < w->rope->systems; i++) {
+		const struct hawser__lmode_system *system = &w->rope->system[i];
+
+		sum += hawser__lmode_stiffness(x, strain, y, other, system);
+		x += system->size;
+		y += system->size;
+		strain += system->strains;
+		other += system->strains;
+	}
+	return sum;
 }
 
-/* field = P field. */
-static void remove_kept(const struct work *w, const struct field *field)
+/* row = P row. */
+static void remove_kept(const struct hawser__lexpand_work *w, double *row)
 {
 	for (int k = 0; k < w->modes->search.n; k++) {
 		const struct hawser__lexpand_shape *mode = &w->modes->shape[k];
 		const struct hawser__lmode_system *system = &w->rope->system[mode->system];
-		struct field part = part_of(w, field, mode->system);
+		struct hawser__lexpand_part part = hawser__lexpand_part(w->rope, row, mode->system);
 		double sum;
 
 		hawser__lmode_inertia(w->load, mode->x, system);
@@ -80,22 +72,23 @@ static void remove_kept(const struct work *w, const struct field *field)
 static enum hawser_status follow(const void *of, double *to, const double *from,
                                  struct hawser_report *report)
 {
-	const struct work *w = of;
-	struct field field = field_of(w, to);
-	double *x = field.x, *strain = field.strain;
+	const struct hawser__lexpand_work *w = of;
 
 	(void)report; /* no memory is asked for */
 	for (int i = 0; i < w->rope->systems; i++) {
 		struct hawser__lmode_system *system = &w->rope->system[i];
+		struct hawser__lexpand_part part = hawser__lexpand_part(w->rope, to, i);
 
 		hawser__lmode_inertia(w->load, from, system);
-		if (system->plane == HAWSER_IN_PLANE)
-			hawser__lmode_static(x, strain, system, w->load);
+		if (system->size > 0 && w->load[cblas_idamax(system->size, w->load, 1)] != 0.0) {
+			hawser__lmode_static(part.x, part.strain, system, w->load);
+		} else {
+			memset(part.x, 0, (size_t)system->size*sizeof *part.x);
+			memset(part.strain, 0, (size_t)system->strains*sizeof *part.strain);
+		}
 		from += system->size;
-		x += system->size;
-		strain += system->strains;
 	}
-	remove_kept(w, &field);
+	remove_kept(w, to);
 	return HAWSER_OK;
 }
 
@@ -104,13 +97,13 @@ static enum hawser_status follow(const void *of, double *to, const double *from,
 /* A force along y per length on one segment, in the frame of its displacements. */
 static void pull_segment(double *load, const struct hawser__lmode *rope,
                          const struct hawser__lmode_segment *s,
-                         double (*pull)(const void *wave, double s), const void *wave)
+                         const struct hawser__lexpand_force *force)
 {
 	const struct hawser__lmode_piece *piece = s->piece;
 	double angle = atan2(piece->reference[1], piece->reference[0]);
 
 	for (int p = 0; p < s->grid.points; p++) {
-		double at = piece->s0 + s->grid.s[p], value = pull(wave, at);
+		double at = piece->s0 + s->grid.s[p], value = force->pull(force->wave, piece->lane, at);
 
 		if (s->D == 1)
 			hawser_line_at(rope->lane[piece->lane], NULL, &angle, NULL, NULL, NULL, at*rope->length);
@@ -120,75 +113,55 @@ static void pull_segment(double *load, const struct hawser__lmode *rope,
 	}
 }
 
-static void hold(const struct work *w, const struct field *z,
-                 double (*pull)(const void *wave, double s), const void *wave, int lane)
+static void hold(const struct hawser__lexpand_work *w, double *row,
+                 const struct hawser__lexpand_force *force)
 {
-	double *x = z->x, *strain = z->strain;
-
 	for (int i = 0; i < w->rope->systems; i++) {
 		struct hawser__lmode_system *system = &w->rope->system[i];
+		struct hawser__lexpand_part part = hawser__lexpand_part(w->rope, row, i);
 
 		memset(w->load, 0, (size_t)system->size*sizeof *w->load);
 		for (int k = 0; system->plane == HAWSER_IN_PLANE && k < system->segments; k++)
-			if (system->segment[k].piece->lane == lane)
-				pull_segment(w->load + system->segment[k].at, w->rope, &system->segment[k], pull,
-				             wave);
+			pull_segment(w->load + system->segment[k].at, w->rope, &system->segment[k], force);
 		if (system->plane == HAWSER_IN_PLANE)
-			hawser__lmode_static(x, strain, system, w->load);
-		x += system->size;
-		strain += system->strains;
+			hawser__lmode_static(part.x, part.strain, system, w->load);
 	}
-	remove_kept(w, z);
+	remove_kept(w, row);
 }
 
-/* The shape that expand_drive.c made, which has no part of kept modes. */
-static void drive(const struct work *w, const struct field *z)
-{
-	const struct hawser__lexpand_shape *shape = &w->modes->shape[w->modes->search.n];
-	const struct hawser__lmode_system *system = &w->rope->system[shape->system];
-	struct field part = part_of(w, z, shape->system);
-
-	memcpy(part.x, shape->x, (size_t)system->size*sizeof *part.x);
-	memcpy(part.strain, shape->strain, (size_t)system->strains*sizeof *part.strain);
-}
-
-static enum hawser_status begin(struct work *w, struct hawser_report *report)
+enum hawser_status hawser__lexpand_by(struct hawser__driven_by *by, struct hawser__lexpand_work *w,
+                                      const struct hawser__lexpand_modes *t,
+                                      struct hawser_report *report)
 {
 	size_t most = 1;
 
-	for (int i = 0; i < w->rope->systems; i++) {
-		size_t own = (size_t)w->rope->system[i].size;
-
-		most = own > most ? own : most;
-		w->size += own;
-		w->strains += (size_t)w->rope->system[i].strains;
-	}
-	w->load = hawser__numbers(most, 1);
+	for (int i = 0; i < t->rope.systems; i++)
+		most = (size_t)t->rope.system[i].size > most ? (size_t)t->rope.system[i].size : most;
+	*w = (struct hawser__lexpand_work){.rope = &t->rope, .modes = t,
+	                                   .load = hawser__numbers(most, 1)};
+	*by = (struct hawser__driven_by){.of = w, .width = hawser__lexpand_width(&t->rope),
+	                                 .product = product, .follow = follow};
 	return w->load ? HAWSER_OK : hawser__no_memory(report, "line rom");
 }
 
-enum hawser_status hawser__lexpand_answer(struct hawser__driven *answer,
+enum hawser_status hawser__lexpand_answer(struct hawser__driven *answer, double *pull,
                                           const struct hawser__lexpand_modes *t,
-                                          double (*pull)(const void *wave, double s),
-                                          const void *wave, int lane, struct hawser_report *report)
+                                          const struct hawser__lexpand_force *force,
+                                          struct hawser_report *report)
 {
-	struct work w = {.rope = &t->rope, .modes = t};
-	enum hawser_status status = begin(&w, report);
-	const struct hawser__driven_by by = {.of = &w, .width = w.size + w.strains, .product = product,
-	                                     .follow = follow};
+	struct hawser__lexpand_work w;
+	struct hawser__driven_by by;
+	enum hawser_status status = hawser__lexpand_by(&by, &w, t, report);
 
 	*answer = (struct hawser__driven){.known = 0};
 	if (!status)
 		status = hawser__driven_open(answer, by.width, report);
-	if (!status) {
-		const struct field z = field_of(&w, answer->field);
-
-		if (pull)
-			hold(&w, &z, pull, wave, lane);
-		else
-			drive(&w, &z);
+	if (!status && force->pull)
+		hold(&w, answer->field, force);
+	else if (!status)
+		status = hawser__lexpand_drive(answer->field, pull, t, force, report);
+	if (!status)
 		status = hawser__driven_find(answer, &by, report);
-	}
 	free(w.load);
 	return status;
 }

@@ -6,6 +6,29 @@
 
 #include "ropeway/expand/expand_modes.h"
 
+size_t hawser__lexpand_width(const struct hawser__lmode *rope)
+{
+	size_t width = 0;
+
+	for (int i = 0; i < rope->systems; i++)
+		width += (size_t)(rope->system[i].size + rope->system[i].strains);
+	return width;
+}
+
+struct hawser__lexpand_part hawser__lexpand_part(const struct hawser__lmode *rope, double *row,
+                                                 int system)
+{
+	struct hawser__lexpand_part part = {row, row};
+
+	for (int i = 0; i < rope->systems; i++)
+		part.strain += rope->system[i].size;
+	for (int i = 0; i < system; i++) {
+		part.x += rope->system[i].size;
+		part.strain += rope->system[i].strains;
+	}
+	return part;
+}
+
 /* Strain c of a segment at s, as a slope. */
 static double slope_at(const struct hawser__lmode_segment *s, const double *strain, int c, double at)
 {
@@ -56,18 +79,6 @@ static void none(double shape[3], double *slope)
 		shape[c] = 0.0;
 		if (slope)
 			slope[c] = 0.0;
-	}
-}
-
-void hawser__lexpand_second_at(double shape[3], double slope[3], const struct hawser__lexpand *t,
-                               int pair, int piece, double s, double angle)
-{
-	none(shape, slope);
-	for (int i = 0; i < t->rope->systems; i++) {
-		const struct hawser__lmode_system *system = &t->rope->system[i];
-
-		add_system(shape, slope, system, t->second[i] + (size_t)pair*(size_t)system->size,
-		           t->second_strain[i] + (size_t)pair*(size_t)system->strains, piece, s, angle);
 	}
 }
 

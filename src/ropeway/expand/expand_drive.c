@@ -1,11 +1,12 @@
-/* ropeway/expand/expand_drive.c - an end of the rope that is moved along it.
+/* ropeway/expand/expand_drive.c - ends of the rope that are moved along it.
  *
  *   F_s     force of mode s along the rope at the end; S = 1 at end B, -1 at end A
- *   Z       static response of the whole rope to a unit motion of the end
+ *   r       motion of the end of each lane, towards end B
+ *   Z       static response of the whole rope to it
  *
- * The coordinate of Z along mode s is -S F_s/omega_s^2, by reciprocity, so that a motion r(t) of
- * the end is the force -S F_s r on it, and the modes that are not kept follow with Z + sum S
- * F_s/omega_s^2 Phi_s.
+ * The coordinate of Z along mode s is - sum S F_s r/omega_s^2 over the lanes, by reciprocity, so that
+ * the motion is the force - sum S F_s r on it, and the modes that are not kept follow with Z + sum S
+ * F_s r/omega_s^2 Phi_s.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -17,66 +18,101 @@
 #include "core/report.h"
 #include "ropeway/expand/expand_modes.h"
 
-/* The segment in the plane at the end of a lane; its system. */
-static const struct hawser__lmode_segment *find(const struct hawser__lmode *rope, int lane, int end,
-                                                int *system)
+/* Whether the segment is at the end of a lane that moves. */
+static int moves(const struct hawser__lmode_segment *s, const struct hawser__lmode *rope,
+                 const struct hawser__lexpand_force *force)
 {
-	int piece = end ? rope->lane[lane]->pieces - 1 : 0;
+	int lane = s->piece->lane;
 
-	for (int i = 0; i < rope->systems; i++)
-		for (int k = 0; rope->system[i].plane == HAWSER_IN_PLANE && k < rope->system[i].segments; k++)
-			if (rope->system[i].segment[k].piece->lane == lane &&
-			    rope->system[i].segment[k].piece->piece == piece) {
-				*system = i;
-				return &rope->system[i].segment[k];
-			}
-	return NULL;
+	return s->piece->piece == (force->end ? rope->lane[lane]->pieces - 1 : 0) &&
+	       force->motion[lane] != 0.0;
 }
 
-enum hawser_status hawser__lexpand_drive(struct hawser__lexpand_modes *t, double *pull, int lane,
-                                         int end, struct hawser_report *report)
+/* Displacements of the ends of segments; 0: none moves. */
+static int lift_ends(double (*lift)[HAWSER__ENDS][2], const struct hawser__lmode *rope,
+                     const struct hawser__lmode_system *system,
+                     const struct hawser__lexpand_force *force)
 {
-	struct hawser__lmode *rope = &t->rope;
-	int own = -1, n = t->search.n;
-	const struct hawser__lmode_segment *s = find(rope, lane, end, &own);
-	struct hawser__lmode_system *system;
-	struct hawser__lmode_given given = {NULL, NULL};
-	double (*lift)[HAWSER__ENDS][2], *load, angle, sign = end ? 1.0 : -1.0;
+	int end = force->end, any = 0;
 
-	if (!s || s->arc)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "line rom", "the end that the drive moves is "
-		                    "on a sheave: let the line end in a span, before the drive's wheel");
-	system = &rope->system[own];
-	lift = calloc((size_t)system->segments, sizeof *lift);
-	load = calloc((size_t)system->size, sizeof *load);
-	t->end_x = calloc((size_t)system->size, sizeof *t->end_x);
-	t->end_strain = calloc((size_t)system->strains, sizeof *t->end_strain);
-	if (!lift || !load || !t->end_x || !t->end_strain) {
-		free(lift);
-		free(load);
-		return hawser__no_memory(report, "line rom");
+	for (int k = 0; system->plane == HAWSER_IN_PLANE && k < system->segments; k++) {
+		const struct hawser__lmode_segment *s = &system->segment[k];
+		double angle = s->piece->angle[end] - atan2(s->piece->reference[1], s->piece->reference[0]);
+
+		if (!moves(s, rope, force))
+			continue;
+		lift[k][end][0] = force->motion[s->piece->lane]*cos(angle);
+		lift[k][end][1] = force->motion[s->piece->lane]*sin(angle);
+		any = 1;
 	}
-	angle = s->piece->angle[end] - atan2(s->piece->reference[1], s->piece->reference[0]);
-	lift[s - system->segment][end][0] = cos(angle);
-	lift[s - system->segment][end][1] = sin(angle);
-	given.lift = (const double (*)[HAWSER__ENDS][2])lift;
-	hawser__lmode_static_given(t->end_x, t->end_strain, system, load, &given);
-	for (int j = 0; j < n; j++) {
-		const struct hawser__lexpand_shape *mode = &t->shape[j];
-		double strain, omega2 = mode->omega*mode->omega;
+	return any;
+}
 
-		pull[j] = 0.0;
-		if (mode->system != own)
+/* Sum of S F_s r of a mode. */
+static double pull_of(const struct hawser__lexpand_shape *mode, const struct hawser__lmode *rope,
+                      const struct hawser__lexpand_force *force)
+{
+	const struct hawser__lmode_system *system = &rope->system[mode->system];
+	double sum = 0.0;
+
+	for (int k = 0; system->plane == HAWSER_IN_PLANE && k < system->segments; k++) {
+		const struct hawser__lmode_segment *s = &system->segment[k];
+		double strain, sign = force->end ? 1.0 : -1.0;
+
+		if (!moves(s, rope, force))
 			continue;
 		hawser__grid_at(&strain, &s->grid, mode->strain + s->strain, 1, 1,
-		                end ? s->grid.edge[s->grid.elements] : 0.0);
-		pull[j] = sign*strain/s->sa;
-		cblas_daxpy(system->size, pull[j]/omega2, mode->x, 1, t->end_x, 1);
-		cblas_daxpy(system->strains, pull[j]/omega2, mode->strain, 1, t->end_strain, 1);
+		                force->end ? s->grid.edge[s->grid.elements] : 0.0);
+		sum += sign*force->motion[s->piece->lane]*strain/s->sa;
 	}
-	t->shape[n] = (struct hawser__lexpand_shape){.system = own, .x = t->end_x,
-	                                             .strain = t->end_strain};
-	free(lift);
-	free(load);
+	return sum;
+}
+
+static enum hawser_status check(const struct hawser__lmode *rope,
+                                const struct hawser__lexpand_force *force,
+                                struct hawser_report *report)
+{
+	for (int lane = 0; lane < rope->lanes; lane++) {
+		const struct hawser_line_statics *st = rope->lane[lane];
+
+		if (st->piece[force->end ? st->pieces - 1 : 0].sheave >= 0)
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "line rom", "the end that the drive moves "
+			                    "is on a sheave: let the line end in a span, before the drive's wheel");
+	}
 	return HAWSER_OK;
+}
+
+enum hawser_status hawser__lexpand_drive(double *row, double *pull,
+                                         const struct hawser__lexpand_modes *t,
+                                         const struct hawser__lexpand_force *force,
+                                         struct hawser_report *report)
+{
+	const struct hawser__lmode *rope = &t->rope;
+	enum hawser_status status = check(rope, force, report);
+
+	for (int i = 0; i < rope->systems && !status; i++) {
+		struct hawser__lmode_system *system = &rope->system[i];
+		struct hawser__lexpand_part part = hawser__lexpand_part(rope, row, i);
+		double (*lift)[HAWSER__ENDS][2] = calloc((size_t)system->segments + 1, sizeof *lift);
+		double *load = hawser__numbers((size_t)system->size, 1);
+		const struct hawser__lmode_given given = {NULL, (const double (*)[HAWSER__ENDS][2])lift};
+
+		if (!lift || !load)
+			status = hawser__no_memory(report, "line rom");
+		else if (lift_ends(lift, rope, system, force))
+			hawser__lmode_static_given(part.x, part.strain, system, load, &given);
+		for (int j = 0; j < t->search.n && !status; j++) {
+			const struct hawser__lexpand_shape *mode = &t->shape[j];
+
+			if (mode->system != i)
+				continue;
+			pull[j] = pull_of(mode, rope, force);
+			cblas_daxpy(system->size, pull[j]/(mode->omega*mode->omega), mode->x, 1, part.x, 1);
+			cblas_daxpy(system->strains, pull[j]/(mode->omega*mode->omega), mode->strain, 1,
+			            part.strain, 1);
+		}
+		free(lift);
+		free(load);
+	}
+	return status;
 }

@@ -52,11 +52,10 @@ static void force(double f[3], const struct hawser__lexpand *t, int p, int j, in
 {
 	const double *x = t->slope + 3*((size_t)t->points*(size_t)j + (size_t)p);
 	const double *y = t->slope + 3*((size_t)t->points*(size_t)k + (size_t)p);
-	double g2 = t->stretch[p]*t->stretch[p];
 
-	f[0] = (x[1]*y[1] + x[2]*y[2])/g2;
-	f[1] = (x[0]*y[1] + y[0]*x[1])/g2;
-	f[2] = (x[0]*y[2] + y[0]*x[2])/g2;
+	hawser__pair_force(f, x, y);
+	for (int c = 0; c < 3; c++)
+		f[c] /= t->stretch[p]*t->stretch[p];
 }
 
 static void add_segment(const struct work *w, const struct hawser__lmode_segment *s, int system, int j,
@@ -187,8 +186,7 @@ static void answer(const struct work *w, size_t column, int i, int j, int k)
 	struct hawser__lexpand *t = w->t;
 	struct hawser__lmode_system *system = &t->rope->system[i];
 	size_t pair = (size_t)hawser__pair(j, k);
-	double *x = t->second[i] + pair*(size_t)system->size;
-	double *strain = t->second_strain[i] + pair*(size_t)system->strains;
+	struct hawser__lexpand_part part = hawser__lexpand_part(t->rope, t->second + pair*t->width, i);
 	const struct hawser__lmode_given given = {w->source, (const double (*)[HAWSER__ENDS][2])w->lift};
 
 	memset(w->source, 0, (size_t)system->strains*sizeof *w->source);
@@ -197,8 +195,9 @@ static void answer(const struct work *w, size_t column, int i, int j, int k)
 	for (int s = 0; s < system->segments; s++)
 		add_segment(w, &system->segment[s], i, j, k);
 	add_ends(w, i, j, k);
-	hawser__lmode_static_given(x, strain, system, w->load, &given);
-	fill_row(w->left + pair*w->width + column, w->right + pair*w->width + column, w, system, x, strain);
+	hawser__lmode_static_given(part.x, part.strain, system, w->load, &given);
+	fill_row(w->left + pair*w->width + column, w->right + pair*w->width + column, w, system, part.x,
+	         part.strain);
 }
 
 /* Remove the part along the modes, and add that of the energy: one column for each. */
@@ -210,6 +209,8 @@ static void remove_modes(const struct work *w, size_t column, int j, int k)
 	for (int s = 0; s < t->n; s++) {
 		const struct hawser__lexpand_shape *mode = &t->shape[s];
 		const struct hawser__lmode_system *system = &t->rope->system[mode->system];
+		struct hawser__lexpand_part to = hawser__lexpand_part(t->rope, t->second + pair*t->width,
+		                                                      mode->system);
 		double third = t->third[((size_t)j*(size_t)t->n + (size_t)k)*(size_t)t->n + (size_t)s], part;
 
 		if (!(mode->omega > 0.0))
@@ -217,32 +218,27 @@ static void remove_modes(const struct work *w, size_t column, int j, int k)
 		part = third/(mode->omega*mode->omega);
 		w->left[pair*w->width + column + (size_t)s] = third/mode->omega;
 		w->right[pair*w->width + column + (size_t)s] = third/mode->omega;
-		cblas_daxpy(system->size, part, mode->x, 1,
-		            t->second[mode->system] + pair*(size_t)system->size, 1);
-		cblas_daxpy(system->strains, part, mode->strain, 1,
-		            t->second_strain[mode->system] + pair*(size_t)system->strains, 1);
+		cblas_daxpy(system->size, part, mode->x, 1, to.x, 1);
+		cblas_daxpy(system->strains, part, mode->strain, 1, to.strain, 1);
 	}
 }
 
 static enum hawser_status allocate(struct work *w, struct hawser_report *report)
 {
 	struct hawser__lexpand *t = w->t;
-	size_t most = 0, segments = 0, pairs = (size_t)t->pairs, systems = (size_t)t->rope->systems;
+	size_t most = 0, segments = 0, pairs = (size_t)t->pairs;
 	int starved;
 
-	t->second = hawser__hold(&t->hold, systems + 1, sizeof *t->second);
-	t->second_strain = hawser__hold(&t->hold, systems + 1, sizeof *t->second_strain);
-	starved = !t->second || !t->second_strain;
+	t->width = hawser__lexpand_width(t->rope);
+	t->second = hawser__numbers(pairs, t->width);
+	starved = !t->second;
 	w->width = FIELDS*(size_t)t->points + (size_t)t->n;
-	for (size_t i = 0; i < systems && !starved; i++) {
+	for (int i = 0; i < t->rope->systems; i++) {
 		const struct hawser__lmode_system *system = &t->rope->system[i];
 
 		w->width += width_of(system);
 		most = most > width_of(system) ? most : width_of(system);
 		segments = segments > (size_t)system->segments ? segments : (size_t)system->segments;
-		t->second[i] = hawser__numbers(pairs*(size_t)system->size, 1);
-		t->second_strain[i] = hawser__numbers(pairs*(size_t)system->strains, 1);
-		starved = !t->second[i] || !t->second_strain[i];
 	}
 	if (!starved) {
 		w->left = hawser__numbers(pairs*w->width, 1);

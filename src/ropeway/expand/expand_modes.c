@@ -139,8 +139,6 @@ void hawser__lexpand_modes_clear(struct hawser__lexpand_modes *t)
 	free(t->search.pairs);
 	free(t->search.choice);
 	free(t->shape);
-	free(t->end_x);
-	free(t->end_strain);
 	hawser__lmode_clear(&t->rope);
 	*t = (struct hawser__lexpand_modes){.shape = NULL};
 }

@@ -28,8 +28,8 @@ void hawser__lexpand_arc(double derivative[2], const struct hawser__lexpand *t,
 
 	hawser_line_at(t->rope->lane[piece->lane], NULL, &angle, NULL, NULL, NULL,
 	               (piece->s0 + s->grid.s[i])*t->rope->length);
-	derivative[0] = -t->rope->delta*sin(angle)*kappa*kappa;
-	derivative[1] = -t->rope->delta*cos(angle)*kappa*kappa*kappa;
+	derivative[0] = -piece->delta*sin(angle)*kappa*kappa;
+	derivative[1] = -piece->delta*cos(angle)*kappa*kappa*kappa;
 }
 
 /* --- points of the free rope --- */
@@ -149,12 +149,12 @@ static enum hawser_status place_end(struct hawser__lexpand_end *to, const struct
 	find_segment(to, rope, HAWSER_OUT_OF_PLANE);
 	to->node = to->system[0] < 0 ? -1
 	           : rope->system[to->system[0]].segment[to->segment[0]].node[to->end];
-	V += to->end ? rope->delta*piece->length : 0.0;
+	V += to->end ? piece->delta*piece->length : 0.0;
 	T = hypot(piece->H, V);
 	g = 1.0 + rope->epsilon*T;
 	to->T = T;
 	to->kappa = curvature(t, sheave);
-	across = rope->delta*piece->H/T; /* weight along the normal */
+	across = piece->delta*piece->H/T; /* weight along the normal */
 	to->gap = to->kappa - across/(T*g);
 	to->turn = to->smooth ? 0.0 : circle - piece->angle[to->end];
 	to->along = T*cos(to->turn);

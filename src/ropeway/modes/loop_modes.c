@@ -47,7 +47,7 @@ static void turn(struct hawser_line_freedom *freedom, const struct hawser_ropewa
 		const struct hawser_line_statics *line = &st->lane[i].st;
 		double angle = end == END_A ? line->angle_A : line->angle_B;
 		double T = end == END_A ? line->T_A : line->T_B, way = i == HAWSER_ROPEWAY_UP ? 1.0 : -1.0;
-		double weight = line->line->rho*line->line->g/(1.0 + T/line->line->EA);
+		double weight = st->ropeway->rho*st->ropeway->g/(1.0 + T/line->line->EA);
 
 		freedom->stiffness += (end == END_A ? weight : -weight)*sin(angle);
 		freedom->end[i][end][0] = way*cos(angle);

@@ -17,6 +17,7 @@ struct hawser__lmode_piece {
 	int lane, piece, sheave, mass; /* indices in the lane; mass: at its beginning, or -1 */
 	int run;              /* number of the free rope between two sheaves or ends; -1: an arc */
 	double s0, length;
+	double delta;         /* weight per length */
 	double H, V;          /* free: horizontal and vertical tension at its beginning */
 	double bent;          /* free: V minus that of the reference, without cancellation */
 	double reference[2];  /* free: H and V at the middle of the run. Its direction is the frame in
@@ -95,7 +96,7 @@ struct hawser__lmode {
 	const struct hawser_line_statics *const *lane;
 	int lanes, pieces, runs, masses;
 	struct hawser_line_modes_options options;
-	double length, force, epsilon, delta, nu;
+	double length, force, epsilon, nu;
 	struct hawser__lmode_piece *piece; /* [pieces] */
 	struct hawser__lmode_system *system; /* [systems] */
 	int systems;
@@ -120,6 +121,8 @@ void hawser__lmode_pieces(struct hawser__lmode *rope);
 struct hawser__lmode_joint hawser__lmode_joint(const struct hawser__lmode *rope, int lane, int i);
 /* Index over all lanes of a mass of a lane. */
 int hawser__lmode_carrier(const struct hawser__lmode *rope, int lane, int mass);
+/* Scaled weight per length of a lane. */
+double hawser__lmode_delta(const struct hawser__lmode *rope, int lane);
 /* Scaled speed of the rope in a lane, positive from A to B. */
 double hawser__lmode_nu(const struct hawser__lmode *rope, int lane);
 
@@ -160,9 +163,9 @@ void hawser__lmode_inertia(double *load, const double *x, const struct hawser__l
 /* Inner product of a load and a displacement. */
 double hawser__lmode_product(const double *load, const double *x,
                             const struct hawser__lmode_system *system);
-/* Twice the potential energy of x with its strains. */
-double hawser__lmode_energy(const double *x, const double *strain,
-                           const struct hawser__lmode_system *system);
+/* x'K y, of displacements with their strains: of one with itself, twice the potential energy. */
+double hawser__lmode_stiffness(const double *x, const double *strain, const double *y,
+                               const double *other, const struct hawser__lmode_system *system);
 
 /* Modes of a system. */
 struct hawser__lmode_pairs {

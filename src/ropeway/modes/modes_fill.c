@@ -240,7 +240,7 @@ static void describe(struct hawser_line_modes *modes, const struct hawser__lmode
 	modes->rho = rope->lane[0]->line->rho;
 	modes->time_unit = rope->length*sqrt(modes->rho/rope->force);
 	modes->epsilon = rope->epsilon;
-	modes->delta = rope->delta;
+	modes->delta = rope->piece[0].delta;
 	modes->nu = rope->nu;
 	for (int i = 0; i < rope->systems; i++)
 		modes->unknowns += rope->system[i].size;

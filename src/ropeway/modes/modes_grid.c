@@ -42,9 +42,9 @@ void hawser__lmode_grid_clear(struct hawser__lmode_segment *segment)
 	segment->unit[0] = segment->unit[1] = NULL;
 }
 
-static double least_tension(const struct hawser__lmode_piece *piece, double delta)
+static double least_tension(const struct hawser__lmode_piece *piece)
 {
-	double last = piece->V + delta*piece->length;
+	double last = piece->V + piece->delta*piece->length;
 
 	if (piece->V*last <= 0.0)
 		return fmax(fabs(piece->H), 1e-300);
@@ -54,7 +54,7 @@ static double least_tension(const struct hawser__lmode_piece *piece, double delt
 /* Of waves that run upstream if the rope runs: they are the shortest of a frequency. */
 static double phase_of(const struct hawser__lmode_piece *piece, const struct hawser__lmode *rope)
 {
-	double T = least_tension(piece, rope->delta), nu = fabs(rope->nu), c2;
+	double T = least_tension(piece), nu = fabs(rope->nu), c2;
 
 	if (piece->sheave >= 0)
 		return piece->length*sqrt(rope->epsilon);
@@ -84,28 +84,28 @@ static int order_of(double H, double V, double dV)
 }
 
 /* Length of a free piece in asinh u. */
-static double range_of(const struct hawser__lmode_piece *piece, double delta)
+static double range_of(const struct hawser__lmode_piece *piece)
 {
-	return piece->H == 0.0 ? 0.0 : asinh((piece->V + delta*piece->length)/fabs(piece->H)) -
+	return piece->H == 0.0 ? 0.0 : asinh((piece->V + piece->delta*piece->length)/fabs(piece->H)) -
 	                               asinh(piece->V/fabs(piece->H));
 }
 
 /* V at the edges of `elements` elements: of equal lengths if the slope allows it, since differences of
  * sinh would lose digits then. */
-static double edge_of(const struct hawser__lmode_piece *piece, double delta, int e, int elements)
+static double edge_of(const struct hawser__lmode_piece *piece, int e, int elements)
 {
-	double range = range_of(piece, delta);
+	double range = range_of(piece);
 
 	if (e == elements)
-		return piece->V + delta*piece->length;
+		return piece->V + piece->delta*piece->length;
 	if (range <= longest)
-		return piece->V + delta*piece->length*e/elements;
+		return piece->V + piece->delta*piece->length*e/elements;
 	return e == 0 ? piece->V : fabs(piece->H)*sinh(asinh(piece->V/fabs(piece->H)) + range*e/elements);
 }
 
-static int elements_of(const struct hawser__lmode_piece *piece, double delta, double phase)
+static int elements_of(const struct hawser__lmode_piece *piece, double phase)
 {
-	double elements = fmax(1.0, fmax(ceil(phase/longest_wave), ceil(range_of(piece, delta)/longest)));
+	double elements = fmax(1.0, fmax(ceil(phase/longest_wave), ceil(range_of(piece)/longest)));
 
 	return (int)fmin(ELEMENTS_MOST, elements);
 }
@@ -123,18 +123,18 @@ enum hawser_status hawser__lmode_piece_grid(struct hawser_grid *grid,
 	int arc = piece->sheave >= 0, order = LEAST, elements;
 	double edge[ELEMENTS_MOST + 1] = {0.0}, length[ELEMENTS_MOST], phase = omega*phase_of(piece, rope);
 
-	elements = arc ? 1 : elements_of(piece, rope->delta, phase);
+	elements = arc ? 1 : elements_of(piece, phase);
 	phase /= elements;
 	if (arc)
 		order = ARC_LEAST + (int)ceil(3.0*fabs(piece->angle[1] - piece->angle[0]));
 	for (int e = 0; e < elements; e++) {
-		double first = edge_of(piece, rope->delta, e, elements);
-		double dV = edge_of(piece, rope->delta, e + 1, elements) - first;
+		double first = edge_of(piece, e, elements);
+		double dV = edge_of(piece, e + 1, elements) - first;
 		int own = arc ? order : order_of(piece->H, first, dV);
 
 		order = own > order ? own : order;
-		length[e] = arc || range_of(piece, rope->delta) <= longest ? piece->length/elements
-		                                                           : dV/rope->delta;
+		length[e] = arc || range_of(piece) <= longest ? piece->length/elements
+		                                              : dV/piece->delta;
 		edge[e + 1] = e + 1 == elements ? piece->length : edge[e] + length[e];
 	}
 	order += waves(0.5*phase) + extra;
@@ -157,7 +157,7 @@ static enum hawser_status free_fields(struct hawser__lmode_segment *segment,
 	const struct hawser__lmode_piece *piece = segment->piece;
 	const struct hawser_grid *grid = &segment->grid;
 	double Tr = hypot(piece->reference[0], piece->reference[1]), nu2 = rope->nu*rope->nu;
-	int even = range_of(piece, rope->delta) <= longest;
+	int even = range_of(piece) <= longest;
 
 	segment->sb = array(grid->points);
 	segment->cosine = array(grid->points);
@@ -166,11 +166,11 @@ static enum hawser_status free_fields(struct hawser__lmode_segment *segment,
 		return hawser__no_memory(report, "line modes");
 	for (int i = 0; i < grid->points; i++) {
 		int e = i/grid->order;
-		double first = edge_of(piece, rope->delta, e, grid->elements);
-		double last = edge_of(piece, rope->delta, e + 1, grid->elements);
+		double first = edge_of(piece, e, grid->elements);
+		double last = edge_of(piece, e + 1, grid->elements);
 		double V = first + 0.5*(last - first)*(1.0 + grid->node[i%grid->order]);
 		double T = hypot(piece->H, V), g = (1.0 + rope->epsilon*T)/(1.0 - rope->epsilon*nu2);
-		double bent = piece->bent + (even ? rope->delta*grid->s[i] : V - piece->V);
+		double bent = piece->bent + (even ? piece->delta*grid->s[i] : V - piece->V);
 
 		segment->sb[i] = sqrt(g/T);
 		segment->cosine[i] = (piece->H*piece->reference[0] + V*piece->reference[1])/(T*Tr);
@@ -204,7 +204,7 @@ static enum hawser_status arc_fields(struct hawser__lmode_segment *segment,
 		else if (rope->options.printed)
 			(*field)[i] = T/g*curvature*curvature*rope->length*rope->length;
 		else
-			(*field)[i] = -rope->delta*sheave->side*cos(angle)*rope->length/sheave->radius;
+			(*field)[i] = -piece->delta*sheave->side*cos(angle)*rope->length/sheave->radius;
 	}
 	return HAWSER_OK;
 }

@@ -300,7 +300,7 @@ static void step(struct hawser__lmode_pairs *pairs, int k, struct hawser__lmode_
 	norm = 1.0/sqrt(hawser__lmode_product(load, x, system));
 	cblas_dscal((int)size, norm, x, 1);
 	cblas_dscal((int)strains, norm, strain, 1);
-	pairs->omega[k] = sqrt(hawser__lmode_energy(x, strain, system));
+	pairs->omega[k] = sqrt(hawser__lmode_stiffness(x, strain, x, strain, system));
 }
 
 /* Ascending frequencies: the steps may exchange two that are equal to round-off. */

@@ -23,6 +23,13 @@ int hawser__lmode_carrier(const struct hawser__lmode *rope, int lane, int mass)
 	return mass;
 }
 
+double hawser__lmode_delta(const struct hawser__lmode *rope, int lane)
+{
+	const struct hawser_line *line = rope->lane[lane]->line;
+
+	return line->rho*line->g*rope->length/rope->force;
+}
+
 double hawser__lmode_nu(const struct hawser__lmode *rope, int lane)
 {
 	double nu = rope->lane[lane]->line->speed*sqrt(rope->lane[lane]->line->rho/rope->force);
@@ -39,6 +46,7 @@ static void place_piece(struct hawser__lmode_piece *to, const struct hawser__lmo
 	*to = (struct hawser__lmode_piece){
 		.lane = lane, .piece = i, .sheave = from->sheave, .mass = from->mass, .run = -1,
 		.s0 = from->S0/rope->length, .length = (from->S1 - from->S0)/rope->length,
+		.delta = hawser__lmode_delta(rope, lane),
 		.H = apparent*cos(from->angle0), .V = apparent*sin(from->angle0),
 		.angle = {from->angle0, from->angle1}};
 }
@@ -62,12 +70,12 @@ static void place_run(struct hawser__lmode_piece *piece, int count, int run,
 		piece[i].run = run;
 		piece[i].H = H;
 		piece[i].V = V + rise;
-		rise += rope->delta*piece[i].length;
+		rise += piece[i].delta*piece[i].length;
 	}
 	rise = 0.0;
 	for (int i = 0; i < count; i++, at += piece[i - 1].length)
 		if (middle >= at)
-			rise = piece[i].bent + rope->delta*fmin(middle - at, piece[i].length);
+			rise = piece[i].bent + piece[i].delta*fmin(middle - at, piece[i].length);
 	for (int i = 0; i < count; i++) {
 		piece[i].bent -= rise;
 		piece[i].reference[0] = H;

@@ -199,7 +199,8 @@ static enum hawser_status add_contact(struct hawser__lmode_draft *t, struct plac
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "line modes", "sheave %s has the radius 0: "
 		                    "without the curvature term of the constraint its stiffness is infinite",
 		                    sheave->name);
-	add_to(t, place, 0.0, rope->delta*(sin(joint->tangent[1]) - sin(joint->tangent[0]))/
+	add_to(t, place, 0.0, hawser__lmode_delta(rope, lane)*
+	                      (sin(joint->tangent[1]) - sin(joint->tangent[0]))/
 	                      (1.0 + st->contact[joint->sheave].T_in/st->line->EA));
 	return HAWSER_OK;
 }
@@ -213,7 +214,7 @@ static void add_arc(struct hawser__lmode_draft *t, struct place place,
 		: (sin(piece->angle[1]) - sin(piece->angle[0]))/(piece->angle[1] - piece->angle[0]);
 
 	add_to(t, place, piece->length, t->rope->options.printed ? 0.0
-	       : -t->rope->delta*sheave->side*mean*t->rope->length/sheave->radius*piece->length);
+	       : -piece->delta*sheave->side*mean*t->rope->length/sheave->radius*piece->length);
 }
 
 /* The displacement of an end of a segment by a unit of the joint's value. */
@@ -221,8 +222,8 @@ static void map_to(double map[2], const struct hawser__lmode_draft *t,
                    const struct hawser__lmode_piece *piece,
                    int arc, int end, const struct hawser__lmode_joint *joint)
 {
-	double V = piece->V + (end ? t->rope->delta*piece->length : 0.0), T = hypot(piece->H, V);
-	double bent = piece->bent + (end ? t->rope->delta*piece->length : 0.0);
+	double V = piece->V + (end ? piece->delta*piece->length : 0.0), T = hypot(piece->H, V);
+	double bent = piece->bent + (end ? piece->delta*piece->length : 0.0);
 	double Tr = hypot(piece->reference[0], piece->reference[1]);
 	double turn = joint->tangent[!end] - piece->angle[end], c, s;
 
@@ -390,10 +391,10 @@ static enum hawser_status check(const struct hawser__lmode *rope, struct hawser_
 	for (int i = 1; i < rope->lanes; i++) {
 		const struct hawser_line *line = rope->lane[i]->line;
 
-		if (line->EA != first->EA || line->rho != first->rho || line->g != first->g ||
+		if (line->EA != first->EA || line->rho != first->rho ||
 		    fabs(line->speed) != fabs(first->speed))
 			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "line modes", "the lanes differ in EA, "
-			                    "rho, g or speed: they are parts of one rope");
+			                    "rho or speed: they are parts of one rope");
 	}
 	for (int i = 0; i < rope->options.freedoms; i++) {
 		const struct hawser_line_freedom *freedom = &rope->options.freedom[i];
@@ -435,7 +436,6 @@ enum hawser_status hawser__lmode_open(struct hawser__lmode *rope,
 		rope->length = lane[0]->length0;
 	rope->force = across > 1e-3*lane[0]->T_A ? across : lane[0]->T_A;
 	rope->epsilon = rope->force/line->EA;
-	rope->delta = line->rho*line->g*rope->length/rope->force;
 	rope->nu = line->speed*sqrt(line->rho/rope->force);
 	if (!(rope->epsilon*rope->nu*rope->nu < 1.0))
 		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "line modes", "the rope runs at %g m/s, "

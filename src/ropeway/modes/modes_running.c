@@ -322,7 +322,7 @@ static void judge(struct hawser__lmode_running *pairs, const struct hawser__lmod
 			coriolis(load, x, strain, system, rope);
 			for (int i = 0; i < system->strains; i++)
 				flow += system->weight[i]*load[i]*load[i];
-			stiff += hawser__lmode_energy(x, strain, system);
+			stiff += hawser__lmode_stiffness(x, strain, x, strain, system);
 		}
 		pairs->condition[k] = 1.0 + omega*sqrt(flow)/(stiff + omega*omega);
 	}

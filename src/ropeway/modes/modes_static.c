@@ -289,7 +289,20 @@ double hawser__lmode_product(const double *load, const double *x, const struct h
 	return sum;
 }
 
-double hawser__lmode_energy(const double *x, const double *strain, const struct hawser__lmode_system *t)
+static double stroke_of(const struct hawser__lmode_pendulum *one, const double *x,
+                        const struct hawser__lmode_system *t)
+{
+	double stroke = x[one->at];
+
+	if (one->border >= 0)
+		stroke -= one->along[0]*x[t->border[one->border].at];
+	for (int d = 0; one->node >= 0 && d < t->node[one->node].dofs; d++)
+		stroke -= one->along[d]*x[t->node[one->node].at + d];
+	return stroke;
+}
+
+double hawser__lmode_stiffness(const double *x, const double *strain, const double *y,
+                               const double *other, const struct hawser__lmode_system *t)
 {
 	double sum = 0.0;
 
@@ -299,26 +312,19 @@ double hawser__lmode_energy(const double *x, const double *strain, const struct 
 		for (int k = 0; k < s->D*s->grid.points; k++) {
 			double w = s->grid.weight[k%s->grid.points];
 
-			sum += w*strain[s->strain + k]*strain[s->strain + k];
+			sum += w*strain[s->strain + k]*other[s->strain + k];
 			if (s->k)
-				sum += w*s->k[k]*x[s->at + k]*x[s->at + k];
+				sum += w*s->k[k]*x[s->at + k]*y[s->at + k];
 		}
 	}
 	for (int i = 0; i < t->nodes; i++)
 		for (int d = 0; d < t->node[i].dofs; d++)
 			for (int k = 0; k < t->node[i].dofs; k++)
-				sum += t->node[i].stiffness[d][k]*x[t->node[i].at + d]*x[t->node[i].at + k];
+				sum += t->node[i].stiffness[d][k]*x[t->node[i].at + d]*y[t->node[i].at + k];
 	for (int i = 0; i < t->borders; i++)
-		sum += t->border[i].stiffness*x[t->border[i].at]*x[t->border[i].at];
-	for (int i = 0; i < t->pendulums; i++) {
-		const struct hawser__lmode_pendulum *one = &t->pendulum[i];
-		double stroke = x[one->at];
-
-		if (one->border >= 0)
-			stroke -= one->along[0]*x[t->border[one->border].at];
-		for (int d = 0; one->node >= 0 && d < t->node[one->node].dofs; d++)
-			stroke -= one->along[d]*x[t->node[one->node].at + d];
-		sum += stroke*stroke/one->compliance;
-	}
+		sum += t->border[i].stiffness*x[t->border[i].at]*y[t->border[i].at];
+	for (int i = 0; i < t->pendulums; i++)
+		sum += stroke_of(&t->pendulum[i], x, t)*stroke_of(&t->pendulum[i], y, t)/
+		       t->pendulum[i].compliance;
 	return sum;
 }

@@ -1,0 +1,111 @@
+#!/bin/sh
+# Loads of nets: carriers that pass, and loads of a part of a cable.
+# SPDX-License-Identifier: GPL-3.0-or-later
+. "$SRCDIR/tests/cli/lib.sh"
+
+net() { # net NAME C2: a span on each side of an insulator; the rest of the scene is standard input
+	cat >"$1.yaml"
+	cat >>"$1.yaml" <<END
+kind: net
+nodes: {A: [0, 0, 0], J: [300, 0, 0], B: [600, 0, 0], P: [300, 3, 0]}
+cables:
+  - {name: c1, from: A, to: J, EA: 120 MN, rho: ${3:-6}, length0: 301.2 m, elements: 24}
+  - {name: c2, $2, EA: 120 MN, rho: ${3:-6}, length0: 301.2 m, elements: 24}
+  - {name: i, from: P, to: J, EA: 30 MN, rho: 20, length0: 3 m, elements: 1}
+supports: {A: fixed, B: fixed, P: fixed}
+damping: {alpha: 0.24}
+END
+}
+weights="weight: 2943 N, spacing: 60 m, harmonics: 2"
+echo "passing: [{along: [c1, c2], $weights}]" | net passing "from: J, to: B"
+echo "passing: [{along: [c1, c2], $weights}]" | net turned "from: B, to: J"
+echo "passing: [{along: [c2, c1], $weights}]" | net back "from: J, to: B"
+echo "passing: [{along: [c1, c2], mass: 300 kg, spacing: 60 m, harmonics: 2}]" | net mass "from: J, to: B"
+net waves "from: J, to: B" <<'END'
+loads:
+  c1:
+    - {per_length: [0, -49.05, 0]}
+    - {per_length: [0, -98.1, 0], harmonic: {multiple: 1, wavelength: 60}}
+    - {per_length: [0, -98.1, 0], harmonic: {multiple: 2, wavelength: 30}}
+  c2:
+    - {per_length: [0, -49.05, 0]}
+    - {per_length: [0, -98.1, 0], harmonic: {multiple: 1, wavelength: 60, phase: -31.541590242041522}}
+    - {per_length: [0, -98.1, 0], harmonic: {multiple: 2, wavelength: 30, phase: -63.083180484083044}}
+END
+echo "loads: {c1: [{per_length: [0, 0, 3]}, {per_length: [0, -98.1, 0], harmonic: {multiple: 1}}]}" |
+	net whole "from: J, to: B"
+net parts "from: J, to: B" <<'END'
+loads:
+  c1:
+    - {per_length: [0, 0, 3], extent: [0, 0.37]}
+    - {per_length: [0, 0, 3], extent: [0.37, 1]}
+    - {per_length: [0, -98.1, 0], harmonic: {multiple: 1}, extent: [0, 0.61]}
+    - {per_length: [0, -98.1, 0], harmonic: {multiple: 1}, extent: [0.61, 1]}
+END
+for name in passing turned back mass waves whole parts; do
+	works "a model of $name" rom $name.yaml -n 4 --json $name.json -q
+done
+python "loads" <<'END'
+import json
+m = {n: json.load(open(n + ".json")) for n in ("passing", "turned", "back", "mass", "waves", "whole", "parts")}
+forces = lambda name: [h["f"] for h in m[name]["harmonics"] if any(h.get("f", []))]
+def off(a, b): # but for the signs of modes
+    most = max(abs(x) for f in forces(a) for x in f)
+    return max(abs(abs(x) - abs(y)) for f, g in zip(forces(a), forces(b)) for x, y in zip(f, g))/most
+assert off("passing", "waves") < 1e-9, off("passing", "waves")
+assert off("passing", "turned") < 1e-6, off("passing", "turned")
+assert off("passing", "back") < 1e-6 # the line is symmetric
+assert off("whole", "parts") < 1e-9, off("whole", "parts")
+first = lambda name: m[name]["K"][0][0]/m[name]["scale"]["time"]**2
+assert abs(first("whole")/first("parts") - 1) < 1e-9
+# their mean weight stretches both alike; their mean mass, 5 kg/m, moves too
+assert 0.7 < (first("mass")*11/first("passing")/6) < 1.1, (first("mass"), first("passing"))
+END
+works "damping by axial" rom "$SRCDIR/notebooks-data/scenes/net-crosstie.yaml" -n 4 --json axial.json -q
+works "  and as a damper" rom "$SRCDIR/notebooks-data/scenes/net-crosstie.yaml" -n 4 --set cables.tie.axial=0 \
+	--set "cables.tie.damper=3.6363636363636363 kN.s/m" --json damper.json -q
+python "a damper is axial damping" <<'END'
+import json
+a, b = (json.load(open(n + ".json"))["D"] for n in ("axial", "damper"))
+most = max(abs(x) for row in a for x in row)
+assert max(abs(x - y) for r, s in zip(a, b) for x, y in zip(r, s)) < 1e-12*most
+END
+# An absorber in the middle of a span.
+cat >span.yaml <<'END'
+cable: {EA: 120 MN, rho: 6 kg/m}
+span: {d: 300 m, h: 0 m}
+tension: {length0: 301.2 m}
+attach:
+  - {at: 50 %, absorber_mass: 60 kg, absorber_stiffness: 300 N/m, absorber_direction: [0, 1, 0]}
+END
+cat >hangs.yaml <<'END'
+kind: net
+nodes: {A: [0, 0, 0], J: {}, B: [300, 0, 0], M: {}}
+cables:
+  - {name: c1, from: A, to: J, EA: 120 MN, rho: 6, length0: 150.6 m, elements: 40}
+  - {name: c2, from: J, to: B, EA: 120 MN, rho: 6, length0: 150.6 m, elements: 40}
+  - {name: s, from: J, to: M, EA: 1200 N, rho: 0, length0: 4 m, elements: 1}
+supports: {A: fixed, B: fixed}
+masses: {M: 60 kg}
+END
+works "modes of a span with an absorber" modes span.yaml -n 8 --json span.json -q
+works "  and of a net with a mass that hangs" modes hangs.yaml -n 10 --json hangs.json -q
+python "a mass that hangs is an absorber" <<'END'
+import json
+span, net = (json.load(open(n + ".json"))["modes"] for n in ("span", "hangs"))
+all_of_net = [m["omega"] for m in net]
+for m in span: # in symmetric ones alone, since the net's swings along x where the span's moves with the cable
+    if m["plane"] == "in-plane" and m["symmetry"] == "symmetric":
+        near = min(all_of_net, key=lambda w: abs(w - m["omega"]))
+        assert abs(near/m["omega"] - 1) < 1e-4, (m["omega"], all_of_net)
+END
+denies "a damper of a cable without length" 1 "has a damper and no length0" check passing.yaml --set cables.c1.damper=3 \
+	--set cables.c1.length0= --set cables.c1.sag=3
+echo "passing: [{along: [c1, c2], $weights, speed: 13 m/s}]" | net speed "from: J, to: B"
+works "a motion at a speed" integrate speed.yaml --until 0.05 --every 0.05 --json motion.json -q
+denies "a cable that is not there" 1 "passing\[0\].along: there is no cable of this name" check passing.yaml \
+	--set "passing=[{along: [c9], $weights}]"
+denies "one away from the rope" 1 "cable i does not begin where the one before it ends" check back.yaml \
+	--set "passing=[{along: [c2, c1, i], $weights}]"
+denies "a part of a cable by catenaries" 1 "takes loads of whole cables" statics parts.yaml --method catenary
+done_testing
