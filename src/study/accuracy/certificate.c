@@ -28,11 +28,14 @@ enum { LEAST = 5, MOST = 11, MORE = 4 };        /* harmonics */
 enum { NEAR = 5 }; /* points of a curve between peaks of one resonance, at most; chosen */
 enum { PHASES = 32, WIDTH = 2*(MOST + 1) + 1 }; /* of a motion of the model; coefficients */
 static const double faint = 3e-5;  /* part of a motion by the harmonics that are left out; chosen */
+static const double trusted = 0.1; /* part of a distance that more harmonics may be, */
+static const double counted = 1e-4; /* of the least distance that counts; chosen */
 static const double speed = 4e9;   /* operations per second with blocks, on a core of 2 GHz */
 static const double chain = 12.7*33.0*33.0*33.0; /* of an inner node of a cable, with LEAST harmonics */
 static const double factors = 5.0; /* matrices of the mesh for a landmark, those of the other meshes and
                                     * what is solved with them included */
-static const double far_omega = 0.03, far_size = 0.35; /* relative: another landmark; chosen */
+static const double far_omega = 0.03; /* relative: another landmark; chosen */
+static const double far_size = 0.35;
 
 /* A mesh in equilibrium, and a motion with its tangent. */
 struct finite {
@@ -60,7 +63,7 @@ struct work {
 	double worst;                  /* largest part of the last harmonics in a motion of the second mesh: */
 	struct hawser_certified at;    /* its landmark, */
 	double *worst_y, *worst_along, worst_bend; /* motion and tangent */
-	struct hawser__hold hold;
+	struct hawser__hold hold, ordered; /* ordered: what depends on the number of harmonics */
 };
 
 static double now(void)
@@ -210,6 +213,7 @@ static void clear_finite(struct finite *finite)
 {
 	hawser__mesh_balance_clear(&finite->balance);
 	hawser__hold_clear(&finite->hold);
+	*finite = (struct finite){.mesh = NULL};
 }
 
 /* Nodes of the second mesh among those of the first. */
@@ -505,7 +509,7 @@ static enum hawser_status correct_one(struct work *w, struct hawser_certified *i
 {
 	const struct hawser__corrector corrector = corrector_of(&w->first);
 	const struct hawser__neighbours near = {.y = w->start[1], .around = {w->start[0], w->start[2]}};
-	double omega = item->omega/w->rom->time, size = item->size*w->rom->length;
+	double omega = item->omega/w->rom->time, size = item->size*w->rom->length; /* rad/s, m */
 	enum hawser_status status = HAWSER_OK;
 	int element = 0;
 
@@ -555,7 +559,42 @@ static enum hawser_status add_harmonics(struct work *w, struct hawser_report *re
 	return status;
 }
 
+static enum hawser_status correct_all(struct work *w, const int *point, struct hawser_report *report)
+{
+	struct hawser_certificate *to = w->to;
+	enum hawser_status status = HAWSER_OK;
+
+	to->distance = NAN;
+	to->harmonics = w->worst = 0.0;
+	to->refused = 0;
+	to->extrapolated = 1;
+	for (int i = 0; i < to->count && !status; i++) {
+		status = correct_one(w, &to->item[i], point[i], report);
+		to->distance = fmax(to->distance, to->item[i].distance);
+	}
+	return status ? status : add_harmonics(w, report);
+}
+
 /* --- all --- */
+
+/* Both meshes, with the present number of harmonics. */
+static enum hawser_status reopen(struct work *w, struct hawser_report *report)
+{
+	enum hawser_status status;
+
+	clear_finite(&w->first);
+	clear_finite(&w->second);
+	clear_finite(&w->checked);
+	hawser__hold_clear(&w->ordered);
+	status = open_finite(&w->first, w, 0, w->to->order, report);
+	if (!status)
+		status = open_finite(&w->second, w, 1, w->to->order, report);
+	for (int i = 0; i < 3 && !status; i++)
+		w->start[i] = hawser__hold(&w->ordered, w->first.balance.size, sizeof *w->start[i]);
+	w->worst_y = hawser__hold(&w->ordered, w->second.balance.size, sizeof *w->worst_y);
+	w->worst_along = hawser__hold(&w->ordered, w->second.balance.size, sizeof *w->worst_along);
+	return !status && w->ordered.short_of_memory ? hawser__no_memory(report, "certificate") : status;
+}
 
 static enum hawser_status open_meshes(struct work *w, const struct hawser_net *net,
                                       struct hawser_report *report)
@@ -572,15 +611,7 @@ static enum hawser_status open_meshes(struct work *w, const struct hawser_net *n
 		status = open_second(w, net, report);
 	if (!status)
 		status = find_nodes(w, report);
-	if (!status)
-		status = open_finite(&w->first, w, 0, w->to->order, report);
-	if (!status)
-		status = open_finite(&w->second, w, 1, w->to->order, report);
-	for (int i = 0; i < 3 && !status; i++)
-		w->start[i] = hawser__hold(&w->hold, w->first.balance.size, sizeof *w->start[i]);
-	w->worst_y = hawser__hold(&w->hold, w->second.balance.size, sizeof *w->worst_y);
-	w->worst_along = hawser__hold(&w->hold, w->second.balance.size, sizeof *w->worst_along);
-	return !status && w->hold.short_of_memory ? hawser__no_memory(report, "certificate") : status;
+	return status ? status : reopen(w, report);
 }
 
 /* The number of harmonics that the motions at the landmarks have. */
@@ -615,6 +646,7 @@ static void clear(struct work *w)
 	hawser__mesh_clear(&w->coarse);
 	free(w->fine.cable);
 	free(w->half.cable);
+	hawser__hold_clear(&w->ordered);
 	hawser__hold_clear(&w->hold);
 	free(w);
 }
@@ -633,11 +665,15 @@ static enum hawser_status certify(struct work *w, const int *point, const struct
 		status = open_meshes(w, net, report);
 	if (!status && bearable > 0.0 && to->foreseen > bearable)
 		to->count = 0;
-	for (int i = 0; i < to->count && !status; i++) {
-		status = correct_one(w, &to->item[i], point[i], report);
-		to->distance = fmax(to->distance, to->item[i].distance);
+	if (!status && to->count > 0)
+		status = correct_all(w, point, report);
+	while (!status && to->harmonics > trusted*fmax(to->distance, counted) && to->order < MOST) {
+		to->order = to->order + MORE < MOST ? to->order + MORE : MOST;
+		status = reopen(w, report);
+		if (!status)
+			status = correct_all(w, point, report);
 	}
-	return status ? status : add_harmonics(w, report);
+	return status;
 }
 
 enum hawser_status hawser_net_certify(struct hawser_certificate *certificate,
