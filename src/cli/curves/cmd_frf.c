@@ -30,14 +30,14 @@ enum { LISTED = 10 }; /* peaks on a terminal: they fit on it; chosen */
 struct settings {
 	struct cli_common common;
 	const char *from, *to, *at, *sweep, *start, *resume, *scale, *method, *slack, *beside;
-	const char *over, *omega, *label, *switched;
+	const char *over, *omega, *label, *switched, *certificate;
 	double tolerance, step;
 	int n, points, segments, unstable, sweep_points, multipliers, partial, backbone, energy, tori;
 	int peaks;
 	int branches, period, label_every;
 };
 static const struct settings defaults = {
-	.scale = "auto", .slack = "end",
+	.scale = "auto", .slack = "end", .certificate = "auto",
 	.sweep_points = 200, .label_every = 10,
 };
 
@@ -78,6 +78,8 @@ static const struct cli_option options[] = {
 	 .needs = "backbone"},
 	CLI_HEADING("Model, steps and ends"),
 	CLI_LIBRARY_OPTION,
+	{"certificate", 0, "WHICH", "nets: correct folds and peaks in the mesh: auto (if it takes some "
+	 "seconds), yes or no (auto)", CLI_TEXT_FOR(certificate, CLI_NET), .words = "auto|yes|no"},
 	CLI_STEP_OPTION,
 	CLI_POINTS_OPTION("end after this many points (20000)"),
 	{"segments", 0, "N", "shooting segments (as many as needed)", CLI_INTEGER(segments)},
@@ -415,6 +417,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	struct cli_overlay overlay[CLI_OVERLAYS];
 	struct cli_over over = {.at = NAN};
 	struct cli_label label = {.period = 1};
+	struct cli_certificate certificate = {.rom = NULL};
 	struct cli_frf_result result = {.common = &settings->common, .model = &model, .frf = &frf,
 	                                .sweep = list, .multipliers = settings->multipliers,
 	                                .scale = settings->scale, .overlay = overlay,
@@ -452,6 +455,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	status = trace(&frf, &peak, &cover, &label, &model, settings, &result, report);
 	if (!status && !settings->over)
 		status = cli_fixed_estimate(&result, report);
+	if (!status && !settings->over)
+		status = cli_certify(&result, &certificate, settings->certificate, report);
 	for (int k = 0; k < result.others && !status; k++)
 		status = cli_fixed_estimate(&cover.other[k], report);
 	if (!status && !cli_interrupted())

@@ -349,6 +349,8 @@ static const struct hawser__field result_field[] = {
 	THROUGH(model, cli_naturals_field),
 	THROUGH(model, cli_choice_field),
 	{"", NULL, "", HAWSER__PART_OF(struct cli_frf_result, error, cli_fixed_field)},
+	{"certified", NULL, "of nets: folds and peaks corrected in the mesh",
+	 HAWSER__THROUGH(struct cli_frf_result, certificate, cli_certificate_field)},
 	THROUGH(frf, curve_field),
 	{"sheaves", NULL, "of ropeways: names of the sheaves of contact.sheave",
 	 HAWSER__CALLS(cli_frf_sheaves_json), .when = CONTACT},

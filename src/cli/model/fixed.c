@@ -146,6 +146,7 @@ void cli_fixed_comments(struct hawser__table *table, const struct cli_model_erro
                         int number)
 {
 	const struct hawser_accuracy_fixed *fixed = &error->fixed;
+	double first = error->corrected ? error->before : fixed->estimated;
 	char branch[24] = "", text[240];
 
 	if (!error->stated)
@@ -157,18 +158,23 @@ void cli_fixed_comments(struct hawser__table *table, const struct cli_model_erro
 		                      error->unknown);
 		return;
 	}
+	if (error->corrected)
+		hawser__table_comment(table, "error of the model: %.2g of folds and peaks, corrected in the mesh",
+		                      fixed->estimated);
+	if (error->corrected && !isfinite(error->before))
+		return;
 	if (error->compared) {
 		hawser__table_comment(table, "error of the model: %s%.2g of %s, by comparison with a model "
 		                      "of %d coordinates", fixed->estimated < 1.0 ? "about " : "more than ",
 		                      fixed->estimated, error->about, fixed->looked_at);
 		return;
 	}
-	hawser__table_comment(table, "%serror of the model: %s%.2g of %s, to first order "
+	hawser__table_comment(table, "%s%s: %s%.2g of %s, to first order "
 	                      "(modes left out: %.1e, of %d looked at; their effect on the kept: %.1e; "
 	                      "others: %.1e; beyond modes: %.1e)",
-	                      branch, fixed->estimated < 1.0 ? "" : "more than ", fixed->estimated,
-	                      error->about, fixed->rest, fixed->looked_at, fixed->followed, fixed->beyond,
-	                      fixed->truncation);
+	                      branch, error->corrected ? "it was estimated before" : "error of the model",
+	                      first < 1.0 ? "" : "more than ", first, error->about, fixed->rest,
+	                      fixed->looked_at, fixed->followed, fixed->beyond, fixed->truncation);
 	if (fixed->omissions > 0)
 		hawser__table_comment(table, "%sleft out, with the largest parts in it: %s", branch,
 		                      named(text, sizeof text, error));
@@ -203,7 +209,10 @@ static void warn(const struct cli_model_error *error, int number)
 		return;
 	if (number > 1)
 		snprintf(branch, sizeof branch, "branch %d: ", number);
-	if (error->compared)
+	if (error->corrected)
+		snprintf(text, sizeof text, "%s are off by %.0f %%, corrected in the mesh: %s", error->about,
+		         100.0*error->fixed.estimated, error->advice);
+	else if (error->compared)
 		snprintf(text, sizeof text, "%s%s may be off by %s%.0f %%: so far is the model of another "
 		         "size: a larger one (model.basis) may be closer", branch, error->about, more,
 		         100.0*error->fixed.estimated);
@@ -323,6 +332,12 @@ static int has_times(const void *row, const void *parent)
 	return is_known(row, parent) && ((const struct cli_model_error *)row)->timed;
 }
 
+static int is_corrected(const void *row, const void *parent)
+{
+	(void)parent;
+	return ((const struct cli_model_error *)row)->corrected;
+}
+
 static int is_at_risk(const void *row, const void *parent)
 {
 	return is_known(row, parent) && ((const struct cli_model_error *)row)->fixed.at_risk > 0;
@@ -348,6 +363,8 @@ const struct hawser__field cli_fixed_field[] = {
 	{"model_error.estimated", NULL,
 	 "error of folds and peaks, or of one motion, relative, 1 at most; null: not known",
 	 OF(fixed.estimated), .flags = HAWSER__NULL, .given = is_stated},
+	{"model_error.before", NULL, "the same to first order, where `estimated` is by correction in the "
+	 "mesh (certified)", OF(before), .flags = HAWSER__NULL, .given = is_corrected},
 	{"model_error.reason", NULL, "why it is not known", OF(unknown), .given = is_unknown},
 	{"model_error.left_out", NULL, "what modes that are not kept do beside following",
 	 HAWSER__BY(left_out), .given = is_weighed},

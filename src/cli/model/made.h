@@ -6,6 +6,7 @@
 #include <hawser/line_rom.h>
 
 #include "cli/frame/cli.h"
+#include "cli/model/certificate.h"
 
 /* The modes that are coordinates of a model. */
 struct cli_made_modes {
@@ -28,6 +29,10 @@ struct cli_maker {
 	                            const struct cli_made *made, int n, const int *kept, int count,
 	                            struct hawser_report *report);
 	void (*comments)(struct hawser__table *table, const struct cli_model *model);
+	/* Correct folds and peaks of a result of such a model (certificate.h), also `cable`; or NULL. */
+	enum hawser_status (*certify)(struct cli_certificate *certificate,
+	                              const struct cli_frf_result *result, double bearable,
+	                              struct hawser_report *report);
 	void (*clear)(struct cli_made *made); /* without the modes */
 };
 

@@ -4,6 +4,9 @@
  *
  *   R = F(x, x') + Omega^2 M x'' + Omega D x' - loads, projected on the same functions
  *
+ * With a damping ratio zeta, D is 2 zeta omega_j of the modes that are given, and 2 zeta k Omega M of
+ * what else moves with k Omega, that of a mode there.
+ *
  * with the forces F of the elements, whose law is exact and two-sided, at equidistant samples; four
  * times as many as harmonics, so that the third harmonics of what is kept fall on none of it. The
  * derivative is that of these sums, so that Newton's method converges as it should with any number of
@@ -204,18 +207,20 @@ static void put_forces(struct hawser__mesh_balance *balance)
 
 /* --- inertia and damping --- */
 
-/* to += -mass*k^2*x, and the rate of x times damping: by the factors of both. */
-static void add_linear(double *to, const double *x, int width, double mass, double damping)
+/* to += -mass*k^2*x, and the rate of x times damping + k*turned. */
+static void add_linear(double *to, const double *x, int width, double mass, double damping,
+                       double turned)
 {
 	for (int c = 1; c < width; c++) {
 		int k = (c + 1)/2, sine = c%2 == 0;
 
-		to[c] += -mass*k*k*x[c] + damping*k*(sine ? -x[c - 1] : x[c + 1]);
+		to[c] += -mass*k*k*x[c] + (damping + k*turned)*k*(sine ? -x[c - 1] : x[c + 1]);
 	}
 }
 
-/* Of modes with ratios of their own. */
-static void add_modal(struct hawser__mesh_balance *balance, const double *x, double factor)
+/* What the damping of modes with ratios is more than that of all motions. */
+static void add_modal(struct hawser__mesh_balance *balance, const double *x, double inertia,
+                      double damping)
 {
 	const struct hawser__mesh *mesh = balance->mesh;
 	int width = balance->width;
@@ -228,7 +233,7 @@ static void add_modal(struct hawser__mesh_balance *balance, const double *x, dou
 		for (int i = 0; i < 3*mesh->nodes; i++)
 			if (mesh->unknown[i/3][i%3] >= 0)
 				cblas_daxpy(width, mode[mesh->unknown[i/3][i%3]], x + i*width, 1, part, 1);
-		add_linear(force, part, width, 0.0, factor*balance->rated[j]);
+		add_linear(force, part, width, 0.0, damping*balance->rated[j], -2.0*balance->ratio*inertia);
 		for (int i = 0; i < 3*mesh->nodes; i++)
 			if (mesh->unknown[i/3][i%3] >= 0)
 				cblas_daxpy(width, mode[mesh->unknown[i/3][i%3]], force, 1, balance->out + i*width, 1);
@@ -241,18 +246,20 @@ static void add_motion(struct hawser__mesh_balance *balance, const double *x, do
 {
 	const struct hawser__mesh *mesh = balance->mesh;
 	int width = balance->width;
+	double ratio = 2.0*balance->ratio*inertia;
 
 	for (int i = 0; i < 3*mesh->nodes; i++)
 		add_linear(balance->out + i*width, x + i*width, width, inertia*mesh->mass[i/3],
-		           damping*balance->mass_rate*mesh->mass[i/3]);
+		           damping*balance->mass_rate*mesh->mass[i/3], ratio*mesh->mass[i/3]);
 	for (int i = 0; i < 12*mesh->elements; i++) {
 		int e = i/12, to = mesh->end[e][i%2], from = mesh->end[e][i/2%2], k = i%12/4;
 		double share = to == from ? 5.0/12.0 : 1.0/12.0, mass = mesh->rho[e]*mesh->length0[e];
 
 		add_linear(balance->out + (3*to + k)*width, x + (3*from + k)*width, width, inertia*share*mass,
-		           damping*share*(balance->mass_rate*mass + mesh->alpha*mesh->length0[e]));
+		           damping*share*(balance->mass_rate*mass + mesh->alpha*mesh->length0[e]),
+		           ratio*share*mass);
 	}
-	add_modal(balance, x, damping);
+	add_modal(balance, x, inertia, damping);
 }
 
 /* --- residual and derivative --- */

@@ -10,10 +10,10 @@
 struct hawser__mesh_balance {
 	const struct hawser__mesh *mesh; /* in equilibrium; `multiple` of waves and motions is set */
 	double mass_rate;     /* 1/s */
-	int modes;            /* that have damping of their own: */
-	const double *mode;   /* [modes][unknowns] times the mass, so that the damping of mode j is */
-	double *rated;        /* [modes] rated*mode*mode', 1/(kg s) */
-	double ratio;         /* its damping ratio, in the Jacobian: of all motions */
+	double ratio;         /* damping ratio, and the modes of which it is: */
+	int modes;
+	const double *mode;   /* [modes][unknowns] of the mass 1, times the mass */
+	const double *rated;  /* [modes] 2*ratio*omega, rad/s */
 	int order, width, rows; /* highest harmonic; coefficients 2*order + 1; samples of a period */
 	size_t size;
 	struct hawser__mesh_blocks blocks;
@@ -44,8 +44,8 @@ void hawser__mesh_balance_residual(struct hawser__mesh_balance *balance, double 
                                    const double *y);
 void hawser__mesh_balance_product(struct hawser__mesh_balance *balance, double *product,
                                   const double *v);
-/* balance_jacobian.c: the factors of that derivative by the motion, at the last motion y; 0: it is
- * singular. With damping ratios, that of a motion of the frequency k Omega is 2*ratio*k*Omega there. */
+/* balance_jacobian.c: the factors of that derivative by the motion, at the motion y; 0: it is singular.
+ * With a damping ratio, all modes have that of what else moves there. */
 int hawser__mesh_balance_factor(struct hawser__mesh_balance *balance, const double *y);
 
 /* The metric is that of the motion y. */

@@ -167,8 +167,9 @@ static enum hawser_status set_ratio(struct finite *finite, const struct hawser__
 		double *own = mode + j*unknowns;
 
 		hawser__eigen_mass(own, phi + j*unknowns, finite->mesh, 7U);
-		rated[j] = 2.0*source->net->ratio*source->modal.modes.omega[source->kept[j]]/
-		           cblas_ddot((int)unknowns, own, 1, phi + j*unknowns, 1);
+		cblas_dscal((int)unknowns, 1.0/sqrt(cblas_ddot((int)unknowns, own, 1, phi + j*unknowns, 1)),
+		            own, 1);
+		rated[j] = 2.0*source->net->ratio*source->modal.modes.omega[source->kept[j]];
 	}
 	balance->mode = mode;
 	balance->rated = rated;
