@@ -4,8 +4,8 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/balance/balance.h \
 	%D%/balance/balance_jacobian.c \
 	%D%/balance/balance_newton.c \
-	%D%/balance/blocks.c \
-	%D%/balance/blocks.h \
+	%D%/balance/nodal.c \
+	%D%/balance/nodal.h \
 	%D%/statics/catenary.c \
 	%D%/statics/catenary.h \
 	%D%/statics/cone.c \

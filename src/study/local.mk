@@ -1,6 +1,8 @@
 noinst_LTLIBRARIES += %D%/libstudy.la
 %C%_libstudy_la_SOURCES = \
 	%D%/accuracy/certificate.c \
+	%D%/accuracy/certificate.h \
+	%D%/accuracy/certificate_mesh.c \
 	%D%/accuracy/certify.c \
 	%D%/accuracy/certify.h \
 	%D%/accuracy/chosen.c \

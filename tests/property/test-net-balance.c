@@ -31,7 +31,8 @@ static struct hawser_net_node node[] = {
 static struct hawser_net_cable cable[] = {
 	{.name = "a", .from = 0, .to = 1, .EA = 2e7, .rho = 3.0, .value = 29.9, .elements = 4},
 	{.name = "b", .from = 1, .to = 2, .EA = 2e7, .rho = 3.0, .value = 29.8, .elements = 3},
-	{.name = "t", .from = 1, .to = 3, .EA = 3e6, .rho = 0.5, .value = 3.9, .axial = 2.385e-3, .elements = 1},
+	{.name = "t", .from = 1, .to = 3, .EA = 3e6, .rho = 0.5, .value = 3.9, .elements = 1,
+	 .axial = 2.385e-3},
 	{.name = "p", .from = 3, .to = 4, .EA = 3e6, .rho = 1.0, .value = 23.8, .elements = 2}};
 static struct hawser_net_load load[] = {
 	{.node = 1, .cable = -1, .value = {10.0, 20.0, 30.0}, .harmonic = 1, .multiple = 1, .phase = 0.3}};
@@ -93,7 +94,7 @@ static void derivative(struct hawser__mesh_balance *b)
 	hawser__mesh_balance_residual(b, there, y);
 	hawser__mesh_balance_product(b, product, v);
 	ok(hawser__mesh_balance_factor(b, y), "factors");
-	hawser__mesh_blocks_solve(&b->blocks, product);
+	hawser__nodal_solve(&b->blocks, product);
 	for (size_t i = 0; i < n; i++)
 		product[i] -= v[i];
 	ok(norm(product, n) < 1e-9*norm(v, n), "solution: off by %g", norm(product, n)/norm(v, n));

@@ -123,7 +123,7 @@ static void compare(const struct made *made, const struct scene *scene)
 /* One mode in a linear response: its ratio is a damping by mass of 2*ratio*omega. */
 static void damped(void)
 {
-	const struct scene scene = {"strings", 0, 8, {0}, 0, 6.7, 7.0, {0.0, 0.0}, "b1_mid", 1, 0.0, 0.0, 0.0};
+	const struct scene scene = {.name = "strings", .n = 8, .from = 6.7, .to = 7.0};
 	static const char *const set[] = {"damping={ratio: 0.0088}", "damping={rayleigh: {mass: 0.12}}"};
 	double omega[2] = {0.0}, size[2] = {0.0};
 
@@ -131,9 +131,9 @@ static void damped(void)
 		struct hawser_certificate c = {.count = 0};
 		struct made made;
 
-		if (make(&made, &scene, set[i]) && !hawser_net_certify(&c, &made.net, &made.options, &made.rom,
-		                                                       &made.frf, peak_of(&made, "b1_mid", 1), 1,
-		                                                       0.0, &report) && c.count == 1) {
+		if (make(&made, &scene, set[i]) &&
+		    !hawser_net_certify(&c, &made.net, &made.options, &made.rom, &made.frf,
+		                        peak_of(&made, "b1_mid", 1), 1, 0.0, &report) && c.count == 1) {
 			ok(c.refused == 0 && c.distance < 1e-3, "  distance %g", c.distance);
 			omega[i] = c.item[0].exact_omega;
 			size[i] = c.item[0].exact_size;

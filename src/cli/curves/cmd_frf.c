@@ -307,8 +307,7 @@ static enum hawser_status trace(struct hawser_frf *frf, struct hawser_landmark *
 
 /* The backbone up to 1.2 times the largest amplitude of that mode in the response. */
 static enum hawser_status backbone(struct cli_backbone *to, const struct settings *settings,
-                                   const struct cli_frf_result *result,
-                                   struct hawser_report *report)
+                                   struct cli_frf_result *result, struct hawser_report *report)
 {
 	const struct hawser_frf *frf = result->frf;
 	int mode = settings->backbone - 1;
@@ -320,6 +319,7 @@ static enum hawser_status backbone(struct cli_backbone *to, const struct setting
 		                    settings->backbone, frf->n);
 	for (int i = 0; i < frf->points; i++)
 		most = fmax(most, frf->coordinate[(size_t)i*(size_t)frf->n + (size_t)mode]);
+	result->backbone = to;
 	return cli_backbone_trace(to, result->model, mode, most > 0.0 ? 1.2*most : 1e-3, result->from,
 	                          result->to, settings->common.quiet, report);
 }
@@ -362,22 +362,6 @@ static enum hawser_status write_result(struct cli_frf_result *result, struct cli
 	return status;
 }
 
-/* The models of a scene over one of its keys have no coordinates for the inertia of condensed modes. */
-static enum hawser_status load(struct cli_model *model, const struct settings *settings,
-                               struct hawser_report *report)
-{
-	struct cli_common common = settings->common;
-	enum hawser_status status = cli_model_load(model, &common, settings->n, report);
-
-	if (status || !settings->over || !cli_over_needs_scene(settings->over) ||
-	    model->rom.inertia.shapes == 0 || common.sets == CLI_SETS)
-		return status;
-	common.set[common.sets++] = "model.inertia=none";
-	cli_model_clear(model);
-	*model = (struct cli_model){.has_scene = 0};
-	return cli_model_load(model, &common, settings->n, report);
-}
-
 /* With --over, the curve has the label's frequency, and its modes at the label are the label's. */
 static enum hawser_status open_label(struct cli_label *label, struct cli_over *over,
                                      const struct settings *settings, const struct cli_model *model,
@@ -417,16 +401,16 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	struct cli_overlay overlay[CLI_OVERLAYS];
 	struct cli_over over = {.at = NAN};
 	struct cli_label label = {.period = 1};
-	struct cli_certificate certificate = {.rom = NULL};
+	struct cli_certificate certificate = {.how = settings->certificate};
 	struct cli_frf_result result = {.common = &settings->common, .model = &model, .frf = &frf,
 	                                .sweep = list, .multipliers = settings->multipliers,
 	                                .scale = settings->scale, .overlay = overlay,
-	                                .label_every = settings->label_every,
-	                                .allowed = CLI_BEARABLE};
+	                                .certificate = &certificate, .allowed = CLI_BEARABLE,
+	                                .label_every = settings->label_every};
 	enum hawser_status status = check(settings, report), written = HAWSER_OK;
 
 	if (!status)
-		status = load(&model, settings, report);
+		status = cli_over_load(&model, &settings->common, settings->n, settings->over, report);
 	if (!status)
 		status = cli_exact_as(&model, settings->label ? settings->label
 		                      : cli_switch_elsewhere(settings->switched) ? settings->switched
@@ -455,8 +439,6 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	status = trace(&frf, &peak, &cover, &label, &model, settings, &result, report);
 	if (!status && !settings->over)
 		status = cli_fixed_estimate(&result, report);
-	if (!status && !settings->over)
-		status = cli_certify(&result, &certificate, settings->certificate, report);
 	for (int k = 0; k < result.others && !status; k++)
 		status = cli_fixed_estimate(&cover.other[k], report);
 	if (!status && !cli_interrupted())
@@ -466,7 +448,6 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		status = cli_tori_trace(&tori, &result, strcmp(settings->slack, "end") == 0, report);
 	if (!status && settings->backbone && !cli_interrupted()) {
 		status = backbone(&free_motions, settings, &result, report);
-		result.backbone = &free_motions;
 		result.overlays = status ? 0 : cli_backbone_overlays(overlay, &free_motions);
 	}
 	if (beside.root && frf.points > 0 && (!status || settings->partial)) {

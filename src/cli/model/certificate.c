@@ -12,30 +12,29 @@
 
 static const double bearable = 10.0; /* s of processor time that nobody asked for; chosen */
 
-enum hawser_status cli_certify(struct cli_frf_result *result, struct cli_certificate *certificate,
-                               const char *how, struct hawser_report *report)
+enum hawser_status cli_certify(struct cli_frf_result *result, struct hawser_report *report)
 {
 	const struct cli_made *made = result->model->made;
-	struct hawser_certificate *own = &certificate->own;
+	struct cli_certificate *certificate = result->certificate;
 	struct cli_model_error *error = &result->error;
-	double *estimated = &error->fixed.estimated;
+	double stated;
 	enum hawser_status status;
 
-	if (!made || !made->by->certify || !result->located || strcmp(how, "no") == 0 || cli_interrupted())
+	if (!certificate || !made || !made->by->certify || !result->located ||
+	    strcmp(certificate->how, "no") == 0 || cli_interrupted())
 		return HAWSER_OK;
-	status = made->by->certify(certificate, result, strcmp(how, "yes") == 0 ? 0.0 : bearable, report);
-	if (status || own->count == 0)
-		return status;
-	if (result->common->reproducible)
-		own->seconds = own->foreseen = NAN;
 	certificate->rom = &result->model->rom;
-	result->certificate = certificate;
-	if (!isfinite(own->distance))
-		return HAWSER_OK;
+	status = made->by->certify(certificate, result,
+	                           strcmp(certificate->how, "yes") == 0 ? 0.0 : bearable, report);
+	if (result->common->reproducible)
+		certificate->own.seconds = NAN;
+	if (status || !isfinite(certificate->own.distance))
+		return status;
+	stated = certificate->own.distance + certificate->own.harmonics;
 	error->corrected = 1;
-	error->before = *estimated;
-	*estimated = fmin(own->refused > 0 ? fmax(*estimated, own->distance + own->harmonics)
-	                                   : own->distance + own->harmonics, 1.0);
+	error->before = error->fixed.estimated;
+	error->fixed.estimated = fmin(certificate->own.refused > 0 ? fmax(error->before, stated) : stated,
+	                              1.0);
 	return HAWSER_OK;
 }
 
@@ -71,10 +70,10 @@ void cli_certificate_comments(struct hawser__table *table, const struct cli_frf_
 	double per_omega = cli_per_omega(result->model), per_length = cli_per_length(result->model);
 	char text[80], size[80];
 
-	if (!of)
+	if (!of || of->own.count == 0)
 		return;
-	hawser__table_comment(table, "corrected in the mesh (%d unknowns, %d harmonics%s): %d of %d folds and "
-	                      "peaks, off by up to %.1e; four more harmonics change one by %.1e",
+	hawser__table_comment(table, "corrected in the mesh (%d unknowns, %d harmonics%s): %d of %d folds "
+	                      "and peaks, off by up to %.1e; four more harmonics change one by %.1e",
 	                      of->own.unknowns, of->own.order,
 	                      of->own.extrapolated ? "; and in one of half as many, extrapolated" : "",
 	                      of->own.count - of->own.refused, of->own.count + of->own.omitted,
@@ -85,8 +84,8 @@ void cli_certificate_comments(struct hawser__table *table, const struct cli_frf_
 		snprintf(size, sizeof size, item->kind == HAWSER_LANDMARK_PEAK ? ", amplitude %.9g m" : "",
 		         item->exact_size*per_length);
 		if (isfinite(item->distance))
-			hawser__table_comment(table, "mesh: %s at Omega = %.12g rad/s%s, off by %.1e; least tension "
-			                      "%.6g N, in cable %s", called(text, sizeof text, of, k),
+			hawser__table_comment(table, "mesh: %s at Omega = %.12g rad/s%s, off by %.1e; least "
+			                      "tension %.6g N, in cable %s", called(text, sizeof text, of, k),
 			                      item->exact_omega*per_omega, size, item->distance, item->tension,
 			                      of->cable[k]);
 		else

@@ -9,16 +9,17 @@ struct cli_frf_result;
 struct hawser__table;
 
 struct cli_certificate {
-	struct hawser_certificate own;
+	const char *how;                   /* "auto", "yes", "no" */
+	struct hawser_certificate own;     /* count 0: none was made */
 	const struct hawser_rom *rom;
 	const char *cable[HAWSER_CERTIFIED_MOST]; /* with the least tension in each motion */
 };
 
-/* `how`: auto, yes, no. Corrects folds and peaks of a result whose model can be certified: the error of
- * the model is their distance then, and *certificate belongs to the result. Where that takes too long,
- * nothing is done. Statuses of hawser_net_certify. */
-enum hawser_status cli_certify(struct cli_frf_result *result, struct cli_certificate *certificate,
-                               const char *how, struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Corrects folds and peaks of a result that has a certificate and whose model can be certified: the
+ * error of the model is their distance then. Where that takes too long, nothing is done. Statuses of
+ * hawser_net_certify. */
+enum hawser_status cli_certify(struct cli_frf_result *result,
+                               struct hawser_report *report) HAWSER_MUST_CHECK;
 void cli_certificate_comments(struct hawser__table *table, const struct cli_frf_result *result);
 
 #endif

@@ -73,7 +73,7 @@ static int has_most(const struct cli_model *model)
 	return of && of->modes.modes.mode[of->modes.modes.n - 1].place >= of->by->most;
 }
 
-enum hawser_status cli_fixed_estimate(struct cli_frf_result *result, struct hawser_report *report)
+static enum hawser_status estimate(struct cli_frf_result *result, struct hawser_report *report)
 {
 	const struct cli_model *model = result->model;
 	struct cli_model_error *error = &result->error;
@@ -102,6 +102,13 @@ enum hawser_status cli_fixed_estimate(struct cli_frf_result *result, struct haws
 	         : hawser_accuracy_fixed(&error->fixed, &model->rom, result->frf, model->modes.n,
 	                                 &model->statics, &model->scene, result->from, result->to, &why);
 	return conclude(error, status, &why, report);
+}
+
+enum hawser_status cli_fixed_estimate(struct cli_frf_result *result, struct hawser_report *report)
+{
+	enum hawser_status status = estimate(result, report);
+
+	return status ? status : cli_certify(result, report);
 }
 
 enum hawser_status cli_fixed_once(struct cli_model_error *error, const struct cli_model *model,
@@ -159,8 +166,8 @@ void cli_fixed_comments(struct hawser__table *table, const struct cli_model_erro
 		return;
 	}
 	if (error->corrected)
-		hawser__table_comment(table, "error of the model: %.2g of folds and peaks, corrected in the mesh",
-		                      fixed->estimated);
+		hawser__table_comment(table, "error of the model: %.2g of %s, corrected in the mesh",
+		                      fixed->estimated, error->about);
 	if (error->corrected && !isfinite(error->before))
 		return;
 	if (error->compared) {

@@ -24,7 +24,7 @@
 
 void hawser__mesh_balance_clear(struct hawser__mesh_balance *balance)
 {
-	hawser__mesh_blocks_clear(&balance->blocks);
+	hawser__nodal_clear(&balance->blocks);
 	hawser__hold_clear(&balance->hold);
 	*balance = (struct hawser__mesh_balance){.order = 0};
 }
@@ -95,7 +95,7 @@ static enum hawser_status make_room(struct hawser__mesh_balance *balance, struct
 	balance->spare = hawser__hold(hold, balance->size, one);
 	balance->work = hawser__hold(hold, balance->size, one);
 	return hold->short_of_memory ? hawser__no_memory(report, "net")
-	       : hawser__mesh_blocks_room(&balance->blocks, 3*balance->width, report);
+	       : hawser__nodal_room(&balance->blocks, 3*balance->width, report);
 }
 
 enum hawser_status hawser__mesh_balance_open(struct hawser__mesh_balance *balance,
@@ -106,7 +106,7 @@ enum hawser_status hawser__mesh_balance_open(struct hawser__mesh_balance *balanc
 
 	*balance = (struct hawser__mesh_balance){.mesh = mesh, .mass_rate = mass_rate, .order = order,
 		.width = 2*order + 1, .rows = 4*order + 4};
-	status = hawser__mesh_blocks_open(&balance->blocks, mesh, report);
+	status = hawser__nodal_open(&balance->blocks, mesh, report);
 	balance->size = (size_t)balance->blocks.rows*3*(size_t)balance->width + 1;
 	if (!status)
 		status = make_room(balance, report);

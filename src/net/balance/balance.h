@@ -3,7 +3,7 @@
 #ifndef HAWSER_NET_BALANCE_H
 #define HAWSER_NET_BALANCE_H
 
-#include "net/balance/blocks.h"
+#include "net/balance/nodal.h"
 
 /* A motion y [size]: of each row of `blocks` three components, of each component mean, cosine, sine of
  * the multiples of Omega from the lowest on, m; then Omega, rad/s. */
@@ -16,7 +16,7 @@ struct hawser__mesh_balance {
 	const double *rated;  /* [modes] 2*ratio*omega, rad/s */
 	int order, width, rows; /* highest harmonic; coefficients 2*order + 1; samples of a period */
 	size_t size;
-	struct hawser__mesh_blocks blocks;
+	struct hawser__nodal blocks;
 	double *basis, *rate; /* [width][rows] functions and their derivatives by the phase */
 	double *project;      /* [rows][width] coefficients from samples */
 	double *load, *motion; /* [nodes][3][width] N; m of held directions */

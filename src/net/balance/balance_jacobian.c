@@ -32,7 +32,7 @@ static void put(struct hawser__mesh_balance *balance, int e, int to, int from, c
 
 	if (balance->blocks.row[mesh->end[e][to]] < 0 || balance->blocks.row[mesh->end[e][from]] < 0)
 		return;
-	block = hawser__mesh_blocks_at(&balance->blocks, balance->blocks.row[mesh->end[e][to]],
+	block = hawser__nodal_at(&balance->blocks, balance->blocks.row[mesh->end[e][to]],
 	                          balance->blocks.row[mesh->end[e][from]]);
 	for (int p = 0; p < PARTS; p++)
 		for (int b = 0; b < width && row[p/3] >= 0 && column[p%3] >= 0; b++)
@@ -85,7 +85,7 @@ static void add_mass(struct hawser__mesh_balance *balance, int to, int from, dou
 
 	if (balance->blocks.row[to] < 0 || balance->blocks.row[from] < 0)
 		return;
-	block = hawser__mesh_blocks_at(&balance->blocks, balance->blocks.row[to], balance->blocks.row[from]);
+	block = hawser__nodal_at(&balance->blocks, balance->blocks.row[to], balance->blocks.row[from]);
 	for (int i = 0; i < 3*width; i++) {
 		int axis = i/width, c = i%width, k = (c + 1)/2, pair = c%2 ? i + 1 : i - 1;
 		double speed = Omega*k*(damping + 2.0*balance->ratio*Omega*k*mass);
@@ -107,7 +107,7 @@ static void hold_rest(struct hawser__mesh_balance *balance)
 		int row = balance->blocks.row[i/3];
 
 		for (int c = 0; c < width && row >= 0 && mesh->unknown[i/3][i%3] < 0; c++)
-			hawser__mesh_blocks_at(&balance->blocks, row, row)[(i%3*width + c)*(3*width + 1)] = 1.0;
+			hawser__nodal_at(&balance->blocks, row, row)[(i%3*width + c)*(3*width + 1)] = 1.0;
 	}
 }
 
@@ -120,7 +120,7 @@ int hawser__mesh_balance_factor(struct hawser__mesh_balance *balance, const doub
 
 	balance->factored = 0;
 	hawser__mesh_balance_residual(balance, balance->work, y);
-	hawser__mesh_blocks_zero(&balance->blocks);
+	hawser__nodal_zero(&balance->blocks);
 	for (int e = 0; e < mesh->elements && own.weighted && own.G; e++) {
 		double mass = mesh->rho[e]*mesh->length0[e];
 		double damping = balance->mass_rate*mass + mesh->alpha*mesh->length0[e];
@@ -137,7 +137,7 @@ int hawser__mesh_balance_factor(struct hawser__mesh_balance *balance, const doub
 			add_mass(balance, i, i, mesh->mass[i], balance->mass_rate*mesh->mass[i]);
 	hold_rest(balance);
 	if (own.weighted && own.G)
-		balance->factored = hawser__mesh_blocks_factor(&balance->blocks);
+		balance->factored = hawser__nodal_factor(&balance->blocks);
 	free(own.weighted);
 	free(own.G);
 	if (!balance->factored)
@@ -145,7 +145,7 @@ int hawser__mesh_balance_factor(struct hawser__mesh_balance *balance, const doub
 	memset(balance->spare, 0, balance->size*sizeof *balance->spare);
 	balance->spare[balance->size - 1] = 1.0;
 	hawser__mesh_balance_product(balance, balance->sweep, balance->spare);
-	hawser__mesh_blocks_solve(&balance->blocks, balance->sweep);
+	hawser__nodal_solve(&balance->blocks, balance->sweep);
 	balance->sweep[balance->size - 1] = -1.0;
 	return 1;
 }

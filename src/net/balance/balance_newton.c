@@ -27,7 +27,7 @@ static void step_of(struct hawser__mesh_balance *balance, double *r, const doubl
 	int size = (int)balance->size;
 	double part;
 
-	hawser__mesh_blocks_solve(&balance->blocks, r);
+	hawser__nodal_solve(&balance->blocks, r);
 	r[size - 1] = 0.0;
 	part = hawser__mesh_balance_dot(balance, along, r)/
 	       hawser__mesh_balance_dot(balance, along, balance->sweep);

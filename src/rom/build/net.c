@@ -284,8 +284,8 @@ void hawser__net_source_clear(struct hawser__net_source *source)
 	hawser__hold_clear(&source->hold);
 }
 
-/* What the model of a mesh whose modes are found is made of. find: with second-order shapes that matter;
- * else with those of `source`. */
+/* What the model of a mesh whose modes are found is made of. find: with second-order shapes that
+ * matter; else with those of `source`. */
 static enum hawser_status prepare(struct hawser__net_source *source, struct hawser__answers *answers,
                                   const struct hawser_net_rom_options *o, int find,
                                   struct hawser_report *report)

@@ -72,8 +72,8 @@ enum hawser_status hawser__net_source_open(struct hawser__net_source *source, st
                                            const struct hawser_net_rom_options *options,
                                            struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser__net_source_clear(struct hawser__net_source *source);
-/* net_lift.c: displacements [rows][unknowns], m, at equidistant phases from 0 of a motion u [rows][n] of
- * its model. */
+/* net_lift.c: displacements [rows][unknowns], m, at equidistant phases from 0 of a motion u [rows][n]
+ * of its model. */
 enum hawser_status hawser__net_lift(double *to, const struct hawser__net_source *source,
                                     const struct hawser__answers *answers, const double *u, int rows,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;

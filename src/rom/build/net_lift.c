@@ -47,7 +47,8 @@ enum hawser_status hawser__net_lift(double *to, const struct hawser__net_source 
 {
 	int unknowns = source->modal.mesh.unknowns, shapes = source->inertia.found.shapes;
 	int pairs = source->t.pairs, all = source->t.n;
-	double *product = hawser__numbers((size_t)rows, (size_t)pairs), *q = hawser__numbers(1, (size_t)all);
+	double *product = hawser__numbers((size_t)rows, (size_t)pairs);
+	double *q = hawser__numbers(1, (size_t)all);
 
 	memset(to, 0, (size_t)rows*(size_t)unknowns*sizeof *to);
 	for (int t = 0; product && q && t < rows; t++) {
@@ -64,8 +65,8 @@ enum hawser_status hawser__net_lift(double *to, const struct hawser__net_source 
 			            source->inertia.row + (size_t)i*(size_t)unknowns, 1, row, 1);
 	}
 	if (product && q)
-		cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, rows, unknowns, pairs, 1.0, product, pairs,
-		            source->t.second, unknowns, 1.0, to, unknowns);
+		cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, rows, unknowns, pairs, 1.0, product,
+		            pairs, source->t.second, unknowns, 1.0, to, unknowns);
 	free(product);
 	free(q);
 	return product && q ? HAWSER_OK : hawser__no_memory(report, "net rom");

@@ -19,9 +19,7 @@
 
 #include "core/hold.h"
 #include "core/report.h"
-#include "net/balance/balance.h"
-#include "rom/build/net.h"
-#include "study/accuracy/certify.h"
+#include "study/accuracy/certificate.h"
 #include "study/accuracy/motions.h"
 
 enum { LEAST = 5, MOST = 11, MORE = 4 };        /* harmonics */
@@ -37,30 +35,16 @@ static const double factors = 5.0; /* matrices of the mesh for a landmark, those
 static const double far_omega = 0.03; /* relative: another landmark; chosen */
 static const double far_size = 0.35;
 
-/* A mesh in equilibrium, and a motion with its tangent. */
-struct finite {
-	struct hawser__mesh *mesh;
-	struct hawser__mesh_balance balance;
-	const int *node;               /* [probes] nodes of the model's points */
-	double *y, *along, bend;
-	struct hawser__hold hold;
-};
-
 struct work {
 	struct hawser_certificate *to;
 	const struct hawser_rom *rom;
 	const struct hawser_frf *frf;
-	struct hawser_net fine, half;
-	struct hawser__net_source source;
-	struct hawser__answers answers;
-	struct hawser__mesh coarse;
-	int *from;                     /* [nodes of coarse] the same ones of the other mesh */
-	int *node[2];                  /* [probes] nodes of the model's points, of both meshes */
-	struct finite first, second, checked;
+	struct hawser__finites both;
+	struct hawser__finite first, second, checked;
 	double *row, *series;          /* [PHASES][unknowns], [unknowns][WIDTH] m */
 	double *start[3];              /* [size of first] */
 	double *u;                     /* [PHASES][n] */
-	double worst;                  /* largest part of the last harmonics in a motion of the second mesh: */
+	double worst;                  /* largest part of the last harmonics in a motion of `second`: */
 	struct hawser_certified at;    /* its landmark, */
 	double *worst_y, *worst_along, worst_bend; /* motion and tangent */
 	struct hawser__hold hold, ordered; /* ordered: what depends on the number of harmonics */
@@ -74,221 +58,13 @@ static double now(void)
 	return (double)time.tv_sec + 1e-9*(double)time.tv_nsec;
 }
 
-/* --- the corrector of a mesh --- */
-
-static void metric(void *of, const double *y)
-{
-	hawser__mesh_balance_metric(&((struct finite *)of)->balance, y);
-}
-
-static double dot(void *of, const double *a, const double *b)
-{
-	return hawser__mesh_balance_dot(&((struct finite *)of)->balance, a, b);
-}
-
-static void correct(void *of, double *y, double *along, int *lost, double far)
-{
-	hawser__mesh_balance_correct(&((struct finite *)of)->balance, y, along, lost, far);
-}
-
-/* x and its derivatives by the phase, of coefficients. */
-static void at_phase(double x[3], const double *c, int order, double phase)
-{
-	x[0] = c[0];
-	x[1] = x[2] = 0.0;
-	for (int k = 1; k <= order; k++) {
-		double a = c[2*k - 1], b = c[2*k], cosine = cos(k*phase), sine = sin(k*phase);
-
-		x[0] += a*cosine + b*sine;
-		x[1] += k*(b*cosine - a*sine);
-		x[2] -= k*k*(a*cosine + b*sine);
-	}
-}
-
-/* The phase at which |x| is largest: the best of some, then Newton's method for x' = 0. */
-static double largest_at(const double *c, int order)
-{
-	int many = 16*(order + 1);
-	double best = 0.0, most = -1.0, x[3];
-
-	for (int t = 0; t < many; t++) {
-		at_phase(x, c, order, 2.0*M_PI*t/many);
-		if (fabs(x[0]) > most) {
-			most = fabs(x[0]);
-			best = 2.0*M_PI*t/many;
-		}
-	}
-	for (int i = 0; i < 4; i++) {
-		at_phase(x, c, order, best);
-		best -= fabs(x[1]) < 0.1*fabs(x[2]) ? x[1]/x[2] : 0.0;
-	}
-	return best;
-}
-
-static double size_of(void *of, double *slope, const struct hawser_certified *peak, const double *y,
-                      const double *along)
-{
-	const struct finite *finite = of;
-	const struct hawser__mesh_balance *balance = &finite->balance;
-	const double *c = hawser__mesh_balance_at(balance, y, finite->node[peak->probe], peak->axis);
-	const double *t = hawser__mesh_balance_at(balance, along, finite->node[peak->probe], peak->axis);
-	double x[3], rate[3], phase;
-
-	*slope = 0.0;
-	if (!c)
-		return NAN;
-	phase = largest_at(c, balance->order);
-	at_phase(x, c, balance->order, phase);
-	at_phase(rate, t, balance->order, phase);
-	*slope = x[0] < 0.0 ? -rate[0] : rate[0];
-	return fabs(x[0]);
-}
-
-static struct hawser__corrector corrector_of(struct finite *finite)
-{
-	return (struct hawser__corrector){.of = finite, .size = finite->balance.size, .metric = metric,
-		.dot = dot, .correct = correct, .size_of = size_of};
-}
-
-/* --- meshes --- */
-
-/* Damping ratios of the model's modes, of which phi [n][unknowns] are those of this mesh. */
-static enum hawser_status set_ratio(struct finite *finite, const struct hawser__net_source *source,
-                                    const double *phi, struct hawser_report *report)
-{
-	struct hawser__mesh_balance *balance = &finite->balance;
-	size_t unknowns = (size_t)finite->mesh->unknowns, n = (size_t)source->n;
-	double *mode = hawser__hold(&finite->hold, n*unknowns, sizeof *mode);
-	double *rated = hawser__hold(&finite->hold, n, sizeof *rated);
-
-	if (!mode || !rated)
-		return hawser__no_memory(report, "certificate");
-	for (size_t j = 0; j < n; j++) {
-		double *own = mode + j*unknowns;
-
-		hawser__eigen_mass(own, phi + j*unknowns, finite->mesh, 7U);
-		cblas_dscal((int)unknowns, 1.0/sqrt(cblas_ddot((int)unknowns, own, 1, phi + j*unknowns, 1)),
-		            own, 1);
-		rated[j] = 2.0*source->net->ratio*source->modal.modes.omega[source->kept[j]];
-	}
-	balance->mode = mode;
-	balance->rated = rated;
-	balance->modes = source->n;
-	balance->ratio = source->net->ratio;
-	return HAWSER_OK;
-}
-
-static enum hawser_status open_finite(struct finite *finite, struct work *w, int second, int order,
-                                      struct hawser_report *report)
-{
-	const struct hawser__net_source *source = &w->source;
-	enum hawser_status status;
-	double *phi = NULL;
-
-	finite->mesh = second ? &w->coarse : &w->source.modal.mesh;
-	finite->node = w->node[second];
-	status = hawser__mesh_balance_open(&finite->balance, finite->mesh, source->net->mass_rate, order,
-	                                   report);
-	if (status)
-		return status;
-	finite->y = hawser__hold(&finite->hold, finite->balance.size, sizeof *finite->y);
-	finite->along = hawser__hold(&finite->hold, finite->balance.size, sizeof *finite->along);
-	if (second && source->net->ratio > 0.0)
-		phi = hawser__hold(&finite->hold, (size_t)source->n*(size_t)finite->mesh->unknowns, sizeof *phi);
-	if (finite->hold.short_of_memory)
-		return hawser__no_memory(report, "certificate");
-	for (int i = 0; phi && i < 3*source->n*finite->mesh->nodes; i++) {
-		int j = i/(3*finite->mesh->nodes), node = i/3%finite->mesh->nodes, k = i%3;
-		int at = finite->mesh->unknown[node][k];
-
-		if (at >= 0)
-			phi[j*finite->mesh->unknowns + at] = source->mode[
-				(size_t)j*(size_t)source->modal.mesh.unknowns +
-				(size_t)source->modal.mesh.unknown[w->from[node]][k]];
-	}
-	return source->net->ratio > 0.0 ? set_ratio(finite, source, phi ? phi : source->mode, report)
-	                                : HAWSER_OK;
-}
-
-static void clear_finite(struct finite *finite)
-{
-	hawser__mesh_balance_clear(&finite->balance);
-	hawser__hold_clear(&finite->hold);
-	*finite = (struct finite){.mesh = NULL};
-}
-
-/* Nodes of the second mesh among those of the first. */
-static void pair_nodes(struct work *w)
-{
-	const struct hawser__mesh *fine = &w->source.modal.mesh;
-
-	for (int i = 0; i < w->fine.nodes; i++)
-		w->from[i] = i;
-	for (int c = 0; c < w->coarse.cables; c++) {
-		int count = w->coarse.first[c + 1] - w->coarse.first[c];
-		int ratio = (fine->first[c + 1] - fine->first[c])/count;
-
-		for (int i = 1; i < count; i++)
-			w->from[w->coarse.inner[c] + i - 1] = fine->inner[c] + ratio*i - 1;
-	}
-}
-
-/* The second mesh, in equilibrium. */
-static enum hawser_status open_second(struct work *w, const struct hawser_net *net,
-                                      struct hawser_report *report)
-{
-	const struct hawser__mesh_options choice = {.method = NULL};
-	struct hawser__equilibrium found;
-	double *T;
-	enum hawser_status status = hawser__net_finer(&w->half, net, 1, report);
-
-	if (!status)
-		status = hawser__mesh_build(&w->coarse, &w->half, report);
-	if (status)
-		return status;
-	T = hawser__hold(&w->hold, (size_t)w->coarse.elements, sizeof *T);
-	w->from = hawser__hold(&w->hold, (size_t)w->coarse.nodes, sizeof *w->from);
-	if (w->hold.short_of_memory)
-		return hawser__no_memory(report, "certificate");
-	status = hawser__mesh_form(&w->coarse, T, &found, &w->half, &choice, report);
-	if (!status)
-		status = hawser__net_multiples(&w->coarse, net->name, report);
-	pair_nodes(w);
-	return status;
-}
-
-/* The nodes of the model's points: all are nodes of both meshes. */
-static enum hawser_status find_nodes(struct work *w, struct hawser_report *report)
-{
-	struct hawser__net_source *source = &w->source;
-	size_t most = (size_t)(w->fine.nodes + 6*w->fine.cables);
-	char **name = calloc(most, sizeof *name);
-	enum hawser_status status = name ? hawser__net_places(source, name, report)
-	                                 : hawser__no_memory(report, "certificate");
-
-	for (size_t i = 0; name && i < most; i++)
-		free(name[i]);
-	free(name);
-	w->node[0] = hawser__hold(&w->hold, most, sizeof *w->node[0]);
-	w->node[1] = hawser__hold(&w->hold, most, sizeof *w->node[1]);
-	if (!status && w->hold.short_of_memory)
-		status = hawser__no_memory(report, "certificate");
-	for (int p = 0; !status && p < source->shapes; p++) {
-		w->node[0][p] = source->place[p].node[source->place[p].share > 0.5];
-		for (int i = 0; i < w->coarse.nodes; i++)
-			if (w->from[i] == w->node[0][p])
-				w->node[1][p] = i;
-	}
-	return status;
-}
-
 /* --- starts --- */
 
 /* The series of the displacements. */
 static void transform(struct work *w)
 {
 	double project[PHASES*WIDTH];
-	int unknowns = w->source.modal.mesh.unknowns;
+	int unknowns = w->both.source.modal.mesh.unknowns;
 
 	for (int i = 0; i < PHASES*WIDTH; i++) {
 		int t = i/WIDTH, c = i%WIDTH, k = (c + 1)/2;
@@ -315,7 +91,7 @@ static enum hawser_status lift(struct work *w, const double *state, double omega
 		memcpy(w->u + t*n, run.state + 2*t*n, n*sizeof *w->u);
 	hawser_trajectory_clear(&run);
 	if (!status)
-		status = hawser__net_lift(w->row, &w->source, &w->answers, w->u, PHASES, report);
+		status = hawser__net_lift(w->row, &w->both.source, &w->both.answers, w->u, PHASES, report);
 	if (!status)
 		transform(w);
 	return status;
@@ -327,7 +103,7 @@ static int order_of(const struct work *w)
 	double square[MOST + 2] = {0.0}, all = 0.0, rest;
 	int order = MOST;
 
-	for (int i = 0; i < w->source.modal.mesh.unknowns*WIDTH; i++) {
+	for (int i = 0; i < w->both.source.modal.mesh.unknowns*WIDTH; i++) {
 		square[(i%WIDTH + 1)/2] += w->series[i]*w->series[i];
 		all += w->series[i]*w->series[i];
 	}
@@ -428,38 +204,6 @@ static enum hawser_status choose(struct work *w, int *point, const struct hawser
 
 /* --- one after the other --- */
 
-/* The motion of one mesh or order, on another. from: the nodes there; NULL: the same. */
-static void copy_motion(double *to, const struct finite *of, const double *y,
-                        const struct finite *other, const int *from)
-{
-	int width = of->balance.width < other->balance.width ? of->balance.width : other->balance.width;
-
-	memset(to, 0, of->balance.size*sizeof *to);
-	for (int i = 0; i < 3*of->mesh->nodes; i++) {
-		const double *own = hawser__mesh_balance_at(&other->balance, y, from ? from[i/3] : i/3, i%3);
-		int row = of->balance.blocks.row[i/3];
-
-		if (own && row >= 0)
-			memcpy(to + (3*row + i%3)*of->balance.width, own, (size_t)width*sizeof *to);
-	}
-	to[of->balance.size - 1] = y[other->balance.size - 1];
-}
-
-/* Part of a motion by its two last harmonics. */
-static double last_part(const struct finite *finite)
-{
-	int width = finite->balance.width;
-	double all = 0.0, last = 0.0;
-
-	for (size_t i = 0; i < finite->balance.size - 1; i++) {
-		double own = finite->y[i]*finite->y[i];
-
-		all += own;
-		last += (int)(i%(size_t)width) >= width - 4 ? own : 0.0;
-	}
-	return sqrt(last/all);
-}
-
 /* The worse of the relative differences of two results; NAN: one of them is none. */
 static double distance_of(double omega, double size, const struct hawser_certified *item)
 {
@@ -478,13 +222,13 @@ static int is_found(const struct hawser_certified *item, double omega, double si
 static enum hawser_status extrapolate(struct work *w, struct hawser_certified *item,
                                       struct hawser_report *report)
 {
-	const struct hawser__corrector corrector = corrector_of(&w->second);
+	const struct hawser__corrector corrector = hawser__finite_corrector(&w->second);
 	struct hawser_certified own = *item;
 	enum hawser_status status;
 	double part;
 
-	copy_motion(w->second.y, &w->second, w->first.y, &w->first, w->from);
-	copy_motion(w->second.along, &w->second, w->first.along, &w->first, w->from);
+	hawser__finite_copy(w->second.y, &w->second, w->first.y, &w->first, w->both.from);
+	hawser__finite_copy(w->second.along, &w->second, w->first.along, &w->first, w->both.from);
 	w->second.bend = w->first.bend;
 	status = hawser__certify_from(&own, w->second.y, w->second.along, &w->second.bend, &corrector,
 	                              report);
@@ -494,7 +238,7 @@ static enum hawser_status extrapolate(struct work *w, struct hawser_certified *i
 	}
 	item->exact_omega = (4.0*item->exact_omega - own.exact_omega)/3.0;
 	item->exact_size = (4.0*item->exact_size - own.exact_size)/3.0;
-	part = last_part(&w->second);
+	part = hawser__finite_last(&w->second);
 	if (part > w->worst) {
 		w->worst = part;
 		w->at = own;
@@ -508,7 +252,7 @@ static enum hawser_status extrapolate(struct work *w, struct hawser_certified *i
 static enum hawser_status correct_one(struct work *w, struct hawser_certified *item, int point,
                                       struct hawser_report *report)
 {
-	const struct hawser__corrector corrector = corrector_of(&w->first);
+	const struct hawser__corrector corrector = hawser__finite_corrector(&w->first);
 	const struct hawser__neighbours near = {.y = w->start[1], .around = {w->start[0], w->start[2]}};
 	double omega = item->omega/w->rom->time, size = item->size*w->rom->length; /* rad/s, m */
 	enum hawser_status status = HAWSER_OK;
@@ -548,12 +292,12 @@ static enum hawser_status add_harmonics(struct work *w, struct hawser_report *re
 
 	if (!(w->worst > 0.0))
 		return HAWSER_OK;
-	status = open_finite(&w->checked, w, 1, w->to->order + MORE, report);
+	status = hawser__finite_open(&w->checked, &w->both, 1, w->to->order + MORE, report);
 	if (status)
 		return status;
-	corrector = corrector_of(&w->checked);
-	copy_motion(w->checked.y, &w->checked, w->worst_y, &w->second, NULL);
-	copy_motion(w->checked.along, &w->checked, w->worst_along, &w->second, NULL);
+	corrector = hawser__finite_corrector(&w->checked);
+	hawser__finite_copy(w->checked.y, &w->checked, w->worst_y, &w->second, NULL);
+	hawser__finite_copy(w->checked.along, &w->checked, w->worst_along, &w->second, NULL);
 	status = hawser__certify_from(&own, w->checked.y, w->checked.along, &w->worst_bend, &corrector,
 	                              report);
 	w->to->harmonics = distance_of(w->at.exact_omega, w->at.exact_size, &own);
@@ -583,13 +327,13 @@ static enum hawser_status reopen(struct work *w, struct hawser_report *report)
 {
 	enum hawser_status status;
 
-	clear_finite(&w->first);
-	clear_finite(&w->second);
-	clear_finite(&w->checked);
+	hawser__finite_clear(&w->first);
+	hawser__finite_clear(&w->second);
+	hawser__finite_clear(&w->checked);
 	hawser__hold_clear(&w->ordered);
-	status = open_finite(&w->first, w, 0, w->to->order, report);
+	status = hawser__finite_open(&w->first, &w->both, 0, w->to->order, report);
 	if (!status)
-		status = open_finite(&w->second, w, 1, w->to->order, report);
+		status = hawser__finite_open(&w->second, &w->both, 1, w->to->order, report);
 	for (int i = 0; i < 3 && !status; i++)
 		w->start[i] = hawser__hold(&w->ordered, w->first.balance.size, sizeof *w->start[i]);
 	w->worst_y = hawser__hold(&w->ordered, w->second.balance.size, sizeof *w->worst_y);
@@ -597,28 +341,22 @@ static enum hawser_status reopen(struct work *w, struct hawser_report *report)
 	return !status && w->ordered.short_of_memory ? hawser__no_memory(report, "certificate") : status;
 }
 
-static enum hawser_status open_meshes(struct work *w, const struct hawser_net *net,
-                                      struct hawser_report *report)
+static enum hawser_status open_meshes(struct work *w, struct hawser_report *report)
 {
-	struct hawser__mesh_blocks pattern;
-	struct hawser__mesh *mesh = &w->source.modal.mesh;
-	enum hawser_status status = hawser__mesh_blocks_open(&pattern, mesh, report);
+	struct hawser__nodal pattern;
+	struct hawser__mesh *mesh = &w->both.source.modal.mesh;
+	enum hawser_status status = hawser__nodal_open(&pattern, mesh, report);
 
 	w->to->unknowns = mesh->unknowns;
-	w->to->foreseen = factors*w->to->count*
-	                  hawser__mesh_blocks_work(&pattern, 3*(2*w->to->order + 1))/speed;
-	hawser__mesh_blocks_clear(&pattern);
-	if (!status)
-		status = open_second(w, net, report);
-	if (!status)
-		status = find_nodes(w, report);
+	w->to->foreseen = factors*w->to->count*hawser__nodal_work(&pattern, 3*(2*w->to->order + 1))/speed;
+	hawser__nodal_clear(&pattern);
 	return status ? status : reopen(w, report);
 }
 
 /* The number of harmonics that the motions at the landmarks have. */
 static enum hawser_status find_order(struct work *w, const int *point, struct hawser_report *report)
 {
-	size_t unknowns = (size_t)w->source.modal.mesh.unknowns;
+	size_t unknowns = (size_t)w->both.source.modal.mesh.unknowns;
 	enum hawser_status status = HAWSER_OK;
 
 	w->row = hawser__hold(&w->hold, PHASES*unknowns, sizeof *w->row);
@@ -639,14 +377,10 @@ static enum hawser_status find_order(struct work *w, const int *point, struct ha
 
 static void clear(struct work *w)
 {
-	clear_finite(&w->first);
-	clear_finite(&w->second);
-	clear_finite(&w->checked);
-	hawser__answers_clear(&w->answers);
-	hawser__net_source_clear(&w->source);
-	hawser__mesh_clear(&w->coarse);
-	free(w->fine.cable);
-	free(w->half.cable);
+	hawser__finite_clear(&w->first);
+	hawser__finite_clear(&w->second);
+	hawser__finite_clear(&w->checked);
+	hawser__finites_clear(&w->both);
 	hawser__hold_clear(&w->ordered);
 	hawser__hold_clear(&w->hold);
 	free(w);
@@ -657,13 +391,12 @@ static enum hawser_status certify(struct work *w, const int *point, const struct
                                   struct hawser_report *report)
 {
 	struct hawser_certificate *to = w->to;
-	enum hawser_status status = hawser__net_source_open(&w->source, &w->fine, &w->answers, net, options,
-	                                                    report);
+	enum hawser_status status = hawser__finites_open(&w->both, net, options, report);
 
 	if (!status)
 		status = find_order(w, point, report);
 	if (!status)
-		status = open_meshes(w, net, report);
+		status = open_meshes(w, report);
 	if (!status && bearable > 0.0 && to->foreseen > bearable)
 		to->count = 0;
 	if (!status && to->count > 0)

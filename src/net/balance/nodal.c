@@ -1,4 +1,4 @@
-/* net/balance/blocks.c - LU factors of a sparse matrix of blocks; see blocks.h.
+/* net/balance/nodal.c - LU factors of a sparse matrix of blocks; see nodal.h.
  *
  *   D_k        the block of row k when all before it are eliminated; its own LU factors have pivots
  *   A_ik, A_ki the blocks that link it with a later row i
@@ -16,12 +16,12 @@
 #include <string.h>
 
 #include "core/report.h"
-#include "net/balance/blocks.h"
+#include "net/balance/nodal.h"
 
-void hawser__mesh_blocks_clear(struct hawser__mesh_blocks *blocks)
+void hawser__nodal_clear(struct hawser__nodal *blocks)
 {
 	hawser__hold_clear(&blocks->hold);
-	*blocks = (struct hawser__mesh_blocks){.rows = 0};
+	*blocks = (struct hawser__nodal){.rows = 0};
 }
 
 /* --- the order --- */
@@ -112,7 +112,7 @@ static int least(const struct graph *graph, const int *row, int nodes, int last)
 }
 
 /* The order, and the number of links; links of each node stay in the graph. */
-static size_t order(struct hawser__mesh_blocks *blocks, struct graph *graph, const struct hawser__mesh *mesh)
+static size_t order(struct hawser__nodal *blocks, struct graph *graph, const struct hawser__mesh *mesh)
 {
 	size_t links = 0;
 	int node = -1;
@@ -127,7 +127,7 @@ static size_t order(struct hawser__mesh_blocks *blocks, struct graph *graph, con
 	return links;
 }
 
-static void note_links(struct hawser__mesh_blocks *blocks, const struct graph *graph, int nodes)
+static void note_links(struct hawser__nodal *blocks, const struct graph *graph, int nodes)
 {
 	for (int i = 0; i < nodes; i++)
 		if (blocks->row[i] >= 0)
@@ -139,13 +139,13 @@ static void note_links(struct hawser__mesh_blocks *blocks, const struct graph *g
 			blocks->later[blocks->first[blocks->row[i]] + s] = blocks->row[graph->node[i].item[s]];
 }
 
-enum hawser_status hawser__mesh_blocks_open(struct hawser__mesh_blocks *blocks, const struct hawser__mesh *mesh,
+enum hawser_status hawser__nodal_open(struct hawser__nodal *blocks, const struct hawser__mesh *mesh,
                                        struct hawser_report *report)
 {
 	struct graph graph = {.node = calloc((size_t)mesh->nodes + 1, sizeof *graph.node)};
 	size_t links = 0;
 
-	*blocks = (struct hawser__mesh_blocks){.rows = 0};
+	*blocks = (struct hawser__nodal){.rows = 0};
 	blocks->row = hawser__hold(&blocks->hold, (size_t)mesh->nodes + 1, sizeof *blocks->row);
 	blocks->first = hawser__hold(&blocks->hold, (size_t)mesh->nodes + 1, sizeof *blocks->first);
 	if (graph.node && !blocks->hold.short_of_memory) {
@@ -163,7 +163,7 @@ enum hawser_status hawser__mesh_blocks_open(struct hawser__mesh_blocks *blocks, 
 
 /* --- the blocks --- */
 
-double hawser__mesh_blocks_work(const struct hawser__mesh_blocks *blocks, int width)
+double hawser__nodal_work(const struct hawser__nodal *blocks, int width)
 {
 	double sum = 0.0;
 
@@ -175,12 +175,12 @@ double hawser__mesh_blocks_work(const struct hawser__mesh_blocks *blocks, int wi
 	return sum*width*width*width;
 }
 
-double hawser__mesh_blocks_bytes(const struct hawser__mesh_blocks *blocks, int width)
+double hawser__nodal_bytes(const struct hawser__nodal *blocks, int width)
 {
 	return sizeof(double)*((double)blocks->rows + 2.0*blocks->first[blocks->rows])*width*width;
 }
 
-enum hawser_status hawser__mesh_blocks_room(struct hawser__mesh_blocks *blocks, int width,
+enum hawser_status hawser__nodal_room(struct hawser__nodal *blocks, int width,
                                        struct hawser_report *report)
 {
 	size_t rows = (size_t)blocks->rows + 1, links = (size_t)blocks->first[blocks->rows] + 1,
@@ -194,12 +194,12 @@ enum hawser_status hawser__mesh_blocks_room(struct hawser__mesh_blocks *blocks, 
 	return blocks->hold.short_of_memory ? hawser__no_memory(report, "net") : HAWSER_OK;
 }
 
-static double *block(double *of, const struct hawser__mesh_blocks *blocks, int at)
+static double *block(double *of, const struct hawser__nodal *blocks, int at)
 {
 	return of + (size_t)at*(size_t)blocks->width*(size_t)blocks->width;
 }
 
-void hawser__mesh_blocks_zero(struct hawser__mesh_blocks *blocks)
+void hawser__nodal_zero(struct hawser__nodal *blocks)
 {
 	size_t square = (size_t)blocks->width*(size_t)blocks->width*sizeof(double);
 
@@ -208,7 +208,7 @@ void hawser__mesh_blocks_zero(struct hawser__mesh_blocks *blocks)
 	memset(blocks->beside, 0, (size_t)blocks->first[blocks->rows]*square);
 }
 
-double *hawser__mesh_blocks_at(const struct hawser__mesh_blocks *blocks, int row, int column)
+double *hawser__nodal_at(const struct hawser__nodal *blocks, int row, int column)
 {
 	int early = row < column ? row : column, late = row < column ? column : row;
 	int at = blocks->first[early];
@@ -222,7 +222,7 @@ double *hawser__mesh_blocks_at(const struct hawser__mesh_blocks *blocks, int row
 
 /* --- factors --- */
 
-int hawser__mesh_blocks_factor(struct hawser__mesh_blocks *blocks)
+int hawser__nodal_factor(struct hawser__nodal *blocks)
 {
 	int w = blocks->width;
 
@@ -239,12 +239,12 @@ int hawser__mesh_blocks_factor(struct hawser__mesh_blocks *blocks)
 			for (int t = blocks->first[k]; t < end; t++)
 				cblas_dgemm(CblasColMajor, CblasNoTrans, CblasNoTrans, w, w, w, -1.0,
 				            block(blocks->below, blocks, s), w, block(blocks->beside, blocks, t), w,
-				            1.0, hawser__mesh_blocks_at(blocks, blocks->later[s], blocks->later[t]), w);
+				            1.0, hawser__nodal_at(blocks, blocks->later[s], blocks->later[t]), w);
 	}
 	return 1;
 }
 
-void hawser__mesh_blocks_solve(const struct hawser__mesh_blocks *blocks, double *x)
+void hawser__nodal_solve(const struct hawser__nodal *blocks, double *x)
 {
 	int w = blocks->width;
 
