@@ -30,7 +30,7 @@ enum hawser_status cli_certify(struct cli_frf_result *result, struct hawser_repo
 		certificate->own.seconds = NAN;
 	if (status || !isfinite(certificate->own.distance))
 		return status;
-	stated = certificate->own.distance + certificate->own.harmonics;
+	stated = certificate->own.distance + certificate->own.harmonics + certificate->own.lengths;
 	error->corrected = 1;
 	error->before = error->fixed.estimated;
 	error->fixed.estimated = fmin(certificate->own.refused > 0 ? fmax(error->before, stated) : stated,
@@ -72,12 +72,11 @@ void cli_certificate_comments(struct hawser__table *table, const struct cli_frf_
 
 	if (!of || of->own.count == 0)
 		return;
-	hawser__table_comment(table, "corrected in the mesh (%d unknowns, %d harmonics%s): %d of %d folds "
-	                      "and peaks, off by up to %.1e; four more harmonics change one by %.1e",
-	                      of->own.unknowns, of->own.order,
-	                      of->own.extrapolated ? "; and in one of half as many, extrapolated" : "",
+	hawser__table_comment(table, "corrected in the mesh (%d unknowns, %d harmonics) and one of half as "
+	                      "many: %d of %d folds and peaks, off by up to %.1e; by more harmonics up to "
+	                      "%.1e, by shorter elements %.1e", of->own.unknowns, of->own.order,
 	                      of->own.count - of->own.refused, of->own.count + of->own.omitted,
-	                      of->own.distance, of->own.harmonics);
+	                      of->own.distance, of->own.harmonics, of->own.lengths);
 	for (int k = 0; k < of->own.count; k++) {
 		const struct hawser_certified *item = &of->own.item[k];
 
@@ -144,8 +143,8 @@ const struct hawser__field cli_certificate_field[] = {
 	{"omitted", NULL, "smaller ones that were not looked for", OF(own.omitted)},
 	{"unknowns", NULL, "of the mesh", OF(own.unknowns)},
 	{"order", NULL, "harmonics", OF(own.order)},
-	{"extrapolated", NULL, "whether the error by the length of elements is taken out",
-	 HAWSER__FLAG_AT(struct cli_certificate, own.extrapolated)},
+	{"lengths", NULL, "error by the length of elements that is left, relative, estimated",
+	 OF(own.lengths)},
 	{"seconds", NULL, "wall time (s)", OF(own.seconds), .flags = HAWSER__OMIT},
 	{"landmarks", NULL, "folds and peaks", HAWSER__OBJECTS_OF(item_list)},
 	HAWSER__END,

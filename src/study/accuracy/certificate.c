@@ -23,6 +23,7 @@
 #include "study/accuracy/motions.h"
 
 enum { LEAST = 5, MOST = 11, MORE = 4 };        /* harmonics */
+static const double small = 0.05;  /* least peak over the largest one; chosen */
 enum { NEAR = 5 }; /* points of a curve between peaks of one resonance, at most; chosen */
 enum { PHASES = 32, WIDTH = 2*(MOST + 1) + 1 }; /* of a motion of the model; coefficients */
 static const double faint = 3e-5;  /* part of a motion by the harmonics that are left out; chosen */
@@ -32,6 +33,7 @@ static const double speed = 4e9;   /* operations per second with blocks, on a co
 static const double chain = 12.7*33.0*33.0*33.0; /* of an inner node of a cable, with LEAST harmonics */
 static const double factors = 5.0; /* matrices of the mesh for a landmark, those of the other meshes and
                                     * what is solved with them included */
+static const double left = 0.1;    /* of the difference of two meshes, what is of higher order; chosen */
 static const double far_omega = 0.03; /* relative: another landmark; chosen */
 static const double far_size = 0.35;
 
@@ -182,7 +184,7 @@ static enum hawser_status choose(struct work *w, int *point, const struct hawser
                                  int peaks, struct hawser_report *report)
 {
 	struct hawser_landmark *fold, *sorted = calloc((size_t)peaks + 1, sizeof *sorted);
-	int count = 0;
+	int count = 0, displacements = 0;
 	enum hawser_status status = sorted ? hawser_landmarks(&fold, &count, w->frf, NULL, report)
 	                                   : hawser__no_memory(report, "certificate");
 
@@ -191,12 +193,13 @@ static enum hawser_status choose(struct work *w, int *point, const struct hawser
 			add(w, point, &fold[i]);
 	if (!status) {
 		free(fold);
-		memcpy(sorted, peak, (size_t)peaks*sizeof *sorted);
-		qsort(sorted, (size_t)peaks, sizeof *sorted, larger);
+		for (int i = 0; i < peaks; i++)
+			if (peak[i].kind == HAWSER_LANDMARK_PEAK && peak[i].probe >= 0)
+				sorted[displacements++] = peak[i];
+		qsort(sorted, (size_t)displacements, sizeof *sorted, larger);
 	}
-	for (int i = 0; i < peaks && !status; i++)
-		if (sorted[i].kind == HAWSER_LANDMARK_PEAK && sorted[i].probe >= 0 &&
-		    is_new(w, point, &sorted[i]))
+	for (int i = 0; i < displacements && sorted[i].size > small*sorted[0].size; i++)
+		if (is_new(w, point, &sorted[i]))
 			add(w, point, &sorted[i]);
 	free(sorted);
 	return status;
@@ -233,9 +236,10 @@ static enum hawser_status extrapolate(struct work *w, struct hawser_certified *i
 	status = hawser__certify_from(&own, w->second.y, w->second.along, &w->second.bend, &corrector,
 	                              report);
 	if (status || !is_found(&own, item->exact_omega, item->exact_size)) {
-		w->to->extrapolated = 0;
+		item->exact_omega = NAN;
 		return status;
 	}
+	w->to->lengths = fmax(w->to->lengths, left*distance_of(own.exact_omega, own.exact_size, item));
 	item->exact_omega = (4.0*item->exact_omega - own.exact_omega)/3.0;
 	item->exact_size = (4.0*item->exact_size - own.exact_size)/3.0;
 	part = hawser__finite_last(&w->second);
@@ -277,6 +281,7 @@ static enum hawser_status correct_one(struct work *w, struct hawser_certified *i
 	item->cable = w->first.mesh->cable[element];
 	w->second.balance.factored = 0;
 	status = extrapolate(w, item, report);
+	w->to->refused += isnan(item->exact_omega);
 	item->distance = distance_of(omega, size, item);
 	item->exact_omega *= w->rom->time;
 	item->exact_size /= w->rom->length;
@@ -311,8 +316,8 @@ static enum hawser_status correct_all(struct work *w, const int *point, struct h
 
 	to->distance = NAN;
 	to->harmonics = w->worst = 0.0;
+	to->lengths = 0.0;
 	to->refused = 0;
-	to->extrapolated = 1;
 	for (int i = 0; i < to->count && !status; i++) {
 		status = correct_one(w, &to->item[i], point[i], report);
 		to->distance = fmax(to->distance, to->item[i].distance);
@@ -422,7 +427,7 @@ enum hawser_status hawser_net_certify(struct hawser_certificate *certificate,
 	int point[HAWSER_CERTIFIED_MOST];
 	enum hawser_status status = HAWSER_OK;
 
-	*certificate = (struct hawser_certificate){.distance = NAN, .extrapolated = 1};
+	*certificate = (struct hawser_certificate){.distance = NAN};
 	if (!w)
 		return hawser__no_memory(report, "certificate");
 	w->to = certificate;

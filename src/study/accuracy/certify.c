@@ -20,7 +20,7 @@
 #include "study/accuracy/certify.h"
 
 enum { TRIES = 8 };
-#define FAR 0.1   /* longest correction, relative: farther away begins another curve; chosen */
+#define FAR 0.3   /* longest correction, relative; chosen */
 static const double enough = 1e-6; /* of the last step's effect on Omega and size, relative; chosen, far
                                     * below the distances that are stated */
 static const double longest = 0.05; /* step along the curve, in its metric; chosen */
