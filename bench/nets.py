@@ -114,6 +114,7 @@ def stays(rng, net):
 def cells(rng, net):
     """A flat mesh, held at its edge."""
     m, n, side = rng.randint(2, 4), rng.randint(2, 4), rng.uniform(4.0, 12.0)
+    parts = rng.choice([8, 16])
     for i in range(m + 1):
         for j in range(n + 1):
             net.node(f"n{i}{j}", [side*i, 0.0, side*j], i in (0, m) or j in (0, n))
@@ -122,7 +123,7 @@ def cells(rng, net):
             for k, l in ((i + 1, j), (i, j + 1)):
                 a, b = f"n{i}{j}", f"n{k}{l}"
                 if b in net.nodes and not (a in net.supports and b in net.supports):
-                    net.cable(a, b, parts=8)
+                    net.cable(a, b, parts=parts)
     span = side*min(m, n)
     net.force(net.cables[0]["name"], span, [0.0, rng.uniform(2.0, 4.0), 0.0])
     return span
@@ -167,6 +168,7 @@ def respond(hawser, scene, path, modes):
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     result = json.loads(run.stdout) if run.returncode == 0 else {"failed": run.stderr.strip()}
     result["time"] = after.ru_utime - before.ru_utime
+    with open(path + ".out", "w") as f: json.dump(result, f)
     return result
 
 
@@ -178,9 +180,9 @@ def truth(first, second):
             same = all(own.get(k) == other.get(k) for k in ("kind", "probe", "component"))
             if same and own["Omega_mesh"] and other["Omega_mesh"] and \
                     abs(own["Omega_mesh"]/other["Omega_mesh"] - 1.0) < 2e-3:
-                off = abs(own["Omega"]/other["Omega_mesh"] - 1.0)
+                off = abs(other["Omega_mesh"]/own["Omega"] - 1.0)
                 if own["kind"] == "peak":
-                    off = max(off, abs(own["size"]/other["size_mesh"] - 1.0))
+                    off = max(off, abs(other["size_mesh"]/own["size"] - 1.0))
                 most, common = max(most, off), common + 1
                 break
     return most, common
@@ -194,14 +196,18 @@ def main():
     if len(sys.argv) > 3:
         seed = int(sys.argv[3])
     folder = sys.argv[4] if len(sys.argv) > 4 else tempfile.mkdtemp()
-    judged = held = tight = refused = none = 0
+    judged = held = tight = partly = none = 0
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-    for k in range(count):
+    for k in range(2*count):
         rng = random.Random(1000*seed + k)
         net, omega = random_net(rng)
         modes = rng.randint(6, 12)
         path = os.path.join(folder, f"net-{k}.json")
         first = respond(hawser, net.scene(1, omega), path, modes)
+        if judged + partly + none == count:
+            break
+        if "is slack at rest" in first.get("failed", ""):
+            continue
         second = respond(hawser, net.scene(2, omega), path[:-5] + "-fine.json", modes)
         bad = first.get("failed") or second.get("failed")
         if bad or "certified" not in first or "certified" not in second:
@@ -209,20 +215,21 @@ def main():
             print(f"net {k}: {len(net.cables)} cables: {bad or 'no folds or peaks'}", flush=True)
             continue
         true, common = truth(first, second)
-        found = len(first["certified"]["landmarks"]) - first["certified"]["refused"]
-        if not common:
-            refused += 1
-            print(f"net {k}: {len(net.cables)} cables: refused", flush=True)
-            continue
+        all_of = len(first["certified"]["landmarks"])
+        found = all_of - first["certified"]["refused"]
         stated, before = first["model_error"]["estimated"], first["model_error"].get("before")
-        judged += 1
-        held += stated >= true
-        tight += stated <= 3.0*true
+        if found < all_of or not common:
+            partly += 1
+        else:
+            judged += 1
+            held += stated >= true
+            tight += stated <= 3.0*true
         print(f"net {k}: {len(net.cables):2d} cables, {modes:2d} modes, stated {stated:.2e} true {true:.2e} "
-              f"ratio {stated/true:6.2f} estimate {(before or stated)/true:8.2f}, {found} of "
-              f"{len(first['certified']['landmarks'])}, {first['time']:.2f} s", flush=True)
-    print(f"{count} nets: {judged} judged, {held} within the stated error, {tight} stated at most three "
-          f"times too large, {refused} refused, {none} without")
+              f"ratio {stated/(true or 1.0):6.2f} estimate {(before or stated)/(true or 1.0):8.2f}, "
+              f"{found} of {all_of}, {first['time']:.2f} s", flush=True)
+    print(f"{judged + partly + none} nets that are taut: {judged} with all folds and peaks found, of which "
+          f"{held} within the stated error and {tight} stated at most three times too large; {partly} with "
+          f"some that are not found, {none} without a response, folds or peaks")
     sys.exit(held < judged)
 
 

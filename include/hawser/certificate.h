@@ -33,7 +33,7 @@ struct hawser_certificate {
 	double distance;       /* largest of all that were found; NAN: none was */
 	double harmonics;      /* largest relative change of an Omega or a size by four more harmonics */
 	int order, unknowns;   /* harmonics; unknowns of the mesh */
-	double lengths;        /* largest relative error by the length of elements that is left, estimated */
+	double lengths;        /* largest relative error that the length of elements leaves, estimated */
 	double foreseen;       /* s of processor time, as counted: within a factor 2 on a core of 2 GHz */
 	double seconds;        /* wall time */
 };

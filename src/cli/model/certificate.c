@@ -70,6 +70,9 @@ void cli_certificate_comments(struct hawser__table *table, const struct cli_frf_
 	double per_omega = cli_per_omega(result->model), per_length = cli_per_length(result->model);
 	char text[80], size[80];
 
+	if (of && of->own.count == 0 && of->own.foreseen > bearable)
+		hawser__table_comment(table, "folds and peaks are not corrected in the mesh, which would take about "
+		                      "%.0f s: --certificate yes", of->own.foreseen);
 	if (!of || of->own.count == 0)
 		return;
 	hawser__table_comment(table, "corrected in the mesh (%d unknowns, %d harmonics) and one of half as "

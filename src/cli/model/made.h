@@ -12,6 +12,7 @@
 struct cli_made_modes {
 	struct hawser_modes modes;       /* n, mode and time_unit */
 	struct hawser_line_modes lines;  /* of a ropeway, to which `mode` belongs then */
+	int alone;                       /* of a net: as in struct hawser_net_rom_options */
 };
 void cli_made_modes_clear(struct cli_made_modes *modes);
 
@@ -47,6 +48,8 @@ void cli_made_free(struct cli_made *made);
 enum hawser_status cli_made_keep(int *kept, int *count, int *n, const char *list,
                                  const struct cli_maker *by,
                                  struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Says on standard error that a net's model is of one mesh. */
+void cli_made_warn(const struct cli_model *model);
 /* Comments on a choice, and where a range ends. */
 void cli_made_chosen(struct hawser__table *table, const struct cli_model *model);
 /* Whether a harmonic acts on coordinate j by more than round-off. */

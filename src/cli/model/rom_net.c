@@ -24,7 +24,7 @@ static enum hawser_status build(struct hawser_rom *rom, struct cli_made_modes *m
 {
 	const struct cli_rom_net *of = (const struct cli_rom_net *)made;
 	const struct hawser_net_rom_options options = {.n = n, .kept = kept, .count = count,
-	                                               .condensed = candidates};
+	                                               .condensed = candidates, .alone = &modes->alone};
 
 	return hawser_net_rom_build(rom, &modes->modes, &of->net, &options, report);
 }

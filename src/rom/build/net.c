@@ -103,13 +103,13 @@ static enum hawser_status allocate(struct hawser__net_source *source, struct haw
 	return source->hold.short_of_memory ? hawser__no_memory(report, "net rom") : HAWSER_OK;
 }
 
-/* As many modes as `fine` has looked at, and the coordinates and units of that. */
+/* As many modes as `fine` has looked at, if there are, and the coordinates and units of that. */
 static enum hawser_status find_like(struct hawser__net_source *source, int *aligned,
                                     const struct hawser__net_source *fine,
                                     struct hawser_report *report)
 {
 	enum hawser_status status = hawser__net_modal_open(&source->modal, source->net,
-	                                                   fine->modal.modes.n, HAWSER__NET_SPACE, report);
+	                                                   -fine->modal.modes.n, HAWSER__NET_SPACE, report);
 
 	if (status)
 		return status;
@@ -350,7 +350,9 @@ static enum hawser_status extrapolate(struct hawser_rom *rom, const struct hawse
 	if (!status && aligned)
 		status = complete(&coarse, &source, &answers, report);
 	if (!status && aligned)
-		status = hawser__net_mix(rom, &coarse, report);
+		status = hawser__net_mix(rom, &aligned, &coarse, report);
+	if (o->alone)
+		*o->alone = !status && !aligned;
 	hawser_rom_clear(&coarse);
 	hawser__answers_clear(&answers);
 	hawser__net_source_clear(&source);

@@ -106,8 +106,8 @@ enum hawser_status hawser__net_align(int *aligned, struct hawser__net_source *co
                                      const struct hawser__net_source *fine,
                                      struct hawser_report *report) HAWSER_MUST_CHECK;
 /* The model of the finer mesh becomes that without its error; where the loads of both matter
- * differently, it stays. */
-enum hawser_status hawser__net_mix(struct hawser_rom *to, const struct hawser_rom *from,
+ * differently, it stays, and *mixed is 0. */
+enum hawser_status hawser__net_mix(struct hawser_rom *to, int *mixed, const struct hawser_rom *from,
                                    struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* u and slope at a place of a row of unknowns. net_place.c. */

@@ -33,7 +33,7 @@ static const double speed = 4e9;   /* operations per second with blocks, on a co
 static const double chain = 12.7*33.0*33.0*33.0; /* of an inner node of a cable, with LEAST harmonics */
 static const double factors = 5.0; /* matrices of the mesh for a landmark, those of the other meshes and
                                     * what is solved with them included */
-static const double left = 0.1;    /* of the difference of two meshes, what is of higher order; chosen */
+static const double left = 0.2;   /* of the difference of two meshes, what is of higher order; chosen */
 static const double far_omega = 0.03; /* relative: another landmark; chosen */
 static const double far_size = 0.35;
 
