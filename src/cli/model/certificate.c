@@ -71,8 +71,8 @@ void cli_certificate_comments(struct hawser__table *table, const struct cli_frf_
 	char text[80], size[80];
 
 	if (of && of->own.count == 0 && of->own.foreseen > bearable)
-		hawser__table_comment(table, "folds and peaks are not corrected in the mesh, which would take about "
-		                      "%.0f s: --certificate yes", of->own.foreseen);
+		hawser__table_comment(table, "folds and peaks are not corrected in the mesh, which would take "
+		                      "about %.0f s: --certificate yes", of->own.foreseen);
 	if (!of || of->own.count == 0)
 		return;
 	hawser__table_comment(table, "corrected in the mesh (%d unknowns, %d harmonics) and one of half as "

@@ -33,7 +33,8 @@ static const double speed = 4e9;   /* operations per second with blocks, on a co
 static const double chain = 12.7*33.0*33.0*33.0; /* of an inner node of a cable, with LEAST harmonics */
 static const double factors = 5.0; /* matrices of the mesh for a landmark, those of the other meshes and
                                     * what is solved with them included */
-static const double left = 0.2;   /* of the difference of two meshes, what is of higher order; chosen */
+static const double left = 0.5;   /* of the difference of two meshes, what is of higher order, with 8
+                                   * elements a cable: it falls by their square; chosen */
 static const double far_omega = 0.03; /* relative: another landmark; chosen */
 static const double far_size = 0.35;
 
@@ -46,6 +47,7 @@ struct work {
 	double *row, *series;          /* [PHASES][unknowns], [unknowns][WIDTH] m */
 	double *start[3];              /* [size of first] */
 	double *u;                     /* [PHASES][n] */
+	double left;                   /* of the difference of the meshes */
 	double worst;                  /* largest part of the last harmonics in a motion of `second`: */
 	struct hawser_certified at;    /* its landmark, */
 	double *worst_y, *worst_along, worst_bend; /* motion and tangent */
@@ -239,7 +241,8 @@ static enum hawser_status extrapolate(struct work *w, struct hawser_certified *i
 		item->exact_omega = NAN;
 		return status;
 	}
-	w->to->lengths = fmax(w->to->lengths, left*distance_of(own.exact_omega, own.exact_size, item));
+	w->to->lengths = fmax(w->to->lengths,
+	                      w->left*distance_of(own.exact_omega, own.exact_size, item));
 	item->exact_omega = (4.0*item->exact_omega - own.exact_omega)/3.0;
 	item->exact_size = (4.0*item->exact_size - own.exact_size)/3.0;
 	part = hawser__finite_last(&w->second);
@@ -346,6 +349,22 @@ static enum hawser_status reopen(struct work *w, struct hawser_report *report)
 	return !status && w->ordered.short_of_memory ? hawser__no_memory(report, "certificate") : status;
 }
 
+/* By the number of elements of a cable, the mean by their lengths. */
+static double left_of(const struct hawser__mesh *mesh)
+{
+	double all = 0.0, sum = 0.0;
+
+	for (int c = 0; c < mesh->cables; c++) {
+		int count = mesh->first[c + 1] - mesh->first[c];
+
+		if (count > 1) {
+			all += count*mesh->length0[mesh->first[c]];
+			sum += count*count*mesh->length0[mesh->first[c]];
+		}
+	}
+	return sum > 0.0 ? left*pow(8.0*all/sum, 2) : 0.0;
+}
+
 static enum hawser_status open_meshes(struct work *w, struct hawser_report *report)
 {
 	struct hawser__nodal pattern;
@@ -355,6 +374,7 @@ static enum hawser_status open_meshes(struct work *w, struct hawser_report *repo
 	w->to->unknowns = mesh->unknowns;
 	w->to->foreseen = factors*w->to->count*hawser__nodal_work(&pattern, 3*(2*w->to->order + 1))/speed;
 	hawser__nodal_clear(&pattern);
+	w->left = left_of(mesh);
 	return status ? status : reopen(w, report);
 }
 
