@@ -24,6 +24,7 @@ import tempfile
 
 PARTS = 24  # elements of a cable: as many as models have by default
 LIMIT = 60  # s a response
+SAME = 5e-4  # Omega of a fold or peak in both meshes; farther apart they are two
 
 
 class Net:
@@ -178,7 +179,7 @@ def truth(first, second):
                 if own["Omega_mesh"] and other["Omega_mesh"] and
                 all(own.get(k) == other.get(k) for k in ("kind", "probe", "component"))]
         other = min(same, key=lambda x: abs(x["Omega_mesh"] - own["Omega_mesh"]), default=None)
-        if not other or abs(own["Omega_mesh"]/other["Omega_mesh"] - 1.0) > 2e-3:
+        if not other or abs(own["Omega_mesh"]/other["Omega_mesh"] - 1.0) > SAME:
             continue
         off = abs(other["Omega_mesh"]/own["Omega"] - 1.0)
         if own["kind"] == "peak":

@@ -17,7 +17,6 @@ enum hawser_status cli_certify(struct cli_frf_result *result, struct hawser_repo
 	const struct cli_made *made = result->model->made;
 	struct cli_certificate *certificate = result->certificate;
 	struct cli_model_error *error = &result->error;
-	double stated;
 	enum hawser_status status;
 
 	if (!certificate || !made || !made->by->certify || !result->located ||
@@ -30,11 +29,11 @@ enum hawser_status cli_certify(struct cli_frf_result *result, struct hawser_repo
 		certificate->own.seconds = NAN;
 	if (status || !isfinite(certificate->own.distance))
 		return status;
-	stated = certificate->own.distance + certificate->own.harmonics + certificate->own.lengths;
 	error->corrected = 1;
 	error->before = error->fixed.estimated;
-	error->fixed.estimated = fmin(certificate->own.refused > 0 ? fmax(error->before, stated) : stated,
-	                              1.0);
+	error->fixed.estimated = fmin(certificate->own.error, 1.0);
+	if (certificate->own.refused > 0)
+		error->fixed.estimated = fmax(error->before, error->fixed.estimated);
 	return HAWSER_OK;
 }
 
@@ -76,15 +75,16 @@ void cli_certificate_comments(struct hawser__table *table, const struct cli_frf_
 	if (!of || of->own.count == 0)
 		return;
 	hawser__table_comment(table, "corrected in the mesh (%d unknowns, %d harmonics) and one of half as "
-	                      "many: %d of %d folds and peaks, off by up to %.1e; by more harmonics up to "
-	                      "%.1e, by shorter elements %.1e", of->own.unknowns, of->own.order,
+	                      "many: %d of %d folds and peaks, off by up to %.1e; more harmonics move them "
+	                      "by up to %.1e, shorter elements by %.1e", of->own.unknowns, of->own.order,
 	                      of->own.count - of->own.refused, of->own.count + of->own.omitted,
 	                      of->own.distance, of->own.harmonics, of->own.lengths);
 	for (int k = 0; k < of->own.count; k++) {
 		const struct hawser_certified *item = &of->own.item[k];
 
-		snprintf(size, sizeof size, item->kind == HAWSER_LANDMARK_PEAK ? ", amplitude %.9g m" : "",
-		         item->exact_size*per_length);
+		*size = '\0';
+		if (item->kind == HAWSER_LANDMARK_PEAK)
+			snprintf(size, sizeof size, ", amplitude %.9g m", item->exact_size*per_length);
 		if (isfinite(item->distance))
 			hawser__table_comment(table, "mesh: %s at Omega = %.12g rad/s%s, off by %.1e; least "
 			                      "tension %.6g N, in cable %s", called(text, sizeof text, of, k),

@@ -179,7 +179,8 @@ void cli_fixed_comments(struct hawser__table *table, const struct cli_model_erro
 	hawser__table_comment(table, "%s%s: %s%.2g of %s, to first order "
 	                      "(modes left out: %.1e, of %d looked at; their effect on the kept: %.1e; "
 	                      "others: %.1e; beyond modes: %.1e)",
-	                      branch, error->corrected ? "it was estimated before" : "error of the model",
+	                      branch,
+	                      error->corrected ? "error by what it leaves out" : "error of the model",
 	                      first < 1.0 ? "" : "more than ", first, error->about, fixed->rest,
 	                      fixed->looked_at, fixed->followed, fixed->beyond, fixed->truncation);
 	if (fixed->omissions > 0)

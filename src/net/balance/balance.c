@@ -91,6 +91,8 @@ static enum hawser_status make_room(struct hawser__mesh_balance *balance, struct
 	balance->faster = hawser__hold(hold, nodes*rows, one);
 	balance->force = hawser__hold(hold, elements*rows, one);
 	balance->series = hawser__hold(hold, elements*width, one);
+	balance->weighted = hawser__hold(hold, HAWSER__MESH_PARTS*width*rows, one);
+	balance->G = hawser__hold(hold, HAWSER__MESH_PARTS*width*width, one);
 	balance->sweep = hawser__hold(hold, balance->size, one);
 	balance->spare = hawser__hold(hold, balance->size, one);
 	balance->work = hawser__hold(hold, balance->size, one);

@@ -5,6 +5,8 @@
 
 #include "net/balance/nodal.h"
 
+enum { HAWSER__MESH_PARTS = 9 }; /* PARTS: entries of a 3 by 3 matrix */
+
 /* A motion y [size]: of each row of `blocks` three components, of each component mean, cosine, sine of
  * the multiples of Omega from the lowest on, m; then Omega, rad/s. */
 struct hawser__mesh_balance {
@@ -25,6 +27,8 @@ struct hawser__mesh_balance {
 	double *moved, *faster; /* those of the change */
 	double *force, *series; /* [elements][3][rows], [elements][3][width] N */
 	double *out;          /* [nodes][3][width] N, what is not in balance */
+	double *weighted;     /* [rows][PARTS][width] of an element: project times dF/dd, or dF/dd'; */
+	double *G;            /* [width][PARTS][width] by functions of d, then projections */
 	double *sweep;        /* [size] F^-1 dR/dOmega of the factors F that there are, and -1 */
 	double *spare, *work; /* [size] */
 	double Omega;         /* rad/s, of x */

@@ -9,18 +9,11 @@
 
 #include <cblas.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "net/balance/balance.h"
 
-enum { PARTS = 9 };
-
-/* What is done for one element after the other. */
-struct element {
-	double *weighted; /* [rows][PARTS][width] project times an entry of B or C */
-	double *G;        /* [width][PARTS][width] of basis functions, then projections */
-};
+enum { PARTS = HAWSER__MESH_PARTS };
 
 /* +- G into the block of two ends. */
 static void put(struct hawser__mesh_balance *balance, int e, int to, int from, const double *G)
@@ -41,7 +34,7 @@ static void put(struct hawser__mesh_balance *balance, int e, int to, int from, c
 }
 
 /* Project the entries of B, or of C. */
-static void weigh(struct element *own, const struct hawser__mesh_balance *balance, int e, int rates)
+static void weigh(struct hawser__mesh_balance *balance, int e, int rates)
 {
 	int width = balance->width;
 
@@ -56,23 +49,23 @@ static void weigh(struct element *own, const struct hawser__mesh_balance *balanc
 			        : (s.stiff - s.T/s.l)*pair + s.viscous*s.e[p/3]*s.aside[p%3] +
 			          (p/3 == p%3 ? s.T/s.l : 0.0);
 			for (int a = 0; a < width; a++)
-				own->weighted[(t*PARTS + p)*width + a] = value*balance->project[t*width + a];
+				balance->weighted[(t*PARTS + p)*width + a] = value*balance->project[t*width + a];
 		}
 	}
 }
 
-static void add_element(struct hawser__mesh_balance *balance, int e, struct element *own)
+static void add_element(struct hawser__mesh_balance *balance, int e)
 {
 	int width = balance->width;
 
 	for (int rates = 0; rates < (balance->mesh->axial[e] > 0.0 ? 2 : 1); rates++) {
-		weigh(own, balance, e, rates);
+		weigh(balance, e, rates);
 		cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, width, PARTS*width, balance->rows, 1.0,
-		            rates ? balance->rate : balance->basis, balance->rows, own->weighted, PARTS*width,
-		            rates, own->G, PARTS*width);
+		            rates ? balance->rate : balance->basis, balance->rows, balance->weighted,
+		            PARTS*width, rates, balance->G, PARTS*width);
 	}
 	for (int i = 0; i < 4; i++)
-		put(balance, e, i/2, i%2, own->G);
+		put(balance, e, i/2, i%2, balance->G);
 }
 
 /* Inertia and damping between two nodes, kg and kg/s. */
@@ -114,18 +107,14 @@ static void hold_rest(struct hawser__mesh_balance *balance)
 int hawser__mesh_balance_factor(struct hawser__mesh_balance *balance, const double *y)
 {
 	const struct hawser__mesh *mesh = balance->mesh;
-	size_t width = (size_t)balance->width;
-	struct element own = {.weighted = hawser__numbers(PARTS*width, (size_t)balance->rows),
-	                      .G = hawser__numbers(PARTS*width, width)};
 
-	balance->factored = 0;
 	hawser__mesh_balance_residual(balance, balance->work, y);
 	hawser__nodal_zero(&balance->blocks);
-	for (int e = 0; e < mesh->elements && own.weighted && own.G; e++) {
+	for (int e = 0; e < mesh->elements; e++) {
 		double mass = mesh->rho[e]*mesh->length0[e];
 		double damping = balance->mass_rate*mass + mesh->alpha*mesh->length0[e];
 
-		add_element(balance, e, &own);
+		add_element(balance, e);
 		for (int i = 0; i < 4; i++) {
 			double share = i/2 == i%2 ? 5.0/12.0 : 1.0/12.0;
 
@@ -136,10 +125,7 @@ int hawser__mesh_balance_factor(struct hawser__mesh_balance *balance, const doub
 		if (mesh->mass[i] > 0.0)
 			add_mass(balance, i, i, mesh->mass[i], balance->mass_rate*mesh->mass[i]);
 	hold_rest(balance);
-	if (own.weighted && own.G)
-		balance->factored = hawser__nodal_factor(&balance->blocks);
-	free(own.weighted);
-	free(own.G);
+	balance->factored = hawser__nodal_factor(&balance->blocks);
 	if (!balance->factored)
 		return 0;
 	memset(balance->spare, 0, balance->size*sizeof *balance->spare);
