@@ -6,6 +6,7 @@ pkginclude_HEADERS = \
 	%D%/hawser/normal_form.h \
 	%D%/hawser/basin.h \
 	%D%/hawser/campbell.h \
+	%D%/hawser/certificate.h \
 	%D%/hawser/damped.h \
 	%D%/hawser/document.h \
 	%D%/hawser/drag.h \

@@ -2,6 +2,7 @@
 test_programs += tests/net
 tests_net_SOURCES = tests/cases.c \
 	tests/extremes/test-net-motion-extremes.c \
+	tests/property/test-net-balance.c \
 	tests/property/test-net-catenary.c \
 	tests/property/test-net-cvode.c \
 	tests/property/test-net-damping.c \

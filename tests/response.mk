@@ -82,6 +82,6 @@ EXTRA_DIST += tests/reference/absorber.json tests/reference/frf-cases.txt tests/
 	tests/reference/springs-nlvib-06-f3e-3.json tests/reference/pair-quintic.json tests/reference/one-to-three.json tests/reference/two-masses-nes.json tests/reference/beam-1to3.json tests/reference/torus-as-doubling.json
 noinst_HEADERS += tests/integrate-models.h
 noinst_HEADERS += tests/extremes/taylor.h tests/extremes/reflect.h
-EXTRA_DIST += tests/reference/net-rom-cells.yaml tests/reference/net-rom-float.yaml tests/reference/net-rom-moved.yaml \
+EXTRA_DIST += tests/reference/net-rom-carriers.yaml tests/reference/net-rom-cells.yaml tests/reference/net-rom-float.yaml tests/reference/net-rom-moved.yaml \
 	tests/reference/net-rom-span.yaml tests/reference/net-rom-spans.yaml tests/reference/net-rom-stays.yaml \
 	tests/reference/net-rom-strings.yaml

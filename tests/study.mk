@@ -25,6 +25,7 @@ tests_study_SOURCES = tests/cases.c \
 	tests/property/test-study.c \
 	tests/property/test-tongues.c \
 	tests/reference/test-accuracy.c \
+	tests/reference/test-certificate.c \
 	tests/reference/test-hill.c \
 	tests/reference/test-map-mathieu.c \
 	tests/reference/test-span-motion.c \

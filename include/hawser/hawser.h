@@ -65,6 +65,7 @@
 #include <hawser/primary.h>
 #include <hawser/plan.h>
 #include <hawser/accuracy.h>
+#include <hawser/certificate.h>
 #include <hawser/map.h>
 #include <hawser/hill.h>
 #include <hawser/identify.h>

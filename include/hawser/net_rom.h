@@ -33,6 +33,8 @@ struct hawser_net_rom_options {
 	int bare;           /* 1: the same, and the static response to the load of the modes that are not
 	                     * kept changes the stiffness alone, without a field of the energy: for
 	                     * comparison */
+	int *alone;         /* [1] or NULL: becomes 1 where the model is of one mesh though `raw` is 0,
+	                     * else 0 */
 };
 
 /* A model, and in *modes n, mode and time_unit of its coordinates. The frequency Omega of the model is

@@ -14,6 +14,8 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/backbone/backbone.c \
 	%D%/backbone/backbone.h \
 	%D%/model/basis.c \
+	%D%/model/certificate.c \
+	%D%/model/certificate.h \
 	%D%/model/choice.c \
 	%D%/modes/campbell_draw.c \
 	%D%/modes/campbell_result.c \

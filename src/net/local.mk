@@ -1,5 +1,11 @@
 noinst_LTLIBRARIES += %D%/libnet.la
 %C%_libnet_la_SOURCES = \
+	%D%/balance/balance.c \
+	%D%/balance/balance.h \
+	%D%/balance/balance_jacobian.c \
+	%D%/balance/balance_newton.c \
+	%D%/balance/nodal.c \
+	%D%/balance/nodal.h \
 	%D%/statics/catenary.c \
 	%D%/statics/catenary.h \
 	%D%/statics/cone.c \

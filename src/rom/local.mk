@@ -103,6 +103,7 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/build/net_fill.c \
 	%D%/build/net_finer.c \
 	%D%/build/net_inertia.c \
+	%D%/build/net_lift.c \
 	%D%/build/net_load.c \
 	%D%/build/net_place.c \
 	%D%/file/open.c \

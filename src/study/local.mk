@@ -1,5 +1,10 @@
 noinst_LTLIBRARIES += %D%/libstudy.la
 %C%_libstudy_la_SOURCES = \
+	%D%/accuracy/certificate.c \
+	%D%/accuracy/certificate.h \
+	%D%/accuracy/certificate_mesh.c \
+	%D%/accuracy/certify.c \
+	%D%/accuracy/certify.h \
 	%D%/accuracy/chosen.c \
 	%D%/accuracy/chosen.h \
 	%D%/accuracy/closed.c \

@@ -11,6 +11,7 @@
 #include <hawser/beam.h>
 #include <hawser/beam_motion.h>
 #include <hawser/campbell.h>
+#include <hawser/certificate.h>
 #include <hawser/choose.h>
 #include <hawser/damped.h>
 #include <hawser/decay.h>
@@ -77,6 +78,8 @@ static const struct row {
 	ROW(hawser_accuracy_motion),
 	ROW(hawser_accuracy_options),
 	ROW(hawser_accuracy_try),
+	ROW(hawser_certificate),
+	ROW(hawser_certified),
 	ROW(hawser_answer),
 	ROW(hawser_attached),
 	ROW(hawser_contact),

@@ -16,7 +16,7 @@ BEGIN {
 	of["rod"] = of["rod_motion"] = "rod"
 	of["tow"] = of["drag"] = of["trajectory"] = "tow"
 	of["rom"] = of["rom_source"] = of["law"] = of["line_rom"] = of["net_rom"] = of["plugin"] = of["choose"] = "rom"; of["integrate"] = of["orbit"] = of["family"] = of["frf"] = of["cover"] = of["branches"] = of["backbone"] = of["nnm"] = of["normal_form"] = of["scales"] = of["folds"] = of["locus"] = of["linear"] = of["lyapunov"] = of["torus"] = of["beam_motion"] = "response"; of["hawser"] = "output"
-	of["study"] = of["span_motion"] = of["scene_family"] = of["plan"] = of["accuracy"] = of["map"] = of["basin"] = of["primary"] = of["hill"] = of["decay"] = of["identify"] = of["sizes"] = "study"
+	of["study"] = of["span_motion"] = of["scene_family"] = of["plan"] = of["accuracy"] = of["certificate"] = of["map"] = of["basin"] = of["primary"] = of["hill"] = of["decay"] = of["identify"] = of["sizes"] = "study"
 }
 function included(line) {
 	if (match(line, /<hawser\/[a-z_]+\.h>/) || match(line, /"hawser\/[a-z_]+\.h"/)) {

@@ -30,14 +30,14 @@ enum { LISTED = 10 }; /* peaks on a terminal: they fit on it; chosen */
 struct settings {
 	struct cli_common common;
 	const char *from, *to, *at, *sweep, *start, *resume, *scale, *method, *slack, *beside;
-	const char *over, *omega, *label, *switched;
+	const char *over, *omega, *label, *switched, *certificate;
 	double tolerance, step;
 	int n, points, segments, unstable, sweep_points, multipliers, partial, backbone, energy, tori;
 	int peaks;
 	int branches, period, label_every;
 };
 static const struct settings defaults = {
-	.scale = "auto", .slack = "end",
+	.scale = "auto", .slack = "end", .certificate = "auto",
 	.sweep_points = 200, .label_every = 10,
 };
 
@@ -78,6 +78,8 @@ static const struct cli_option options[] = {
 	 .needs = "backbone"},
 	CLI_HEADING("Model, steps and ends"),
 	CLI_LIBRARY_OPTION,
+	{"certificate", 0, "WHICH", "nets: correct folds and peaks in the mesh: auto (if it takes some "
+	 "seconds), yes or no (auto)", CLI_TEXT_FOR(certificate, CLI_NET), .words = "auto|yes|no"},
 	CLI_STEP_OPTION,
 	CLI_POINTS_OPTION("end after this many points (20000)"),
 	{"segments", 0, "N", "shooting segments (as many as needed)", CLI_INTEGER(segments)},
@@ -305,8 +307,7 @@ static enum hawser_status trace(struct hawser_frf *frf, struct hawser_landmark *
 
 /* The backbone up to 1.2 times the largest amplitude of that mode in the response. */
 static enum hawser_status backbone(struct cli_backbone *to, const struct settings *settings,
-                                   const struct cli_frf_result *result,
-                                   struct hawser_report *report)
+                                   struct cli_frf_result *result, struct hawser_report *report)
 {
 	const struct hawser_frf *frf = result->frf;
 	int mode = settings->backbone - 1;
@@ -318,6 +319,7 @@ static enum hawser_status backbone(struct cli_backbone *to, const struct setting
 		                    settings->backbone, frf->n);
 	for (int i = 0; i < frf->points; i++)
 		most = fmax(most, frf->coordinate[(size_t)i*(size_t)frf->n + (size_t)mode]);
+	result->backbone = to;
 	return cli_backbone_trace(to, result->model, mode, most > 0.0 ? 1.2*most : 1e-3, result->from,
 	                          result->to, settings->common.quiet, report);
 }
@@ -360,22 +362,6 @@ static enum hawser_status write_result(struct cli_frf_result *result, struct cli
 	return status;
 }
 
-/* The models of a scene over one of its keys have no coordinates for the inertia of condensed modes. */
-static enum hawser_status load(struct cli_model *model, const struct settings *settings,
-                               struct hawser_report *report)
-{
-	struct cli_common common = settings->common;
-	enum hawser_status status = cli_model_load(model, &common, settings->n, report);
-
-	if (status || !settings->over || !cli_over_needs_scene(settings->over) ||
-	    model->made || model->rom.inertia.shapes == 0 || common.sets == CLI_SETS)
-		return status;
-	common.set[common.sets++] = "model.inertia=none";
-	cli_model_clear(model);
-	*model = (struct cli_model){.has_scene = 0};
-	return cli_model_load(model, &common, settings->n, report);
-}
-
 /* With --over, the curve has the label's frequency, and its modes at the label are the label's. */
 static enum hawser_status open_label(struct cli_label *label, struct cli_over *over,
                                      const struct settings *settings, const struct cli_model *model,
@@ -415,15 +401,16 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	struct cli_overlay overlay[CLI_OVERLAYS];
 	struct cli_over over = {.at = NAN};
 	struct cli_label label = {.period = 1};
+	struct cli_certificate certificate = {.how = settings->certificate};
 	struct cli_frf_result result = {.common = &settings->common, .model = &model, .frf = &frf,
 	                                .sweep = list, .multipliers = settings->multipliers,
 	                                .scale = settings->scale, .overlay = overlay,
-	                                .label_every = settings->label_every,
-	                                .allowed = CLI_BEARABLE};
+	                                .certificate = &certificate, .allowed = CLI_BEARABLE,
+	                                .label_every = settings->label_every};
 	enum hawser_status status = check(settings, report), written = HAWSER_OK;
 
 	if (!status)
-		status = load(&model, settings, report);
+		status = cli_over_load(&model, &settings->common, settings->n, settings->over, report);
 	if (!status)
 		status = cli_exact_as(&model, settings->label ? settings->label
 		                      : cli_switch_elsewhere(settings->switched) ? settings->switched
@@ -461,7 +448,6 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		status = cli_tori_trace(&tori, &result, strcmp(settings->slack, "end") == 0, report);
 	if (!status && settings->backbone && !cli_interrupted()) {
 		status = backbone(&free_motions, settings, &result, report);
-		result.backbone = &free_motions;
 		result.overlays = status ? 0 : cli_backbone_overlays(overlay, &free_motions);
 	}
 	if (beside.root && frf.points > 0 && (!status || settings->partial)) {

@@ -11,6 +11,7 @@
 #include "cli/curves/frf_over.h"
 #include "cli/curves/frf_tori.h"
 #include "cli/frame/view.h"
+#include "cli/model/certificate.h"
 #include "cli/backbone/mms_result.h"
 
 /* Options of a result. */
@@ -338,6 +339,15 @@ static const struct hawser__field stats_field[] = {
 	THROUGH(frf, cost_field),
 	HAWSER__END,
 };
+
+static int is_certified(const void *row, const void *parent)
+{
+	const struct cli_certificate *certificate = ((const struct cli_frf_result *)row)->certificate;
+
+	(void)parent;
+	return certificate && certificate->own.count > 0;
+}
+
 static const struct hawser__field result_field[] = {
 	THROUGH(scales, cli_modulation_field),
 	THROUGH(model, cli_si_field),
@@ -349,6 +359,9 @@ static const struct hawser__field result_field[] = {
 	THROUGH(model, cli_naturals_field),
 	THROUGH(model, cli_choice_field),
 	{"", NULL, "", HAWSER__PART_OF(struct cli_frf_result, error, cli_fixed_field)},
+	{"certified", NULL, "of nets: folds and peaks corrected in the mesh",
+	 HAWSER__THROUGH(struct cli_frf_result, certificate, cli_certificate_field),
+	 .given = is_certified},
 	THROUGH(frf, curve_field),
 	{"sheaves", NULL, "of ropeways: names of the sheaves of contact.sheave",
 	 HAWSER__CALLS(cli_frf_sheaves_json), .when = CONTACT},

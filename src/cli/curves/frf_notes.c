@@ -9,6 +9,7 @@
 
 #include "cli/model/exact.h"
 #include "cli/model/fixed.h"
+#include "cli/model/made.h"
 #include "cli/curves/frf_cover.h"
 #include "cli/curves/frf_lift.h"
 #include "cli/curves/frf_over.h"
@@ -235,6 +236,7 @@ char *cli_frf_warnings(struct cli_model *model, const struct cli_frf_result *res
 	int note;
 
 	cli_basis_warn(result->model);
+	cli_made_warn(result->model);
 	cli_known_warn(result->model, fmax(result->from, result->to));
 	cli_fixed_warn_worst(result);
 	cli_exact_warn(result->model);

@@ -90,3 +90,18 @@ void cli_over_clear(struct cli_over *over)
 	free(over->axis.copy);
 	*over = (struct cli_over){.open = 0};
 }
+
+enum hawser_status cli_over_load(struct cli_model *model, const struct cli_common *from, int n,
+                                 const char *over, struct hawser_report *report)
+{
+	struct cli_common common = *from;
+	enum hawser_status status = cli_model_load(model, &common, n, report);
+
+	if (status || !over || !cli_over_needs_scene(over) || model->made ||
+	    model->rom.inertia.shapes == 0 || common.sets == CLI_SETS)
+		return status;
+	common.set[common.sets++] = "model.inertia=none";
+	cli_model_clear(model);
+	*model = (struct cli_model){.has_scene = 0};
+	return cli_model_load(model, &common, n, report);
+}

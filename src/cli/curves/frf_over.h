@@ -25,5 +25,9 @@ void cli_over_clear(struct cli_over *over);
 
 /* Whether the key of --over KEY=FROM:TO is one of a scene, not a factor of the model. */
 int cli_over_needs_scene(const char *text);
+/* cli_model_load for --over, or NULL: models of a scene over one of its keys have no coordinates for
+ * the inertia of condensed modes. */
+enum hawser_status cli_over_load(struct cli_model *model, const struct cli_common *common, int n,
+                                 const char *over, struct hawser_report *report) HAWSER_MUST_CHECK;
 
 #endif

@@ -13,6 +13,7 @@
 #include "cli/curves/frf_over.h"
 #include "cli/curves/frf_tori.h"
 #include "cli/frame/view.h"
+#include "cli/model/certificate.h"
 #include "cli/backbone/mms_result.h"
 #include "core/report.h"
 
@@ -146,6 +147,7 @@ void cli_frf_comments(struct hawser__table *table, const void *of)
 	cli_exact_comment(table, model);
 	cli_drag_comment(table, model, "at every instant, by shooting; no describing function");
 	cli_fixed_comments(table, &result->error, result->frf->branch);
+	cli_certificate_comments(table, result);
 	if (result->scales)
 		cli_mms_equations(table, result->scales);
 	for (k = 0; k < model->naturals; k++)

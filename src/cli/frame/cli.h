@@ -433,6 +433,7 @@ struct cli_frf_result {
 	double from, to; /* scaled */
 	const struct cli_over *over; /* frf --over: the parameter, or NULL */
 	struct cli_model_error error;
+	struct cli_certificate *certificate; /* model/certificate.h, or NULL */
 	int multipliers; /* in JSON too */
 	int direction;   /* direction of Omega at the last point: 1, -1; 0: no point */
 	const char *scale; /* "auto", "linear", "log" */

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "cli/frame/view.h"
+#include "cli/model/made.h"
 #include "core/report.h"
 
 struct settings {
@@ -328,6 +329,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (!status && model.has_scene && model.scene.damping.drag > 0.0)
 		cli_warn("damping.drag is no part of these entries: hawser integrate and hawser frf compute "
 		         "its force from the scene");
+	if (!status)
+		cli_made_warn(&model);
 	cli_model_clear(&model);
 	return status;
 }

@@ -73,7 +73,7 @@ static int has_most(const struct cli_model *model)
 	return of && of->modes.modes.mode[of->modes.modes.n - 1].place >= of->by->most;
 }
 
-enum hawser_status cli_fixed_estimate(struct cli_frf_result *result, struct hawser_report *report)
+static enum hawser_status estimate(struct cli_frf_result *result, struct hawser_report *report)
 {
 	const struct cli_model *model = result->model;
 	struct cli_model_error *error = &result->error;
@@ -102,6 +102,13 @@ enum hawser_status cli_fixed_estimate(struct cli_frf_result *result, struct haws
 	         : hawser_accuracy_fixed(&error->fixed, &model->rom, result->frf, model->modes.n,
 	                                 &model->statics, &model->scene, result->from, result->to, &why);
 	return conclude(error, status, &why, report);
+}
+
+enum hawser_status cli_fixed_estimate(struct cli_frf_result *result, struct hawser_report *report)
+{
+	enum hawser_status status = estimate(result, report);
+
+	return status ? status : cli_certify(result, report);
 }
 
 enum hawser_status cli_fixed_once(struct cli_model_error *error, const struct cli_model *model,
@@ -146,6 +153,7 @@ void cli_fixed_comments(struct hawser__table *table, const struct cli_model_erro
                         int number)
 {
 	const struct hawser_accuracy_fixed *fixed = &error->fixed;
+	double first = error->corrected ? error->before : fixed->estimated;
 	char branch[24] = "", text[240];
 
 	if (!error->stated)
@@ -157,18 +165,24 @@ void cli_fixed_comments(struct hawser__table *table, const struct cli_model_erro
 		                      error->unknown);
 		return;
 	}
+	if (error->corrected)
+		hawser__table_comment(table, "error of the model: %.2g of %s, corrected in the mesh",
+		                      fixed->estimated, error->about);
+	if (error->corrected && !isfinite(error->before))
+		return;
 	if (error->compared) {
 		hawser__table_comment(table, "error of the model: %s%.2g of %s, by comparison with a model "
 		                      "of %d coordinates", fixed->estimated < 1.0 ? "about " : "more than ",
 		                      fixed->estimated, error->about, fixed->looked_at);
 		return;
 	}
-	hawser__table_comment(table, "%serror of the model: %s%.2g of %s, to first order "
+	hawser__table_comment(table, "%s%s: %s%.2g of %s, to first order "
 	                      "(modes left out: %.1e, of %d looked at; their effect on the kept: %.1e; "
 	                      "others: %.1e; beyond modes: %.1e)",
-	                      branch, fixed->estimated < 1.0 ? "" : "more than ", fixed->estimated,
-	                      error->about, fixed->rest, fixed->looked_at, fixed->followed, fixed->beyond,
-	                      fixed->truncation);
+	                      branch,
+	                      error->corrected ? "error by what it leaves out" : "error of the model",
+	                      first < 1.0 ? "" : "more than ", first, error->about, fixed->rest,
+	                      fixed->looked_at, fixed->followed, fixed->beyond, fixed->truncation);
 	if (fixed->omissions > 0)
 		hawser__table_comment(table, "%sleft out, with the largest parts in it: %s", branch,
 		                      named(text, sizeof text, error));
@@ -203,7 +217,10 @@ static void warn(const struct cli_model_error *error, int number)
 		return;
 	if (number > 1)
 		snprintf(branch, sizeof branch, "branch %d: ", number);
-	if (error->compared)
+	if (error->corrected)
+		snprintf(text, sizeof text, "%s are off by %.0f %%, corrected in the mesh: %s", error->about,
+		         100.0*error->fixed.estimated, error->advice);
+	else if (error->compared)
 		snprintf(text, sizeof text, "%s%s may be off by %s%.0f %%: so far is the model of another "
 		         "size: a larger one (model.basis) may be closer", branch, error->about, more,
 		         100.0*error->fixed.estimated);
@@ -323,6 +340,12 @@ static int has_times(const void *row, const void *parent)
 	return is_known(row, parent) && ((const struct cli_model_error *)row)->timed;
 }
 
+static int is_corrected(const void *row, const void *parent)
+{
+	(void)parent;
+	return ((const struct cli_model_error *)row)->corrected;
+}
+
 static int is_at_risk(const void *row, const void *parent)
 {
 	return is_known(row, parent) && ((const struct cli_model_error *)row)->fixed.at_risk > 0;
@@ -348,6 +371,8 @@ const struct hawser__field cli_fixed_field[] = {
 	{"model_error.estimated", NULL,
 	 "error of folds and peaks, or of one motion, relative, 1 at most; null: not known",
 	 OF(fixed.estimated), .flags = HAWSER__NULL, .given = is_stated},
+	{"model_error.before", NULL, "the same to first order, where `estimated` is by correction in the "
+	 "mesh (certified)", OF(before), .flags = HAWSER__NULL, .given = is_corrected},
 	{"model_error.reason", NULL, "why it is not known", OF(unknown), .given = is_unknown},
 	{"model_error.left_out", NULL, "what modes that are not kept do beside following",
 	 HAWSER__BY(left_out), .given = is_weighed},

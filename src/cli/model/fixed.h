@@ -19,6 +19,8 @@ struct cli_model_error {
 	int timed;         /* 1: with the time that the estimate took */
 	const char *about, *advice; /* "folds and peaks"; what may be closer */
 	struct hawser_accuracy_fixed fixed; /* estimated: NAN if it is not known */
+	int corrected;     /* 1: `estimated` is by correction in the structure (certificate.h), and */
+	double before;     /* it was this by the parts of `fixed`; NAN: not known */
 	char unknown[640]; /* why: a report's message */
 };
 

@@ -51,6 +51,14 @@ enum hawser_status cli_made_keep(int *kept, int *count, int *n, const char *list
 	return HAWSER_OK;
 }
 
+void cli_made_warn(const struct cli_model *model)
+{
+	if (model->made && model->made->modes.alone)
+		cli_warn("the modes of the net's mesh and of one with half as many elements are not alike, and "
+		         "an error of second order in the length of the elements stays in the model: give "
+		         "cables more elements, or keep fewer modes (-n)");
+}
+
 int cli_made_loaded(const struct hawser_rom *rom, int j)
 {
 	double all = 0.0, own = 0.0;

@@ -6,11 +6,13 @@
 #include <hawser/line_rom.h>
 
 #include "cli/frame/cli.h"
+#include "cli/model/certificate.h"
 
 /* The modes that are coordinates of a model. */
 struct cli_made_modes {
 	struct hawser_modes modes;       /* n, mode and time_unit */
 	struct hawser_line_modes lines;  /* of a ropeway, to which `mode` belongs then */
+	int alone;                       /* of a net: as in struct hawser_net_rom_options */
 };
 void cli_made_modes_clear(struct cli_made_modes *modes);
 
@@ -28,6 +30,10 @@ struct cli_maker {
 	                            const struct cli_made *made, int n, const int *kept, int count,
 	                            struct hawser_report *report);
 	void (*comments)(struct hawser__table *table, const struct cli_model *model);
+	/* Correct folds and peaks of a result of such a model (certificate.h), also `cable`; or NULL. */
+	enum hawser_status (*certify)(struct cli_certificate *certificate,
+	                              const struct cli_frf_result *result, double bearable,
+	                              struct hawser_report *report);
 	void (*clear)(struct cli_made *made); /* without the modes */
 };
 
@@ -42,6 +48,8 @@ void cli_made_free(struct cli_made *made);
 enum hawser_status cli_made_keep(int *kept, int *count, int *n, const char *list,
                                  const struct cli_maker *by,
                                  struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Says on standard error that a net's model is of one mesh. */
+void cli_made_warn(const struct cli_model *model);
 /* Comments on a choice, and where a range ends. */
 void cli_made_chosen(struct hawser__table *table, const struct cli_model *model);
 /* The inertia of what follows, where it matters. */

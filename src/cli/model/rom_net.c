@@ -2,6 +2,7 @@
  * model files takes it. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 #include <hawser/net_rom.h>
@@ -13,6 +14,7 @@ struct cli_rom_net {
 	struct cli_made made;
 	struct hawser_net net;
 	int kept[HAWSER_NET_ROM_MODES]; /* --keep */
+	int n, count;                   /* --modes, or the last one that is kept; entries of kept */
 };
 
 /* candidates: of a choice, whose coordinates are modes alone. */
@@ -22,7 +24,7 @@ static enum hawser_status build(struct hawser_rom *rom, struct cli_made_modes *m
 {
 	const struct cli_rom_net *of = (const struct cli_rom_net *)made;
 	const struct hawser_net_rom_options options = {.n = n, .kept = kept, .count = count,
-	                                               .condensed = candidates};
+	                                               .condensed = candidates, .alone = &modes->alone};
 
 	return hawser_net_rom_build(rom, &modes->modes, &of->net, &options, report);
 }
@@ -39,7 +41,6 @@ static enum hawser_status load(struct cli_model *model, const struct cli_common 
 {
 	struct cli_rom_net *of = calloc(1, sizeof *of);
 	enum hawser_status status;
-	int count = 0;
 
 	if (!of)
 		return hawser__no_memory(report, "rom");
@@ -49,9 +50,36 @@ static enum hawser_status load(struct cli_model *model, const struct cli_common 
 	if (!status)
 		status = hawser_net_refine(&of->net, report);
 	if (!status && common->lane.keep)
-		status = cli_made_keep(of->kept, &count, &n, common->lane.keep, &cli_maker_net, report);
+		status = cli_made_keep(of->kept, &of->count, &n, common->lane.keep, &cli_maker_net, report);
+	of->n = n;
 	return status ? status : build(&model->rom, &of->made.modes, &of->made, n,
-	                               count ? of->kept : NULL, count, 0, report);
+	                               of->count ? of->kept : NULL, of->count, 0, report);
+}
+
+/* The options of the model that the result is of: those it was loaded with, or of a choice. */
+static enum hawser_status certify(struct cli_certificate *certificate,
+                                  const struct cli_frf_result *result, double bearable,
+                                  struct hawser_report *report)
+{
+	const struct cli_rom_net *of = (const struct cli_rom_net *)result->model->made;
+	const struct hawser_modes *modes = &of->made.modes.modes;
+	struct hawser_certificate *own = &certificate->own;
+	int kept[HAWSER_NET_ROM_MODES];
+	struct hawser_net_rom_options options = {.n = of->n, .count = of->count,
+	                                         .kept = of->count ? of->kept : NULL};
+	enum hawser_status status;
+
+	for (int k = 0; k < modes->n; k++)
+		kept[k] = modes->mode[k].place - 1;
+	if (of->made.chosen > 0)
+		options = (struct hawser_net_rom_options){.n = of->made.chosen, .kept = kept,
+		                                          .count = modes->n};
+	status = hawser_net_certify(own, &of->net, &options, &result->model->rom, result->frf, result->peak,
+	                            result->peaks, bearable, report);
+	for (int k = 0; k < own->count && !status; k++)
+		certificate->cable[k] = isfinite(own->item[k].tension) ? of->net.cable[own->item[k].cable].name
+		                                                       : NULL;
+	return status;
 }
 
 static void comments(struct hawser__table *table, const struct cli_model *model)
@@ -79,4 +107,4 @@ static void clear(struct cli_made *made)
 const struct cli_maker cli_maker_net = {
 	.called = "a net", .many = "nets", .most = HAWSER_NET_ROM_MODES, .clusters = 1,
 	.still = "a net, whose mesh moves by tables: hawser integrate, with supports.NAME.table",
-	.load = load, .again = again, .comments = comments, .clear = clear};
+	.load = load, .again = again, .comments = comments, .certify = certify, .clear = clear};

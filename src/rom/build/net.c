@@ -103,13 +103,13 @@ static enum hawser_status allocate(struct hawser__net_source *source, struct haw
 	return source->hold.short_of_memory ? hawser__no_memory(report, "net rom") : HAWSER_OK;
 }
 
-/* As many modes as `fine` has looked at, and the coordinates and units of that. */
+/* As many modes as `fine` has looked at, if there are, and the coordinates and units of that. */
 static enum hawser_status find_like(struct hawser__net_source *source, int *aligned,
                                     const struct hawser__net_source *fine,
                                     struct hawser_report *report)
 {
 	enum hawser_status status = hawser__net_modal_open(&source->modal, source->net,
-	                                                   fine->modal.modes.n, HAWSER__NET_SPACE, report);
+	                                                   -fine->modal.modes.n, HAWSER__NET_SPACE, report);
 
 	if (status)
 		return status;
@@ -245,14 +245,17 @@ static enum hawser_status answer(struct hawser__answers *answers, struct hawser_
 /* --- the expansion --- */
 
 /* find: look for second-order shapes. */
-static enum hawser_status expand(struct hawser__net_source *source, double *omega2,
+static enum hawser_status expand(struct hawser__net_source *source,
                                  const struct hawser__answers *answers, int find,
                                  struct hawser_report *report)
 {
 	struct hawser__nexpand *t = &source->t;
+	double *omega2 = hawser__hold(&source->hold, (size_t)source->n, sizeof *omega2);
 	int nodes = source->modal.mesh.nodes, at = source->n;
 	enum hawser_status status;
 
+	if (!omega2)
+		return hawser__no_memory(report, "net rom");
 	t->omega2 = omega2;
 	for (int j = 0; j < source->n; j++) {
 		omega2[j] = hawser__net_omega(source, j)*hawser__net_omega(source, j);
@@ -268,47 +271,62 @@ static enum hawser_status expand(struct hawser__net_source *source, double *omeg
 	status = hawser__nexpand_follow(t, report);
 	if (!status && find)
 		status = hawser__net_inertia_find(source, report);
-	if (!status)
-		status = hawser__net_inertia_make(source, report);
-	return status ? status : hawser__nexpand_pairs(t, report);
+	return status ? status : hawser__net_inertia_make(source, report);
 }
 
 /* --- the model --- */
 
-static void clear(struct hawser__net_source *source)
+void hawser__net_source_clear(struct hawser__net_source *source)
 {
 	hawser__nexpand_clear(&source->t);
 	hawser__net_modal_clear(&source->modal);
 	hawser__hold_clear(&source->hold);
 }
 
-/* The model of a mesh whose modes are found. find: with second-order shapes that matter; else with
- * those of `source`. */
-static enum hawser_status build(struct hawser_rom *rom, struct hawser__net_source *source,
-                                const struct hawser_net_rom_options *o, int find,
-                                struct hawser_report *report)
+/* What the model of a mesh whose modes are found is made of. find: with second-order shapes that
+ * matter; else with those of `source`. */
+static enum hawser_status prepare(struct hawser__net_source *source, struct hawser__answers *answers,
+                                  const struct hawser_net_rom_options *o, int find,
+                                  struct hawser_report *report)
 {
-	struct hawser__answers answers = {.count = 0};
-	double omega2[HAWSER_NET_ROM_MODES];
 	enum hawser_status status =
 		hawser__nexpand_open(&source->t, &source->modal, source->force*source->length, 0, 0,
 		                              report);
 	if (!status)
 		status = hawser__net_loads_of(source, report);
 	if (!status)
-		status = answer(&answers, source, report);
+		status = answer(answers, source, report);
 	if (o->bare)
-		answers.fields = answers.ends;
+		answers->fields = answers->ends;
 	hawser__nexpand_clear(&source->t);
 	if (!status)
 		status = hawser__nexpand_open(&source->t, &source->modal, source->force*source->length,
-		                              source->n + answers.fields, source->n, report);
+		                              source->n + answers->fields, source->n, report);
+	return status ? status : expand(source, answers, find, report);
+}
+
+static enum hawser_status complete(struct hawser_rom *rom, struct hawser__net_source *source,
+                                   const struct hawser__answers *answers, struct hawser_report *report)
+{
+	enum hawser_status status = hawser__nexpand_pairs(&source->t, report);
+
+	return status ? status : hawser__net_fill(rom, source, answers, report);
+}
+
+enum hawser_status hawser__net_source_open(struct hawser__net_source *source, struct hawser_net *fine,
+                                           struct hawser__answers *answers,
+                                           const struct hawser_net *net,
+                                           const struct hawser_net_rom_options *options,
+                                           struct hawser_report *report)
+{
+	enum hawser_status status = hawser__net_finer(fine, net, 0, report);
+
+	*source = (struct hawser__net_source){.net = fine};
+	*answers = (struct hawser__answers){.count = 0};
 	if (!status)
-		status = expand(source, omega2, &answers, find, report);
-	if (!status)
-		status = hawser__net_fill(rom, source, &answers, report);
-	hawser__answers_clear(&answers);
-	return status;
+		status = find_modes(source, options, report);
+	return status ? status : prepare(source, answers, options,
+	                                 !options->bare && !options->condensed, report);
 }
 
 /* Without the error of the length of elements. */
@@ -319,6 +337,7 @@ static enum hawser_status extrapolate(struct hawser_rom *rom, const struct hawse
 {
 	struct hawser_net half;
 	struct hawser__net_source source = {.net = &half};
+	struct hawser__answers answers = {.count = 0};
 	struct hawser_rom coarse = {.n = 0};
 	enum hawser_status status = hawser__net_finer(&half, net, 1, report);
 	int aligned = 0;
@@ -326,11 +345,16 @@ static enum hawser_status extrapolate(struct hawser_rom *rom, const struct hawse
 	if (!status)
 		status = find_like(&source, &aligned, fine, report);
 	if (!status && aligned)
-		status = build(&coarse, &source, o, 0, report);
+		status = prepare(&source, &answers, o, 0, report);
 	if (!status && aligned)
-		status = hawser__net_mix(rom, &coarse, report);
+		status = complete(&coarse, &source, &answers, report);
+	if (!status && aligned)
+		status = hawser__net_mix(rom, &aligned, &coarse, report);
+	if (o->alone)
+		*o->alone = !status && !aligned;
 	hawser_rom_clear(&coarse);
-	clear(&source);
+	hawser__answers_clear(&answers);
+	hawser__net_source_clear(&source);
 	free(half.cable);
 	return status;
 }
@@ -363,23 +387,23 @@ enum hawser_status hawser_net_rom_build(struct hawser_rom *rom, struct hawser_mo
 {
 	struct hawser_net fine = {.nodes = 0};
 	struct hawser__net_source source = {.net = &fine};
+	struct hawser__answers answers = {.count = 0};
 	enum hawser_status status = check(net, options, report);
 
 	memset(rom, 0, sizeof *rom);
 	memset(modes, 0, sizeof *modes);
 	if (!status)
-		status = hawser__net_finer(&fine, net, 0, report);
+		status = hawser__net_source_open(&source, &fine, &answers, net, options, report);
 	if (!status)
-		status = find_modes(&source, options, report);
-	if (!status)
-		status = build(rom, &source, options, !options->bare && !options->condensed, report);
+		status = complete(rom, &source, &answers, report);
 	if (!status && !options->raw)
 		status = extrapolate(rom, &source, net, options, report);
 	if (!status)
 		status = take_modes(modes, rom, &source, report);
 	if (!status)
 		status = hawser_rom_compile(rom, report);
-	clear(&source);
+	hawser__answers_clear(&answers);
+	hawser__net_source_clear(&source);
 	free(fine.cable);
 	if (status) {
 		hawser_rom_clear(rom);

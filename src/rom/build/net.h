@@ -54,7 +54,23 @@ enum hawser_status hawser__net_fill(struct hawser_rom *rom, struct hawser__net_s
                                     const struct hawser__answers *answers,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* net_load.c: waves and lifts of the scene. */
+/* net.c: what a model with these options is made of, but its tensors, and the mesh `fine`, whose cables
+ * are to be freed; the source must not be moved. Clear it and the answers, on failure too. */
+enum hawser_status hawser__net_source_open(struct hawser__net_source *source, struct hawser_net *fine,
+                                           struct hawser__answers *answers,
+                                           const struct hawser_net *net,
+                                           const struct hawser_net_rom_options *options,
+                                           struct hawser_report *report) HAWSER_MUST_CHECK;
+void hawser__net_source_clear(struct hawser__net_source *source);
+/* net_lift.c: displacements [rows][unknowns], m, at equidistant phases from 0 of a motion u [rows][n]
+ * of its model. */
+enum hawser_status hawser__net_lift(double *to, const struct hawser__net_source *source,
+                                    const struct hawser__answers *answers, const double *u, int rows,
+                                    struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* net_load.c: waves and lifts of the scene; and the multiples of waves and motions. */
+enum hawser_status hawser__net_multiples(struct hawser__mesh *mesh, const char *name,
+                                         struct hawser_report *report) HAWSER_MUST_CHECK;
 enum hawser_status hawser__net_loads_of(struct hawser__net_source *source,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
 /* x'M y of rows, and, of nodes' displacements x and a row y, x'D y of all damping but by ratio; kg
@@ -80,8 +96,8 @@ enum hawser_status hawser__net_align(int *aligned, struct hawser__net_source *co
                                      const struct hawser__net_source *fine,
                                      struct hawser_report *report) HAWSER_MUST_CHECK;
 /* The model of the finer mesh becomes that without its error; where the loads of both matter
- * differently, it stays. */
-enum hawser_status hawser__net_mix(struct hawser_rom *to, const struct hawser_rom *from,
+ * differently, it stays, and *mixed is 0. */
+enum hawser_status hawser__net_mix(struct hawser_rom *to, int *mixed, const struct hawser_rom *from,
                                    struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* u and slope at a place of a row of unknowns. net_place.c. */

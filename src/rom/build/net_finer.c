@@ -252,13 +252,13 @@ static void mix_places(struct hawser_rom *to, const struct hawser_rom *from)
 	mix(to->ends->second_line, from->ends->second_line, 3*moved*line);
 }
 
-enum hawser_status hawser__net_mix(struct hawser_rom *to, const struct hawser_rom *from,
+enum hawser_status hawser__net_mix(struct hawser_rom *to, int *mixed, const struct hawser_rom *from,
                                    struct hawser_report *report)
 {
 	size_t n = (size_t)to->n;
-	int good;
+	int good = *mixed = matches(to, from);
 
-	if (!matches(to, from))
+	if (!good)
 		return HAWSER_OK;
 	mix(to->K, from->K, n*n);
 	mix(to->D, from->D, n*n);

@@ -106,10 +106,9 @@ double hawser__net_damping(const struct hawser__net_source *source, const double
 /* --- multiples --- */
 
 /* Those of loads and motions whose frequencies are given. */
-static enum hawser_status count_multiples(struct hawser__net_source *source,
-                                          struct hawser_report *report)
+enum hawser_status hawser__net_multiples(struct hawser__mesh *mesh, const char *name,
+                                         struct hawser_report *report)
 {
-	struct hawser__mesh *mesh = &source->modal.mesh;
 	int all = mesh->waves + mesh->motions;
 	double base = INFINITY;
 
@@ -130,7 +129,7 @@ static enum hawser_status count_multiples(struct hawser__net_source *source,
 			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net rom", "%s: a harmonic of %.9g rad/s "
 			                    "is no multiple up to %d of the lowest one, %.9g rad/s, and the "
 			                    "response is periodic in that alone: give other frequencies, or "
-			                    "harmonic.multiple", source->net->name, wave->Omega, (int)SAME, base);
+			                    "harmonic.multiple", name, wave->Omega, (int)SAME, base);
 	}
 	return HAWSER_OK;
 }
@@ -231,7 +230,8 @@ static enum hawser_status take_motion(struct hawser__net_source *source, int k, 
 enum hawser_status hawser__net_loads_of(struct hawser__net_source *source,
                                         struct hawser_report *report)
 {
-	enum hawser_status status = count_multiples(source, report);
+	enum hawser_status status = hawser__net_multiples(&source->modal.mesh, source->net->name,
+	                                                  report);
 
 	source->wave = hawser__hold(&source->hold, 6*((size_t)SAME + 1), sizeof *source->wave);
 	source->lift = hawser__hold(&source->hold, 2*((size_t)SAME + 1), sizeof *source->lift);

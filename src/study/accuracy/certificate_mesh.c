@@ -1,0 +1,278 @@
+/* study/accuracy/certificate_mesh.c - the meshes in which a model is corrected, and their motions: see
+ * certificate.h. SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <cblas.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "study/accuracy/certificate.h"
+
+/* --- the corrector of a mesh --- */
+
+static void metric(void *of, const double *y)
+{
+	hawser__mesh_balance_metric(&((struct hawser__finite *)of)->balance, y);
+}
+
+static double dot(void *of, const double *a, const double *b)
+{
+	return hawser__mesh_balance_dot(&((struct hawser__finite *)of)->balance, a, b);
+}
+
+static void correct(void *of, double *y, double *along, int *lost, double far)
+{
+	hawser__mesh_balance_correct(&((struct hawser__finite *)of)->balance, y, along, lost, far);
+}
+
+/* x and its derivatives by the phase, of coefficients. */
+static void at_phase(double x[3], const double *c, int order, double phase)
+{
+	x[0] = c[0];
+	x[1] = x[2] = 0.0;
+	for (int k = 1; k <= order; k++) {
+		double a = c[2*k - 1], b = c[2*k], cosine = cos(k*phase), sine = sin(k*phase);
+
+		x[0] += a*cosine + b*sine;
+		x[1] += k*(b*cosine - a*sine);
+		x[2] -= k*k*(a*cosine + b*sine);
+	}
+}
+
+/* The phase at which |x| is largest: the best of some, then Newton's method for x' = 0. */
+static double largest_at(const double *c, int order)
+{
+	int many = 16*(order + 1);
+	double best = 0.0, most = -1.0, x[3];
+
+	for (int t = 0; t < many; t++) {
+		at_phase(x, c, order, 2.0*M_PI*t/many);
+		if (fabs(x[0]) > most) {
+			most = fabs(x[0]);
+			best = 2.0*M_PI*t/many;
+		}
+	}
+	for (int i = 0; i < 4; i++) {
+		at_phase(x, c, order, best);
+		best -= fabs(x[1]) < 0.1*fabs(x[2]) ? x[1]/x[2] : 0.0;
+	}
+	return best;
+}
+
+static double size_of(void *of, double *slope, const struct hawser_certified *peak, const double *y,
+                      const double *along)
+{
+	const struct hawser__finite *finite = of;
+	const struct hawser__mesh_balance *balance = &finite->balance;
+	const double *c = hawser__mesh_balance_at(balance, y, finite->node[peak->probe], peak->axis);
+	const double *t = hawser__mesh_balance_at(balance, along, finite->node[peak->probe], peak->axis);
+	double x[3], rate[3], phase;
+
+	*slope = 0.0;
+	if (!c)
+		return NAN;
+	phase = largest_at(c, balance->order);
+	at_phase(x, c, balance->order, phase);
+	at_phase(rate, t, balance->order, phase);
+	*slope = x[0] < 0.0 ? -rate[0] : rate[0];
+	return fabs(x[0]);
+}
+
+struct hawser__corrector hawser__finite_corrector(struct hawser__finite *finite)
+{
+	return (struct hawser__corrector){.of = finite, .size = finite->balance.size, .metric = metric,
+		.dot = dot, .correct = correct, .size_of = size_of};
+}
+
+/* --- meshes --- */
+
+/* Damping ratios of the model's modes, of which phi [n][unknowns] are those of this mesh. */
+static enum hawser_status set_ratio(struct hawser__finite *finite,
+                                    const struct hawser__net_source *source, const double *phi,
+                                    struct hawser_report *report)
+{
+	struct hawser__mesh_balance *balance = &finite->balance;
+	size_t unknowns = (size_t)finite->mesh->unknowns, n = (size_t)source->n;
+	double *mode = hawser__hold(&finite->hold, n*unknowns, sizeof *mode);
+	double *rated = hawser__hold(&finite->hold, n, sizeof *rated);
+
+	if (!mode || !rated)
+		return hawser__no_memory(report, "certificate");
+	for (size_t j = 0; j < n; j++) {
+		double *own = mode + j*unknowns;
+
+		hawser__eigen_mass(own, phi + j*unknowns, finite->mesh, 7U);
+		cblas_dscal((int)unknowns, 1.0/sqrt(cblas_ddot((int)unknowns, own, 1, phi + j*unknowns, 1)),
+		            own, 1);
+		rated[j] = 2.0*source->net->ratio*source->modal.modes.omega[source->kept[j]];
+	}
+	balance->mode = mode;
+	balance->rated = rated;
+	balance->modes = source->n;
+	balance->ratio = source->net->ratio;
+	return HAWSER_OK;
+}
+
+enum hawser_status hawser__finite_open(struct hawser__finite *finite, struct hawser__finites *w,
+                                       int second, int order, struct hawser_report *report)
+{
+	const struct hawser__net_source *source = &w->source;
+	enum hawser_status status;
+	double *phi = NULL;
+
+	finite->mesh = second ? &w->coarse : &w->source.modal.mesh;
+	finite->node = w->node[second];
+	status = hawser__mesh_balance_open(&finite->balance, finite->mesh, source->net->mass_rate, order,
+	                                   report);
+	if (status)
+		return status;
+	finite->y = hawser__hold(&finite->hold, finite->balance.size, sizeof *finite->y);
+	finite->along = hawser__hold(&finite->hold, finite->balance.size, sizeof *finite->along);
+	if (second && source->net->ratio > 0.0)
+		phi = hawser__hold(&finite->hold, (size_t)source->n*(size_t)finite->mesh->unknowns,
+		                   sizeof *phi);
+	if (finite->hold.short_of_memory)
+		return hawser__no_memory(report, "certificate");
+	for (int i = 0; phi && i < 3*source->n*finite->mesh->nodes; i++) {
+		int j = i/(3*finite->mesh->nodes), node = i/3%finite->mesh->nodes, k = i%3;
+		int at = finite->mesh->unknown[node][k];
+
+		if (at >= 0)
+			phi[j*finite->mesh->unknowns + at] = source->mode[
+				(size_t)j*(size_t)source->modal.mesh.unknowns +
+				(size_t)source->modal.mesh.unknown[w->from[node]][k]];
+	}
+	return source->net->ratio > 0.0 ? set_ratio(finite, source, phi ? phi : source->mode, report)
+	                                : HAWSER_OK;
+}
+
+void hawser__finite_clear(struct hawser__finite *finite)
+{
+	hawser__mesh_balance_clear(&finite->balance);
+	hawser__hold_clear(&finite->hold);
+	*finite = (struct hawser__finite){.mesh = NULL};
+}
+
+/* Nodes of the second mesh among those of the first. */
+static void pair_nodes(struct hawser__finites *w)
+{
+	const struct hawser__mesh *fine = &w->source.modal.mesh;
+
+	for (int i = 0; i < w->fine.nodes; i++)
+		w->from[i] = i;
+	for (int c = 0; c < w->coarse.cables; c++) {
+		int count = w->coarse.first[c + 1] - w->coarse.first[c];
+		int ratio = (fine->first[c + 1] - fine->first[c])/count;
+
+		for (int i = 1; i < count; i++)
+			w->from[w->coarse.inner[c] + i - 1] = fine->inner[c] + ratio*i - 1;
+	}
+}
+
+/* The second mesh, in equilibrium. */
+static enum hawser_status open_second(struct hawser__finites *w, const struct hawser_net *net,
+                                      struct hawser_report *report)
+{
+	const struct hawser__mesh_options choice = {.method = NULL};
+	struct hawser__equilibrium found;
+	double *T;
+	enum hawser_status status = hawser__net_finer(&w->half, net, 1, report);
+
+	if (!status)
+		status = hawser__mesh_build(&w->coarse, &w->half, report);
+	if (status)
+		return status;
+	T = hawser__hold(&w->hold, (size_t)w->coarse.elements, sizeof *T);
+	w->from = hawser__hold(&w->hold, (size_t)w->coarse.nodes, sizeof *w->from);
+	if (w->hold.short_of_memory)
+		return hawser__no_memory(report, "certificate");
+	status = hawser__mesh_form(&w->coarse, T, &found, &w->half, &choice, report);
+	if (!status)
+		status = hawser__net_multiples(&w->coarse, net->name, report);
+	pair_nodes(w);
+	return status;
+}
+
+/* The nodes of the model's points: all are nodes of both meshes. */
+static enum hawser_status find_nodes(struct hawser__finites *w, struct hawser_report *report)
+{
+	struct hawser__net_source *source = &w->source;
+	size_t most = (size_t)(w->fine.nodes + 6*w->fine.cables);
+	char **name = calloc(most, sizeof *name);
+	enum hawser_status status = name ? hawser__net_places(source, name, report)
+	                                 : hawser__no_memory(report, "certificate");
+
+	for (size_t i = 0; name && i < most; i++)
+		free(name[i]);
+	free(name);
+	w->node[0] = hawser__hold(&w->hold, most, sizeof *w->node[0]);
+	w->node[1] = hawser__hold(&w->hold, most, sizeof *w->node[1]);
+	if (!status && w->hold.short_of_memory)
+		status = hawser__no_memory(report, "certificate");
+	for (int p = 0; !status && p < source->shapes; p++) {
+		w->node[0][p] = source->place[p].node[source->place[p].share > 0.5];
+		for (int i = 0; i < w->coarse.nodes; i++)
+			if (w->from[i] == w->node[0][p])
+				w->node[1][p] = i;
+	}
+	return status;
+}
+
+enum hawser_status hawser__finites_open(struct hawser__finites *w, const struct hawser_net *net,
+                                        const struct hawser_net_rom_options *options,
+                                        struct hawser_report *report)
+{
+	enum hawser_status status = hawser__net_source_open(&w->source, &w->fine, &w->answers, net, options,
+	                                                    report);
+
+	if (!status)
+		status = open_second(w, net, report);
+	return status ? status : find_nodes(w, report);
+}
+
+void hawser__finites_clear(struct hawser__finites *w)
+{
+	hawser__answers_clear(&w->answers);
+	hawser__net_source_clear(&w->source);
+	hawser__mesh_clear(&w->coarse);
+	free(w->fine.cable);
+	free(w->half.cable);
+	hawser__hold_clear(&w->hold);
+}
+
+/* --- motions --- */
+
+/* The motion of one mesh or order, on another. from: the nodes there; NULL: the same. */
+void hawser__finite_copy(double *to, const struct hawser__finite *of, const double *y,
+                        const struct hawser__finite *other, const int *from)
+{
+	int width = of->balance.width < other->balance.width ? of->balance.width : other->balance.width;
+
+	memset(to, 0, of->balance.size*sizeof *to);
+	for (int i = 0; i < 3*of->mesh->nodes; i++) {
+		const double *own = hawser__mesh_balance_at(&other->balance, y, from ? from[i/3] : i/3, i%3);
+		int row = of->balance.blocks.row[i/3];
+
+		if (own && row >= 0)
+			memcpy(to + (3*row + i%3)*of->balance.width, own, (size_t)width*sizeof *to);
+	}
+	to[of->balance.size - 1] = y[other->balance.size - 1];
+}
+
+/* Part of a motion by its two last harmonics. */
+double hawser__finite_last(const struct hawser__finite *finite)
+{
+	int width = finite->balance.width;
+	double all = 0.0, last = 0.0;
+
+	for (size_t i = 0; i < finite->balance.size - 1; i++) {
+		double own = finite->y[i]*finite->y[i];
+
+		all += own;
+		last += (int)(i%(size_t)width) >= width - 4 ? own : 0.0;
+	}
+	return sqrt(last/all);
+}
+
