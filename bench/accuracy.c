@@ -47,6 +47,10 @@ static const struct {
 	{"b-table-4.2", 1.9, 2.1},
 };
 
+/* Longest step of the responses, relative to the range: with 0.02, interpolation between points is off
+ * by 2e-4. */
+#define STEP 0.0025
+
 static struct hawser_report report;
 static double judge_tolerance;
 static int modes_most;         /* number of modes kept; 0: automatic */
@@ -95,6 +99,7 @@ static enum hawser_status judge_trace(struct hawser_frf *frf, struct hawser_rom 
 	options.event_tolerance = 1e-7;
 	options.method = judge->modes ? NULL : "balance";
 	options.samples = HAWSER_NONE;
+	options.step_max = STEP;
 	options.max_points = 6000;
 	return status ? status : hawser_frf_trace(frf, rom, &options, &report);
 }
@@ -158,6 +163,7 @@ static int ask(struct span *span, double asked, double *base)
 	options.most = modes_most;
 	options.frf.from = span->from;
 	options.frf.to = span->to;
+	options.frf.step_max = STEP;
 	status = hawser_accuracy_trace(&accuracy, &span->statics, &span->scene, &options, &report);
 	used = cpu_secs() - start;
 	if (status || hawser_accuracy_distance(&distance, &accuracy.frf, &accuracy.rom, &span->frf,

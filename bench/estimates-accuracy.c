@@ -80,6 +80,7 @@ int estimate_reached(struct tally *tally, const struct hawser_statics *st,
 
 	options.frf.from = from;
 	options.frf.to = to;
+	options.frf.step_max = ESTIMATE_STEP;
 	options.frf.samples = HAWSER_NONE;
 	refused = hawser_accuracy_trace(&accuracy, st, scene, &options, NULL) || !accuracy.reached ||
 	          estimate_truth(&truth, &response, last(&accuracy).functions, accuracy.estimated);
@@ -126,6 +127,7 @@ static int trace_lowest(struct hawser_frf *frf, struct hawser_rom *rom, struct h
 
 	options.from = range->from;
 	options.to = range->to;
+	options.step_max = ESTIMATE_STEP;
 	options.samples = HAWSER_NONE;
 	options.max_points = POINTS;
 	return hawser_modes_solve(modes, st, &lowest, report) ||
@@ -206,7 +208,7 @@ int estimate_kept(struct tally *tally, const struct hawser_statics *st,
 	exact = !refused && !estimate_exact(tally, &fixed, frf.points, &response, what);
 	refused = refused || (!exact && estimate_truth(&truth, &response, 0, fixed.estimated));
 	if (!refused && !exact)
-		tally_note(tally, truth.distance, fixed.estimated,
+		tally_note(tally, truth.distance, fmax(fixed.estimated, ESTIMATE_SURE),
 		           "%d modes%s, sag %.3g, slope %.2g, epsilon %.2g, Omega %.4g to %.4g, left out "
 		           "%.2g, beyond them %.2g, beyond modes %.2g, followed %.2g, located %.2g; %.0f %% "
 		           "of the run's time; the reference has %d functions and moved by %.1e", n, what,

@@ -20,7 +20,7 @@
 enum { FUNCTIONS = 12, FINER = 4, FUNCTIONS_MOST = 33, POINTS = 2500 };
 static const double settled = 0.1; /* part of d */
 static const double clear = 0.5;   /* relative to the stated error */
-static const double known = 1e-3;  /* tolerance of the peaks of the responses, relative */
+static const double known = 1e-4;  /* tolerance of the peaks of the responses, relative */
 
 static int trace(struct hawser_frf *frf, struct hawser_rom *rom,
                  const struct estimate_response *response, int functions)
@@ -31,6 +31,7 @@ static int trace(struct hawser_frf *frf, struct hawser_rom *rom,
 	options.from = response->from;
 	options.to = response->to;
 	options.tolerance = 1e-7;
+	options.step_max = ESTIMATE_STEP;
 	options.samples = HAWSER_NONE;
 	options.max_points = POINTS;
 	options.unjudged = 1; /* distances are those of shapes; multipliers took nine tenths of the time */

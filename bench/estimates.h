@@ -98,6 +98,11 @@ struct estimate_response {
 	const struct hawser_scene *scene;
 	double from, to; /* scaled Omega */
 };
+/* Longest step of the responses, relative to the range: with twice as long ones, interpolation between
+ * points is off by more than many of the errors. With these, differences below ESTIMATE_SURE tell
+ * nothing. */
+#define ESTIMATE_STEP 0.01
+#define ESTIMATE_SURE 2e-4
 /* Its true error. */
 struct estimate_truth {
 	double distance; /* from the response of the largest full-order model */

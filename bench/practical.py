@@ -112,18 +112,18 @@ def is_paired(mark, marks, within):
 
 
 def compare(own, exact):
-    """Largest error of the landmarks, and those that have no counterpart."""
+    """Largest error of the landmarks, None without any, and those that have no counterpart."""
     stated = (own["model_error"] or {}).get("estimated") or 0.0
     lo = max(own["range"][0], exact["range"][0])*(1.0 + 1e-6)
     hi = min(own["range"][1], exact["range"][1])*(1.0 - 1e-6)
-    worst, lost = 0.0, []
+    worst, lost = None, []
     for one, other in ((own, exact), (exact, own)):
         beside = counterparts(other)
         marks = landmarks(one, lo, hi)
         for mark in marks:
             near = [distance(mark, b) for b in beside if b[0] == mark[0] and abs(b[1]/mark[1] - 1.0) <= FAR]
             if near:
-                worst = max(worst, min(near))
+                worst = max(worst or 0.0, min(near))
             elif not is_paired(mark, marks, stated):
                 lost.append(f"{mark[0]} at {mark[1]:.5g}" + (" (of the reference)" if one is exact else ""))
     return worst, lost
@@ -163,15 +163,16 @@ def main():
             continue
         error, lost = compare(own, exact)
         stated = (own["model_error"] or {}).get("estimated")
-        wrong = [] if stated is None or error <= max(stated, SURE) else ["BEYOND"]
+        known = stated is not None and error is not None
+        wrong = ["BEYOND"] if known and error > max(stated, SURE) else []
         beyond += bool(wrong)
         losses += bool(lost)
-        if stated is not None and not wrong:
+        if known and not wrong:
             ratios.append(stated/max(error, SURE))
         wrong += [f"lost: {', '.join(lost)}"] if lost else []
         wrong += [f"{len(own['warnings'])} warnings"] if own["warnings"] else []
-        print(f"{head} true {error:.1e} stated {f'{stated:.1e}' if stated is not None else '-':7s} {'; '.join(wrong)}",
-              flush=True)
+        true, said = ("-" if error is None else f"{error:.1e}" for error in (error, stated))
+        print(f"{head} true {true} stated {said:7s} {'; '.join(wrong)}", flush=True)
     seconds.sort()
     ratios.sort()
     ninth = (9*len(seconds) - 1)//10

@@ -161,6 +161,10 @@ enum hawser_status hawser_accuracy_fixed(struct hawser_accuracy_fixed *fixed,
                                          const struct hawser_scene *scene, double from, double to,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
 
+/* With the peaks [count] of that response, by hawser_peaks, which locates them better. */
+void hawser_accuracy_locate(struct hawser_accuracy_fixed *fixed, const struct hawser_landmark *peak,
+                            int count);
+
 /* The same of a model that keeps the kept modes of a choice, ascending, whose measures become those of
  * the motions of its response. */
 enum hawser_status hawser_accuracy_among(struct hawser_accuracy_fixed *fixed,
@@ -187,7 +191,7 @@ enum hawser_status hawser_accuracy_once(struct hawser_accuracy_fixed *fixed,
 /* What answers in place of a response of a reduced model that is not good enough, as model.energy: auto
  * does in hawser frf: hawser_accuracy_exact, with these options. */
 enum { HAWSER_INSTEAD_POINTS = 1500 }; /* of its response, at most */
-/* Whether such an error is reason enough; limit: of the whole error, 0: 0.1. */
+/* Whether such an error is reason enough; limit: of the whole error, 0: 0.02. */
 int hawser_accuracy_poor(const struct hawser_accuracy_fixed *fixed, double limit);
 /* Whether that part of it is, that no number of modes makes up for. */
 int hawser_accuracy_truncated(double truncation);

@@ -120,6 +120,17 @@ enum hawser_status hawser_modes_solve(struct hawser_modes *modes,
                                       const struct hawser_modes_options *options,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 
+/* Relative gap of frequencies within a cluster of modes: a model that has one of them has all, or it
+ * misses how they drive each other. */
+#define HAWSER_CLUSTER 0.01
+
+/* 1: modes j - 1 and j (from 0) are of one cluster. */
+int hawser_modes_near(const struct hawser_modes *modes, int j);
+
+/* Where the scene gives no number of modes, scene->model.modes becomes larger by those of the cluster
+ * that it cuts; it stays where they cannot be computed. */
+void hawser_modes_settle(struct hawser_scene *scene, const struct hawser_statics *statics);
+
 /* All Galerkin modes of a basis with in_plane functions per component in the plane and out_of_plane
  * functions out of it (0: no modes of that plane). The shapes are orthonormal and the energy is
  * diagonal. The lowest modes are converged, the highest ones are not (see `residual`). Together

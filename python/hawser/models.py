@@ -96,6 +96,8 @@ class Modes:
                  tolerance: float = 0.0, method: Optional[str] = None) -> None:
         self.statics = statics if isinstance(statics, Statics) else Statics(statics)
         scene = self.statics.scene
+        if n is None:
+            function("hawser_modes_settle")(scene._owner.address, self.statics._owner.address)
         wanted = scene._owner.model.modes if n is None else n
         if n is None and wanted == layout["constants"]["HAWSER_MODES_AUTO"]:
             raise error(Status.ARGUMENT, "the scene's modes are chosen by themselves (model.modes: auto), which "

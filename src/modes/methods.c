@@ -258,6 +258,29 @@ enum hawser_status hawser_steady_modes_solve(struct hawser_modes *modes,
 	return solve(modes, statics, options, statics->motion.nu != 0.0, report);
 }
 
+int hawser_modes_near(const struct hawser_modes *modes, int j)
+{
+	const struct hawser_mode *mode = modes->mode + j;
+
+	return mode[0].omega - mode[-1].omega <= HAWSER_CLUSTER*mode[0].omega;
+}
+
+enum { AFTER = 3 }; /* modes beyond those of the scene among which a cluster ends; chosen */
+
+void hawser_modes_settle(struct hawser_scene *scene, const struct hawser_statics *statics)
+{
+	struct hawser_modes_options options = {.n = scene->model.modes + AFTER,
+	                                       .basis = scene->model.basis};
+	struct hawser_modes modes;
+
+	if (scene->beam.form || hawser_scene_written(scene, "model.modes") ||
+	    hawser_modes_solve(&modes, statics, &options, NULL))
+		return;
+	for (int j = scene->model.modes; j < modes.n && hawser_modes_near(&modes, j); j++)
+		scene->model.modes = j + 1;
+	hawser_modes_clear(&modes);
+}
+
 void hawser_modes_at(const struct hawser_modes *modes, double *shape, double *slope, int k, double s)
 {
 	size_t size = 3*(size_t)modes->grid.points, first = (size_t)k*hawser__modes_row(modes);

@@ -69,9 +69,10 @@ static double size(const struct solved *it, double omega, double periods, struct
 		double low = INFINITY, high = -INFINITY;
 
 		for (int row = run->rows - STEPS; row < run->rows; row++) {
+			struct hawser_rom_moment moment = {.tau = omega*run->time[row], .omega = omega};
 			double v[3];
 
-			hawser_rom_displacement(rom, v, k/3, run->state + 2*(size_t)row*(size_t)rom->n);
+			hawser_rom_displacement_at(rom, v, k/3, run->state + 2*(size_t)row*(size_t)rom->n, &moment);
 			low = fmin(low, v[k%3]);
 			high = fmax(high, v[k%3]);
 		}

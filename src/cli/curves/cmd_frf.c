@@ -25,7 +25,6 @@
 #define OBSERVED 2 /* unstable multipliers: nobody observes motions with more, and models differ most
                     * in them, so that the error estimate of modes: auto does not fall; chosen */
 enum { LISTED = 10 }; /* peaks on a terminal: they fit on it; chosen */
-#define CLOSE 1e-3   /* relative tolerance of peaks otherwise; takes 5 % of the time of the chairlift */
 
 struct settings {
 	struct cli_common common;
@@ -176,7 +175,8 @@ static enum hawser_status locate_peaks(struct hawser_landmark **peak, struct cli
 	const struct hawser_frf *frf = result->frf;
 	struct cli_watch watch = {*progress, "frf: locating peaks"};
 	struct hawser_frf_options choice = *as;
-	double wanted = result->model->automatic ? LOCATED*result->model->accuracy.asked : CLOSE;
+	double wanted = result->model->automatic ? LOCATED*result->model->accuracy.asked
+	                : cli_fixed_tolerance(&result->error);
 	enum hawser_status status;
 
 	cut = cut || frf->end == HAWSER_END_MAX_POINTS || cli_interrupted();
@@ -437,10 +437,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (status)
 		goto done;
 	status = trace(&frf, &peak, &cover, &label, &model, settings, &result, report);
-	if (!status && !settings->over)
-		status = cli_fixed_estimate(&result, report);
-	for (int k = 0; k < result.others && !status; k++)
-		status = cli_fixed_estimate(&cover.other[k], report);
+	if (!status)
+		status = cli_fixed_conclude(&result, cover.other, report);
 	if (!status && !cli_interrupted())
 		status = cli_sweeps(list, &result.sweeps, settings->sweep, settings->sweep_points, &result,
 		                    report);

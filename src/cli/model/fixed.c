@@ -31,6 +31,10 @@ static enum hawser_status not_known(struct cli_model_error *error, const char *w
 /* An error of the model above this is said on standard error. */
 static const double much = 0.1;
 
+/* Relative tolerance of peaks: 1e-3 takes 5 % of the time of the chairlift; this part of a smaller
+ * error of the model, but not less than 1e-4; chosen. */
+static const double peaks_most = 1e-3, peaks_least = 1e-4, peaks_part = 0.1;
+
 #define AROUND 1.002 /* end of a response of which the first point is wanted, over it; chosen */
 static const double near = 1e-6; /* tolerance of this response; chosen, far below the errors */
 
@@ -109,6 +113,38 @@ enum hawser_status cli_fixed_estimate(struct cli_frf_result *result, struct haws
 	enum hawser_status status = estimate(result, report);
 
 	return status ? status : cli_certify(result, report);
+}
+
+/* With the peaks as they are located last. */
+static void locate(struct cli_frf_result *result)
+{
+	struct cli_model_error *error = &result->error;
+
+	if (result->located && error->stated && !error->compared && !error->corrected &&
+	    isfinite(error->fixed.estimated))
+		hawser_accuracy_locate(&error->fixed, result->peak, result->peaks);
+}
+
+enum hawser_status cli_fixed_conclude(struct cli_frf_result *result, struct cli_frf_result *other,
+                                      struct hawser_report *report)
+{
+	enum hawser_status status = result->over ? HAWSER_OK : cli_fixed_estimate(result, report);
+
+	locate(result);
+	for (int k = 0; k < result->others && !status; k++) {
+		status = cli_fixed_estimate(&other[k], report);
+		locate(&other[k]);
+	}
+	return status;
+}
+
+double cli_fixed_tolerance(const struct cli_model_error *error)
+{
+	double known = error->fixed.estimated;
+
+	if (!error->stated || error->compared || !isfinite(known))
+		return peaks_most;
+	return fmax(fmin(peaks_part*known, peaks_most), peaks_least);
 }
 
 enum hawser_status cli_fixed_once(struct cli_model_error *error, const struct cli_model *model,

@@ -21,8 +21,6 @@ enum { MOST = 20, TRIES = 5 };      /* modes of a model that is chosen, and mode
 static const double wanted = 0.05;  /* error that ends the search; chosen, half of what is warned of */
 static const double next = 0.2;     /* what the next model may leave out, over it; as in accuracy.c */
 
-static const double near = 0.01;    /* relative gap of frequencies within a cluster */
-
 struct candidates {
 	struct cli_made_modes modes;
 	struct hawser_choice choice;
@@ -83,7 +81,7 @@ enum hawser_status cli_made_error(struct hawser_accuracy_fixed *fixed, const str
 	return status;
 }
 
-/* Keep all modes of clusters of which one is kept: else the model misses how they drive each other. */
+/* Keep all modes of clusters of which one is kept. */
 static int join(struct hawser_choice *choice)
 {
 	int changed = 0;
@@ -91,10 +89,9 @@ static int join(struct hawser_choice *choice)
 	for (int pass = 0; pass < 2; pass++)
 		for (int i = 1; i < choice->n; i++) {
 			int j = pass ? choice->n - i : i; /* upwards, then downwards */
-			const struct hawser_mode *mode = choice->modes->mode;
 
 			if (choice->mode[j].kept == choice->mode[j - 1].kept ||
-			    mode[j].omega - mode[j - 1].omega > near*mode[j].omega)
+			    !hawser_modes_near(choice->modes, j))
 				continue;
 			choice->mode[j].kept = choice->mode[j - 1].kept = 1;
 			changed = 1;

@@ -95,10 +95,16 @@ static enum hawser_status from_scene(struct cli_model *model, const struct cli_c
 	if (!status && extent != NOTHING)
 		status = refuse_beam(&model->scene, common, report);
 	model->has_scene = !status;
-	if (extent == NOTHING)
+	if (extent == NOTHING) {
+		if (!status && !model->scene.beam.form &&
+		    !hawser_statics_scene(&model->statics, &model->scene, NULL))
+			hawser_modes_settle(&model->scene, &model->statics);
 		return status;
+	}
 	if (!status)
 		status = hawser_statics_scene(&model->statics, &model->scene, report);
+	if (!status)
+		hawser_modes_settle(&model->scene, &model->statics);
 	if (!status && model->scene.model.modes == HAWSER_MODES_AUTO)
 		return cli_choice_prepare(model, report);
 	options = cli_modes_options(&model->scene);

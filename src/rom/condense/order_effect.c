@@ -270,6 +270,38 @@ static int set_matrix(const struct hawser__omitted *w, double *A, double *a, dou
 	return 1;
 }
 
+/* --- the displacements --- */
+
+/* Add to w->off what moves the relaxed coordinates from where they are relaxed. */
+static void answer(struct hawser__omitted *w)
+{
+	double *one = w->relax.trial, at[HAWSER__COUNTED];
+
+	memset(one, 0, (size_t)w->N*sizeof *one);
+	for (int i = 0; i < w->relax.frees; i++) {
+		int s = w->relax.freed[i];
+
+		resonate(w, s);
+		one[s] = 1.0/w->exact->K[(size_t)s*w->N + s];
+		hawser__omitted_displace(at, w->exact, one);
+		one[s] = 0.0;
+		for (int t = 0; t < w->rows; t++)
+			cblas_daxpy(w->places, w->rate[t], at, 1, w->off + (size_t)t*w->places, 1);
+	}
+}
+
+/* Displacements at row t as a response of the model has them, with what the condensed modes do under
+ * the load. */
+static void shown(const struct hawser__omitted *w, double *xyz, int t)
+{
+	const struct hawser_rom *model = w->orbit.model;
+	struct hawser_rom_moment moment = {.tau = 2.0*M_PI*t/w->rows, .omega = w->omega};
+
+	for (int p = 0; p < w->places/3; p++)
+		hawser_rom_displacement_at(model, xyz + 3*p, p,
+		                           w->orbit.state + (size_t)t*w->stride*model->n, &moment);
+}
+
 /* Root mean square of the motion. */
 static double size_of(const struct hawser__omitted *w)
 {
@@ -292,8 +324,8 @@ static double moves(const struct hawser__omitted *w, const double *x, int e, int
 }
 
 /* Largest relative change of an amplitude that counts, for harmonics x[] of dx, HAWSER__OMITTED
- * apart. */
-static double amplitudes(struct hawser__omitted *w, const double *x, unsigned peaks)
+ * apart; with `answers`, from what the model shows. */
+static double amplitudes(struct hawser__omitted *w, const double *x, unsigned peaks, int answers)
 {
 	double was[HAWSER__COUNTED] = {0.0}, is[HAWSER__COUNTED] = {0.0}, at[HAWSER__COUNTED];
 	double largest = 0.0, worst = 0.0;
@@ -307,8 +339,12 @@ static double amplitudes(struct hawser__omitted *w, const double *x, unsigned pe
 					u += part(w, k, e)*moves(w, x, e, t);
 				w->u[w->mode[k]] = u;
 			}
-			hawser__omitted_condensed(w);
-			hawser__omitted_displace(at, w->all, w->u);
+			if (answers && !moved) {
+				shown(w, at, t);
+			} else {
+				hawser__omitted_condensed(w);
+				hawser__omitted_displace(at, w->all, w->u);
+			}
 			for (int i = 0; i < w->places; i++)
 				if (moved)
 					is[i] = fmax(is[i], fabs(at[i] + w->off[(size_t)t*w->places + i]));
@@ -355,8 +391,14 @@ enum hawser_status hawser__omitted_effect(double omitted[HAWSER__OMITTED], struc
 	if (info)
 		goto done;
 	cblas_dscal(sides*unknowns, size, x, 1);
-	for (int i = 0; i < sides; i++)
-		omitted[i] = fmax(fabs(x[sides*unknowns + i]), amplitudes(w, x + i, peaks));
+	for (int i = 0; i < sides; i++) {
+		int whole = i == 2;
+
+		if (whole)
+			answer(w);
+		omitted[i] = fmax(fabs(x[sides*unknowns + i]),
+		                  amplitudes(w, x + i, peaks, whole && w->orbit.model != w->all));
+	}
 done:
 	free(A);
 	free(a);

@@ -8,11 +8,9 @@
  *
  * The first model keeps the modes that estimated motions require, at most FIRST, since the cost of
  * a response grows fast with the number of modes. The motions of its response, at landmarks and
- * between them, give every mode a new measure. The most important modes are added, a new response
- * is traced, and so on, until the rest is small enough. If this holds for the first model already,
- * a second model without its least important modes is traced for comparison. The last model is the
- * result. Its estimated error is the larger of `moved` and a multiple of `rest`, plus a multiple of
- * `truncation`, plus the error of the located peaks.
+ * between them, give every mode a new measure, and the error of this response (fixed.c). While that is
+ * too large, the most important modes are added, a new response is traced, and so on. The last model
+ * is the result.
  *
  * If the truncation alone exceeds the accuracy, or if adding modes does not reach it, full-order
  * models follow (accuracy_full.c).
@@ -36,8 +34,6 @@
 #define FIRST 10      /* most modes of the first model: later models depend on its motions only */
 #define NEXT 0.2      /* rest of the next model; a small one saves a further model */
 #define ROOM 0.25     /* the same, relative to the accuracy less the truncation error */
-#define ADDED 2       /* modes to add if the response moved too much although the rest is small */
-#define LESS 0.1      /* rest of the smaller model that is compared, no larger than LEAST */
 #define BEYOND 0.35   /* largest effect of the modes above the candidates */
 #define WIDER 1.5     /* factor on the number of candidates if their effect is larger */
 #define UNRESOLVED 0.1 /* largest error of a candidate's frequency */
@@ -47,8 +43,6 @@
 #define POINTS_MOST 2500 /* most points of a response: a longer one has too many peaks to match */
 #define SHARP 0.2     /* error of located peaks */
 #define LEAST 0.1     /* smallest error that is claimed, for which the tolerances are chosen */
-#define SAFETY HAWSER__SAFETY /* factor on the measures, calibrated by bench/accuracy.c */
-#define SAFETY_ORDER 1.5 /* the same on the truncation error, which is known to a tenth there */
 #define CONDENSED_TRIES 7 /* most condensed models; full-order ones have the remaining tries */
 
 /* --- candidates --- */
@@ -297,48 +291,20 @@ static enum hawser_status judge(struct hawser_accuracy *a, const struct hawser__
 	return status;
 }
 
-/* Estimated error of a condensed model by its own motions: due to the omitted candidates, the modes
- * above the candidates, and the truncation. */
-static double condensed_error(double rest, double beyond, double truncation)
-{
-	return SAFETY*rest + beyond + SAFETY_ORDER*truncation;
-}
-
-/* `moved` is NAN for the first model: then the rest alone is used. */
-static void claim_condensed(struct hawser_accuracy *a, const struct hawser__marks *marks)
-{
-	const struct hawser_accuracy_try *this = &a->attempt[a->tries - 1];
-	double modes = condensed_error(hawser_choice_rest(&a->choice),
-	                               hawser_choice_beyond(&a->choice), 0.0);
-
-	hawser__accuracy_claim(a, fmax(this->moved, modes) +
-	                          condensed_error(0.0, 0.0, this->truncation), marks);
-}
-
-/* Number of modes to add; 0: the truncation error alone is too large, or the limit is reached. */
+/* Add modes. Returns 0 if the truncation error alone is too large, or the limit is reached, or no mode
+ * matters. */
 static int raised(struct hawser_accuracy *a, const struct hawser_accuracy_options *options)
 {
 	const struct hawser_accuracy_try *this = &a->attempt[a->tries - 1];
 	int most = options->most > 0 ? options->most : KEPT_MOST;
-	double room = a->asked - SAFETY_ORDER*this->truncation;
+	double room = a->asked - HAWSER__SAFETY_ORDER*this->truncation;
 
 	if (kept(&a->choice) >= most)
 		return 0;
 	/* while important modes are missing, the motion is wrong, and so is its truncation error */
 	if (!(room > 0.0))
 		return this->rest > a->asked && hawser_choice_raise(&a->choice, NEXT*a->asked);
-	return hawser_choice_raise(&a->choice, fmin(NEXT*a->asked, ROOM*room)) ||
-	       (a->tries > 1 && !(this->moved <= room) && hawser_choice_add(&a->choice, ADDED));
-}
-
-/* Choose the modes of the next model. Returns 0 if no further model can improve the estimate. */
-static int next(struct hawser_accuracy *a, const struct hawser_accuracy_options *options)
-{
-	if (raised(a, options))
-		return 1;
-	return a->tries == 1 && SAFETY_ORDER*a->attempt[0].truncation < a->asked &&
-	       (hawser_choice_lower(&a->choice, LESS*a->asked) ||
-	        hawser_choice_add(&a->choice, 1));
+	return hawser_choice_raise(&a->choice, fmin(NEXT*a->asked, ROOM*room));
 }
 
 int hawser__accuracy_cut(const struct hawser_accuracy *a)
@@ -363,23 +329,14 @@ static enum hawser_status condensed(struct hawser_accuracy *a, struct hawser__ma
 
 	hawser__accuracy_first(&a->choice);
 	while (!status && a->tries < CONDENSED_TRIES) {
-		int further;
-
 		status = hawser__accuracy_attempt(a, marks, scene, 0, &frf, report);
 		if (status || hawser__accuracy_cut(a))
 			break;
 		status = judge(a, marks, scene, report);
 		if (status)
 			break;
-		if (a->tries > 1)
-			claim_condensed(a, marks);
-		if (a->estimated <= a->asked)
-			break;
-		further = next(a, options);
-		/* nothing to add and nothing to omit: all modes that move are in the model */
-		if (!further && a->tries == 1)
-			claim_condensed(a, marks);
-		if (!further)
+		hawser__accuracy_claim(a, hawser__model_error(&a->choice), marks);
+		if (a->estimated <= a->asked || !raised(a, options))
 			break;
 	}
 	return status;

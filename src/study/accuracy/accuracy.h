@@ -9,6 +9,8 @@
 
 /* Factor on first-order measures for the terms of higher order; calibrated by bench/accuracy.c. */
 #define HAWSER__SAFETY 3.0
+/* The same on those that add all terms of first order with their signs; by bench/practical.py too. */
+#define HAWSER__SAFETY_ORDER 1.5
 
 /* What every search begins with: the accuracy that is asked for, and the candidates. */
 enum hawser_status hawser__accuracy_begin(struct hawser_accuracy *a,
@@ -39,6 +41,11 @@ enum hawser_status hawser__accuracy_candidates(struct hawser_modes *modes,
                                                const struct hawser_scene *scene, double from,
                                                double to, double accuracy, int fewest,
                                                struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* The error of a model which keeps the modes of the choice, from what was weighed. To first order, with
+ * its signs, it is choice->followed, if there is a full-order model to find it: what the omitted modes
+ * do beside following is of that order and included; the square of all that is not. */
+double hawser__model_error(const struct hawser_choice *choice);
 
 /* The error that is stated of a model which keeps the modes of the choice, from what was weighed. */
 void hawser__accuracy_add_up(struct hawser_accuracy_fixed *fixed, const struct hawser_choice *choice,

@@ -14,8 +14,8 @@
 /* The part of the estimated error that no number of modes makes up for, and its factor of safety:
  * from which on the reduced model is not good enough. */
 static const double enough = 0.01, safety = 1.5;
-/* The whole error, modes left out included, from which on it is not: that of which hawser warns. */
-static const double much = 0.1;
+/* The whole error, modes left out included, from which on it is not; chosen. */
+static const double much = 0.02;
 /* What is asked of the full-order models, and their largest basis: the load or a mode of the range
  * may need as many. */
 static const double asked = 0.01;

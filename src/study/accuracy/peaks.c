@@ -18,9 +18,9 @@
 static const double small = 1e-6; /* scaled increment of a coordinate for this derivative; chosen */
 /* Longest step in a window in which a branch is traced again, relative to its range: a polynomial
  * of fourth degree needs about seven points, and most of the cost of a window is its first orbit. */
-static const double step = 0.2;
-/* Required relative error below which windows are wider and steps shorter. */
-static const double fine = 5e-4;
+static const double step = 0.2, shorter = 0.1;
+/* Required relative errors below which windows are wider and steps shorter, and shorter still. */
+static const double fine = 5e-4, finest = 1e-4;
 /* Safety factor on the estimated interpolation error between the points of the response. Of 52
  * peaks of the chairlift's response, traced again in steps ten times shorter, two had errors of up
  * to 1.15 times the estimate. */
@@ -90,7 +90,8 @@ enum hawser_status hawser_peaks(struct hawser_landmark **peak, int *count,
 		/* a shallow copy: the response stays with the caller */
 		struct hawser_study_curve curve = {.frf = *frf, .landmark = *peak, .landmarks = *count};
 		const struct hawser__sharpening how = {.wanted = wanted, .known = wanted/safety,
-			.step = wanted < fine ? 0.0 : step, .reach = wanted < fine ? 2 : 1};
+			.step = wanted < finest ? 0.0 : wanted < fine ? shorter : step,
+			.reach = wanted < fine ? 2 : 1};
 
 		again.method = frf->method;
 		hawser_frf_settle(&again);
