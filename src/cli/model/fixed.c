@@ -142,7 +142,7 @@ double cli_fixed_tolerance(const struct cli_model_error *error)
 {
 	double known = error->fixed.estimated;
 
-	if (!error->stated || error->compared || !isfinite(known))
+	if (!error->stated || !isfinite(known))
 		return peaks_most;
 	return fmax(fmin(peaks_part*known, peaks_most), peaks_least);
 }

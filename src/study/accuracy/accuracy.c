@@ -42,7 +42,6 @@
 #define SLACK_POINTS 50 /* fewest points of which this part is judged */
 #define POINTS_MOST 2500 /* most points of a response: a longer one has too many peaks to match */
 #define SHARP 0.2     /* error of located peaks */
-#define LEAST 0.1     /* smallest error that is claimed, for which the tolerances are chosen */
 #define CONDENSED_TRIES 7 /* most condensed models; full-order ones have the remaining tries */
 
 /* --- candidates --- */
@@ -271,7 +270,7 @@ static enum hawser_status widen(struct hawser_accuracy *a, const struct hawser__
 void hawser__accuracy_claim(struct hawser_accuracy *a, double model,
                             const struct hawser__marks *marks)
 {
-	a->estimated = fmax(model + hawser__marks_located(marks), LEAST*a->asked);
+	a->estimated = fmax(model + hawser__marks_located(marks), HAWSER__LEAST_CLAIM*a->asked);
 }
 
 /* New measures from the motions of the last response. If modes above the candidates matter, the

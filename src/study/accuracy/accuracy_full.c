@@ -269,7 +269,7 @@ enum hawser_status hawser__accuracy_full(struct hawser_accuracy *a, struct hawse
 	a->functions = chosen.functions;
 	chosen.rom = (struct hawser_rom){.n = 0};
 	if (options->after > 0.0) {
-		a->estimated = fmax(HAWSER__SAFETY_BASIS*moved, 0.1*a->asked);
+		a->estimated = fmax(HAWSER__SAFETY_BASIS*moved, HAWSER__LEAST_CLAIM*a->asked);
 		a->checked = checked;
 	} else {
 		status = follow(a, marks, scene, options, &frf, chosen.functions, work, report);
