@@ -54,7 +54,7 @@ static enum hawser_status model(void *context, const struct hawser_rom **rom, do
 	return model_of_two(context, rom, (double[2]){p, 0.0}, report);
 }
 
-static void close(void *context)
+static void end(void *context)
 {
 	struct family *own = context;
 
@@ -67,7 +67,7 @@ static void close(void *context)
 
 void hawser_parameter_close(struct hawser_rom_family *family)
 {
-	close(family->context);
+	end(family->context);
 	*family = (struct hawser_rom_family){0.0, NULL, NULL};
 }
 
@@ -129,7 +129,7 @@ enum hawser_status hawser_parameter_plane_open(struct hawser_rom_plane *plane,
 	struct family *own;
 	enum hawser_status status = make(&own, source, name, report);
 
-	*plane = (struct hawser_rom_plane){omega, model_of_two, own, close};
+	*plane = (struct hawser_rom_plane){omega, model_of_two, own, end};
 	if (status)
 		hawser_plane_close(plane);
 	return status;

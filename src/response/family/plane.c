@@ -56,7 +56,7 @@ static enum hawser_status model(void *context, const struct hawser_rom **rom, co
 	return status;
 }
 
-static void close(void *context)
+static void end(void *context)
 {
 	struct plane *plane = context;
 
@@ -80,7 +80,7 @@ enum hawser_status hawser_plane_open(struct hawser_rom_plane *opened,
 {
 	struct plane *plane = calloc(1, sizeof *plane);
 
-	*opened = (struct hawser_rom_plane){family->omega, model, plane, close};
+	*opened = (struct hawser_rom_plane){family->omega, model, plane, end};
 	if (!plane)
 		return hawser__no_memory(report, "locus");
 	*plane = (struct plane){.family = family, .factor = factor, .place = place};

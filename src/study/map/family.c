@@ -315,7 +315,7 @@ static enum hawser_status model(void *context, const struct hawser_rom **rom, do
 	return model_of_two(context, rom, (double[2]){p, 0.0}, report);
 }
 
-static void close(void *context)
+static void end(void *context)
 {
 	struct scene_family *family = context;
 
@@ -332,7 +332,7 @@ static void close(void *context)
 
 void hawser_scene_family_close(struct hawser_rom_family *closed)
 {
-	close(closed->context);
+	end(closed->context);
 	*closed = (struct hawser_rom_family){0.0, NULL, NULL};
 }
 
@@ -410,7 +410,7 @@ enum hawser_status hawser_scene_plane_open(struct hawser_rom_plane *opened,
 	double extent[2] = {fabs(to[0] - from[0]), fabs(to[1] - from[1])};
 	enum hawser_status status = make(&family, scene, key, extent, at, report);
 
-	*opened = (struct hawser_rom_plane){omega, model_of_two, family, close};
+	*opened = (struct hawser_rom_plane){omega, model_of_two, family, end};
 	if (status)
 		hawser_plane_close(opened);
 	return status;
