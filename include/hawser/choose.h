@@ -105,11 +105,6 @@ int hawser_choice_raise(struct hawser_choice *choice, double accuracy);
 /* Keep the `count` most important of the modes that are not kept. Returns the number added. */
 int hawser_choice_add(struct hawser_choice *choice, int count);
 
-/* Keep fewer modes, dropping the least important first, while the measures of those not kept add up to
- * at most `accuracy`. Modes that the load drives and whose natural frequency is in the range stay.
- * Returns the number of modes dropped. */
-int hawser_choice_lower(struct hawser_choice *choice, double accuracy);
-
 /* Keep the `count` most important modes only. Returns the number kept, which is smaller if fewer are
  * excited. */
 int hawser_choice_first(struct hawser_choice *choice, int count);

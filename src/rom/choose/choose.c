@@ -284,36 +284,6 @@ int hawser_choice_add(struct hawser_choice *choice, int count)
 	return keep_more(choice, count, -INFINITY);
 }
 
-/* Whether the load drives mode j at its natural frequency. Measures are taken at folds and peaks;
- * in a plane with small displacements there may be none near this resonance. */
-static int resonates(const struct hawser_choice *choice, int j)
-{
-	double w = frequency(choice, j);
-
-	return w >= choice->from && w <= choice->to &&
-	       fabs(load_of(choice, j)) > NEGLIGIBLE*largest_load(choice);
-}
-
-int hawser_choice_lower(struct hawser_choice *choice, double accuracy)
-{
-	double rest = hawser_choice_rest(choice);
-	int dropped = 0;
-
-	sort(choice);
-	for (int i = choice->n - 1; i > 0; i--) {
-		struct hawser_choice_mode *mode = &choice->mode[choice->order[i]];
-
-		if (!mode->kept || resonates(choice, choice->order[i]))
-			continue;
-		rest += mode->measure;
-		if (rest > accuracy)
-			break;
-		mode->kept = 0;
-		dropped++;
-	}
-	return dropped;
-}
-
 int hawser_choice_first(struct hawser_choice *choice, int count)
 {
 	for (int j = 0; j < choice->n; j++)
