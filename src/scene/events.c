@@ -69,6 +69,9 @@ static enum hawser_status broken(struct hawser__reader *reader)
 		return hawser__reader_fail(reader, &place, "not a text in UTF-8: %s at byte %zu",
 		                           problem, yaml->problem_offset + 1);
 	}
+	if (yaml->buffer.pointer && *yaml->buffer.pointer == '\t')
+		return hawser__reader_fail(reader, &place, "YAML syntax: a tab, where only spaces may be: "
+		                           "indent with spaces");
 	if (yaml->context)
 		return hawser__reader_fail(reader, &place, "YAML syntax: %s %s (line %zu)", problem,
 		                           yaml->context, yaml->context_mark.line + 1);

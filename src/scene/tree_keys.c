@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <ctype.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -103,6 +104,39 @@ static const char *section_of(char *section, size_t size, const char *path)
 	return section;
 }
 
+static int among(const char *name, const char *keys)
+{
+	size_t own = strlen(name);
+
+	while (*keys) {
+		size_t length = strcspn(keys, ",");
+
+		if (length == own && !strncmp(name, keys, own))
+			return 1;
+		keys += length;
+		keys += strspn(keys, ", ");
+	}
+	return 0;
+}
+
+/* Other names that keys are known by. */
+static const struct {
+	const char *name, *key;
+} synonym[] = {
+	{"mass", "rho"}, {"density", "rho"}, {"weight", "rho"}, {"stiffness", "EA"},
+	{"E", "EA"}, {"length", "d"}, {"span", "d"}, {"rise", "h"}, {"height", "h"}, {"pretension", "H"},
+	{"force", "H"}, {"velocity", "speed"}, {"zeta", "ratio"}, {"xi", "ratio"},
+};
+
+/* One of the keys by another name of it, or NULL. */
+static const char *by_another_name(const char *name, const char *keys)
+{
+	for (size_t i = 0; i < sizeof synonym/sizeof *synonym; i++)
+		if (strcmp(name, synonym[i].name) == 0 && among(synonym[i].key, keys))
+			return synonym[i].key;
+	return NULL;
+}
+
 const char *hawser__tree_suggest(char hint[HAWSER__TEXT_ROOM], const char *name, const char *of,
                                  const char *keys)
 {
@@ -113,7 +147,11 @@ const char *hawser__tree_suggest(char hint[HAWSER__TEXT_ROOM], const char *name,
 	char best[HAWSER__TEXT_ROOM], section[HAWSER__TEXT_ROOM];
 
 	*hint = '\0';
+	if (isdigit((unsigned char)*name))
+		return strcpy(hint, "is it a decimal comma? A number has a decimal point; ");
 	hawser__tree_nearest(best, name, leaf == name ? keys : "");
+	if (by_another_name(name, keys))
+		snprintf(best, sizeof best, "%s", by_another_name(name, keys));
 	if (*best)
 		snprintf(hint, HAWSER__TEXT_ROOM, "did you mean %.200s? ", best);
 	for (int i = 0; !*best && table && i < table->rows; i++) {
@@ -131,21 +169,6 @@ const char *hawser__tree_suggest(char hint[HAWSER__TEXT_ROOM], const char *name,
 		         *section_of(section, sizeof section, near->path) ? "under " : "at the top level",
 		         section);
 	return hint;
-}
-
-static int among(const char *name, const char *keys)
-{
-	size_t own = strlen(name);
-
-	while (*keys) {
-		size_t length = strcspn(keys, ",");
-
-		if (length == own && !strncmp(name, keys, own))
-			return 1;
-		keys += length;
-		keys += strspn(keys, ", ");
-	}
-	return 0;
 }
 
 enum hawser_status hawser__tree_keys(struct hawser__reader *reader, const struct hawser__tree *tree,

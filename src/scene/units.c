@@ -19,6 +19,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 #include <udunits2.h>
 
 #include <hawser/scene.h>
@@ -317,6 +318,32 @@ static double mass_of_weight(const char *text, const char *unit)
 	return answer == HAWSER__NUMBER_OK ? weight/standard_gravity : NAN;
 }
 
+/* A unit that differs from `text` in small and capital letters alone, or NULL. */
+static const char *other_case(const char *text)
+{
+	static const char *const unit[] = {
+		"N", "kN", "MN", "Pa", "kPa", "MPa", "GPa", "Hz", "kHz", "rad/s", "m", "mm", "km", "kg", "g",
+		"s", "min", "m/s", "km/h", "N/m", "kN/m", "kg/m", "N*m", "kN*m", "deg", "rad", "degC", "K",
+	};
+
+	for (size_t i = 0; i < sizeof unit/sizeof *unit; i++)
+		if (strcasecmp(text, unit[i]) == 0)
+			return unit[i];
+	return NULL;
+}
+
+/* What is not a unit. */
+static void no_unit(char *sentence, size_t size, const char *shown, const char *how)
+{
+	const char *meant = other_case(shown);
+
+	if (*shown == ',')
+		snprintf(sentence, size, "has a comma: a number has a decimal point");
+	else
+		snprintf(sentence, size, "has an unknown unit \"%s\": %s%s%s%s", shown,
+		         meant ? "did you mean " : "", meant ? meant : "", meant ? "? " : "", how);
+}
+
 void hawser__units_explain(char *sentence, size_t size, enum hawser__number failure,
                            const char *text, const char *unit)
 {
@@ -336,7 +363,7 @@ void hawser__units_explain(char *sentence, size_t size, enum hawser__number fail
 		snprintf(sentence, size, "is beyond double precision: %s", how);
 		break;
 	case HAWSER__NUMBER_UNKNOWN:
-		snprintf(sentence, size, "has an unknown unit \"%s\": %s", shown, how);
+		no_unit(sentence, size, shown, how);
 		break;
 	case HAWSER__NUMBER_DIMENSION:
 		mass = mass_of_weight(text, unit);

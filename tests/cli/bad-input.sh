@@ -21,6 +21,17 @@ scene '{EA: 400 MN, rho: 6 kg/m, Rho: 3}' "$span" "$tension"
 bad 1 'scene\.yaml:1:.*cable\.Rho: did you mean rho'
 scene '{EA: 400 MN, rho: 6 kg/m, rho: 7}' "$span" "$tension"
 bad 1 'scene\.yaml:1:.*rho.*(twice|again|duplicate|already)'
+scene '{EA: 400 MN, mass: 6 kg/m}' "$span" "$tension"
+bad 1 'scene\.yaml:1:.*cable\.mass: did you mean rho'
+scene '{EA: 3,6 MN, rho: 6}' "$span" "$tension"
+bad 1 'scene\.yaml:1:.*decimal comma'
+scene "$cable" "$span" '{T0: "80,5 kN"}'
+bad 1 'scene\.yaml:3:.*decimal point'
+scene "$cable" "$span" '{T0: 80 kn}'
+bad 1 'scene\.yaml:3:.*did you mean kN'
+printf 'cable:\n\tEA: 4e8\n' >../scene.yaml
+bad 1 'scene\.yaml:2:.*a tab'
+refuses_like 1 'scene\.yaml is a file, and no command comes before it' ../scene.yaml
 scene '{EA: 400 MN}' "$span" "$tension"
 bad 1 'scene\.yaml.*cable\.rho'
 scene "$cable" "$span" '{T0: 80 kN, H: 70 kN}'

@@ -23,8 +23,7 @@ static const struct {
 	 "s.yaml:2:19: span.h runs over several lines, up to line 3: is a bracket, quote or "
 	 "colon missing?"},
 	{"cable:\n\tEA: 3\n", NULL,
-	 "s.yaml:2:1: YAML syntax: found character that cannot start any token while "
-	 "scanning for the next token (line 2)"},
+	 "s.yaml:2:1: YAML syntax: a tab, where only spaces may be: indent with spaces"},
 	{"cable: {EA: 4e8}}\n", NULL,
 	 "s.yaml:1:17: YAML syntax: did not find expected key while parsing a block mapping "
 	 "(line 1)"},
@@ -270,13 +269,15 @@ static const struct {
 	 "s.yaml:1:13: cable.EA: \"400 kg\" has a wrong unit \"kg\", not convertible to N: "
 	 "give a number in N, or with a unit that converts to N"},
 	{"cable: {EA: 400 Mn, rho: 6}\n", NULL,
-	 "s.yaml:1:13: cable.EA: \"400 Mn\" has an unknown unit \"Mn\": give a number in N, "
+	 "s.yaml:1:13: cable.EA: \"400 Mn\" has an unknown unit \"Mn\": did you mean "
+	 "MN? give a number in N, "
 	 "or with a unit that converts to N"},
 	{"cable: {EA: foo, rho: 6}\n", NULL,
 	 "s.yaml:1:13: cable.EA: \"foo\" is not a number: give a number in N, or with a unit "
 	 "that converts to N"},
 	{"cable: {EA: 4,5 MN}\n", NULL,
-	 "s.yaml:1:15: unknown key cable.5 MN: cable takes EA, rho, EI"},
+	 "s.yaml:1:15: unknown key cable.5 MN: is it a decimal comma? A number has a decimal "
+	 "point; cable takes EA, rho, EI"},
 	{"cable: {EA: .nan}\n", NULL,
 	 "s.yaml:1:13: cable.EA: \".nan\" is not a number (NaN): give a number in N, or with "
 	 "a unit that converts to N"},

@@ -86,7 +86,8 @@ static void refusals(void)
 	} table[] = {
 		{"400 kg", "N", "\"400 kg\" has a wrong unit \"kg\", not convertible to N: give a number "
 		                "in N, or with a unit that converts to N"},
-		{"400 Mn", "N", "\"400 Mn\" has an unknown unit \"Mn\": give a number in N, or with "
+		{"400 Mn", "N", "\"400 Mn\" has an unknown unit \"Mn\": did you mean MN? give "
+		 "a number in N, or with "
 		                "a unit that converts to N"},
 		{"foo", "N", "\"foo\" is not a number: give a number in N, or with a unit that "
 		             "converts to N"},

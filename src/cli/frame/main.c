@@ -5,6 +5,7 @@
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include <cblas.h>
 
@@ -103,6 +104,9 @@ static enum hawser_status unknown_command(const char *name, struct hawser_report
 		if (is_called(commands[i], name, commands[i]->name + first_word(commands[i]) + 1, 2))
 			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "main",
 			                    "%s needs a second word: hawser %s", name, commands[i]->name);
+	if (name[0] != '-' && access(name, R_OK) == 0)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "main", "%s is a file, and no command comes "
+		                    "before it: hawser check %s tells which commands take it", name, name);
 	best = cli_nearest(name, names, command_count);
 	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "main",
 	                    "unknown %s %s%s%s%s (hawser --help lists the commands)",
