@@ -14,8 +14,9 @@
 /* The part of the estimated error that no number of modes makes up for, and its factor of safety:
  * from which on the reduced model is not good enough. */
 static const double enough = 0.01, safety = 1.5;
-/* The whole error, modes left out included, from which on it is not; chosen. */
-static const double much = 0.02;
+/* The whole error, modes left out included, from which on it is not; and from which on a part of the
+ * range that is right is worth more than the whole of the modes; chosen. */
+static const double much = 0.02, rough = 0.1;
 /* What is asked of the full-order models, and their largest basis: the load or a mode of the range
  * may need as many. */
 static const double asked = 0.01;
@@ -23,7 +24,7 @@ enum { FUNCTIONS = 24 };
 /* Seconds of processor time, as counted (hawser_orbit_work), that nobody has to ask for: where
  * no number of modes is good enough, and where more of them, or model.modes: auto, may be;
  * chosen. */
-static const double bearable = 60.0, bearable_else = 10.0;
+static const double bearable = 60.0, bearable_else = 20.0;
 
 int hawser_accuracy_truncated(double truncation)
 {
@@ -43,8 +44,10 @@ struct hawser_accuracy_options hawser_accuracy_instead(const struct hawser_accur
 	struct hawser_accuracy_options choice = {.frf = *frf, .agreed = 1, .partial = 1,
 		.accuracy = own ? 0.0 : asked, .bearable = bearable, .most_functions = FUNCTIONS};
 
-	if (fixed && isfinite(fixed->estimated) && !hawser_accuracy_truncated(fixed->truncation))
+	if (fixed && isfinite(fixed->estimated) && !hawser_accuracy_truncated(fixed->truncation)) {
 		choice.bearable = bearable_else;
+		choice.partial = fixed->estimated > rough;
+	}
 	choice.frf.most_work = 0.0;
 	if (choice.frf.max_points == 0 || choice.frf.max_points > HAWSER_INSTEAD_POINTS)
 		choice.frf.max_points = HAWSER_INSTEAD_POINTS;
