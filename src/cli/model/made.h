@@ -4,6 +4,7 @@
 #define HAWSER_CLI_MADE_H
 
 #include <hawser/line_rom.h>
+#include <hawser/net_rom.h>
 
 #include "cli/frame/cli.h"
 #include "cli/model/certificate.h"
@@ -33,6 +34,10 @@ struct cli_maker {
 	/* Correct folds and peaks of a result of such a model (certificate.h), also `cable`; or NULL. */
 	enum hawser_status (*certify)(struct cli_certificate *certificate,
 	                              const struct cli_frf_result *result, double bearable,
+	                              struct hawser_report *report);
+	/* Write the motion of such a model as an animation of what it is of; or NULL. */
+	enum hawser_status (*animate)(const char *path, const struct cli_model *model,
+	                              const struct hawser_net_rom_motion *motion,
 	                              struct hawser_report *report);
 	void (*clear)(struct cli_made *made); /* without the modes */
 };
