@@ -47,6 +47,7 @@ struct cli_made {
 	const struct cli_maker *by;
 	struct cli_made_modes modes;
 	int chosen;                  /* candidates of a choice of modes; 0: none was made */
+	int joints;                  /* shape points that come first and are joints of a net */
 };
 void cli_made_free(struct cli_made *made);
 /* --keep: "1,4,6", as indices kept[by->most]; *count, and n, the last of them. */

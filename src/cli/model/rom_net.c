@@ -4,6 +4,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "cli/model/made.h"
 #include "cli/motion/film_net.h"
@@ -35,6 +36,16 @@ static enum hawser_status again(struct hawser_rom *rom, struct cli_made_modes *m
 	return build(rom, modes, made, n, kept, count, !kept, report);
 }
 
+/* Shape points of joints come first, in the order of the nodes. */
+static int count_joints(const struct hawser_rom_shapes *shapes, const struct hawser_net *net)
+{
+	int count = 0;
+
+	for (int i = 0; i < net->nodes && count < shapes->points; i++)
+		count += strcmp(shapes->name[count], net->node[i].name) == 0;
+	return count;
+}
+
 static enum hawser_status load(struct cli_model *model, const struct cli_common *common, int n,
                                struct hawser_report *report)
 {
@@ -51,8 +62,12 @@ static enum hawser_status load(struct cli_model *model, const struct cli_common 
 	if (!status && common->lane.keep)
 		status = cli_made_keep(of->kept, &of->count, &n, common->lane.keep, &cli_maker_net, report);
 	of->n = n;
-	return status ? status : build(&model->rom, &of->made.modes, &of->made, n,
-	                               of->count ? of->kept : NULL, of->count, 0, report);
+	if (!status)
+		status = build(&model->rom, &of->made.modes, &of->made, n, of->count ? of->kept : NULL,
+		               of->count, 0, report);
+	if (!status)
+		of->made.joints = count_joints(&model->rom.shapes, &of->net);
+	return status;
 }
 
 /* The options of the model: those it was loaded with, or of a choice, with room for the modes. */
