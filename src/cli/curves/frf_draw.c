@@ -24,8 +24,8 @@ enum { label_size = CLI_FRF_LABEL };
 static const double visible = 1e-9;
 /* If the ratio of large to small amplitudes exceeds this, a linear axis hides the small ones. */
 static const double log_ratio = 100.0;
-/* A joint that moves less than this, relative, is not in the picture. Chosen. */
-static const double hardly = 0.1;
+/* Least motion of a joint that is drawn, over that of a place on a cable that moves more. Chosen. */
+static const double enough = 0.5;
 /* Amplitudes of mirrored probes differ by less than this, relative: the orbits' errors. */
 static const double same = 1e-6;
 
@@ -142,23 +142,29 @@ static int moves_most(const struct cli_frf_picture *of, int probes, int drawn)
 	return at;
 }
 
-/* The middle of a span, since others move with it, and the probe that moves most of the others; of a
- * ropeway, whose probes are the middles of its spans, the two that move most; of a net the joint that
- * moves most, unless it hardly does, and the place that moves most of the others. */
-static int choose_points(int point[2], const struct cli_frf_picture *of)
+/* The same of all probes, or of the joints of a net, which have names that its user knows. */
+static int drawn_first(const struct cli_frf_picture *of, int drawn)
 {
 	const struct cli_made *made = of->result->model->made;
+	int most = moves_most(of, of->result->frf->probes, drawn);
+	int joint = made ? moves_most(of, made->joints, drawn) : -1;
+
+	return joint >= 0 && motion_of(of, joint) > enough*motion_of(of, most) ? joint : most;
+}
+
+/* The middle of a span, since others move with it, and the probe that moves most of the others; of a
+ * ropeway, whose probes are the middles of its spans, the two that move most; of a net the
+ * joints, if they do not move much less. */
+static int choose_points(int point[2], const struct cli_frf_picture *of)
+{
 	const struct hawser_rom_shapes *shapes = &of->result->model->rom.shapes;
-	int second = 0, probes = of->result->frf->probes;
+	int second = 0;
 
 	while (second < shapes->points && strcmp(shapes->name[second], "mid") != 0)
 		second++;
-	if (second == shapes->points) {
-		int most = moves_most(of, probes, -1), joint = made ? moves_most(of, made->joints, -1) : -1;
-
-		second = joint >= 0 && motion_of(of, joint) > hardly*motion_of(of, most) ? joint : most;
-	}
-	point[0] = moves_most(of, probes, second);
+	if (second == shapes->points)
+		second = drawn_first(of, -1);
+	point[0] = drawn_first(of, second);
 	point[1] = second;
 	if (point[0] < 0)
 		point[0] = second;
