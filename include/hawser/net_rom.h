@@ -13,7 +13,7 @@
 #ifndef HAWSER_NET_ROM_H
 #define HAWSER_NET_ROM_H
 
-#include <hawser/net.h>
+#include <hawser/net_motion.h>
 #include <hawser/rom.h>
 
 #ifdef __cplusplus
@@ -48,6 +48,25 @@ enum hawser_status hawser_net_rom_build(struct hawser_rom *rom, struct hawser_mo
                                         const struct hawser_net *net,
                                         const struct hawser_net_rom_options *options,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* A motion of a model, as a motion of the whole net. */
+struct hawser_net_rom_motion {
+	const double *u;     /* [rows][n] coordinates at equal phases of the motion, from 0 */
+	int rows;
+	int periods;         /* of the load in one of the motion */
+	double duration;     /* s, of a period of the motion */
+	/* Called for each row, without T; not 0 ends it. */
+	int (*frame)(void *data, const struct hawser_net_frame *frame);
+	void *data;
+};
+
+/* The mesh in a motion of the model with these options: coordinates, what follows them to second order,
+ * and the static response to the load; what the frequency makes of that response is left out. Statuses
+ * of hawser_net_rom_build. */
+enum hawser_status hawser_net_rom_show(const struct hawser_net *net,
+                                       const struct hawser_net_rom_options *options,
+                                       const struct hawser_net_rom_motion *motion,
+                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 
 #ifdef __cplusplus
 }

@@ -279,6 +279,7 @@ static const struct row {
 	ROW(hawser_net_motion_options),
 	ROW(hawser_net_path),
 	ROW(hawser_net_plan),
+	ROW(hawser_net_rom_motion),
 	ROW(hawser_net_rom_options),
 	ROW(hawser_net_plan_cable),
 	ROW(hawser_net_plan_job),

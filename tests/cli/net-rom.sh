@@ -103,6 +103,14 @@ denies "a damper of a cable without length" 1 "has a damper and no length0" chec
 	--set cables.c1.length0= --set cables.c1.sag=3
 echo "passing: [{along: [c1, c2], $weights, speed: 13 m/s}]" | net speed "from: J, to: B"
 works "a motion at a speed" integrate speed.yaml --until 0.05 --every 0.05 --json motion.json -q
+works "a response" frf "$SRCDIR/notebooks-data/scenes/net-crosstie.yaml" --from "4.2 rad/s" --to "4.21 rad/s" -n 4 --certificate no \
+	--plot places.gp --json response.json -q
+try "  at both joints" test "$(grep -c "title 'J[12]'" places.gp)" = 2
+works "the motion of all nodes" orbit response.json#1 -n 4 --animate all.gif --frames 9 --tsv orbit.tsv -q
+try "  frames" python3 -S -c 'import sys; d = open("all.gif", "rb").read()
+sys.exit(d[:6] != b"GIF89a" or d.count(bytes([0x21, 0xf9, 4])) != 8)'
+works "a response of a file" frf axial.json --from 1.07w3 --to 1.075w3 --json response.json -q
+denies "the motion of a file" 1 "--animate is for nets, and axial.json is not one" orbit response.json#1 --animate all.gif
 denies "a cable that is not there" 1 "passing\[0\].along: there is no cable of this name" check passing.yaml \
 	--set "passing=[{along: [c9], $weights}]"
 denies "one away from the rope" 1 "cable i does not begin where the one before it ends" check back.yaml \

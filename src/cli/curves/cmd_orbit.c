@@ -16,8 +16,11 @@
 #include "cli/motion/integrate_result.h"
 #include "cli/model/exact.h"
 #include "cli/model/label.h"
+#include "cli/model/made.h"
 #include "cli/frame/progress.h"
+#include "core/hold.h"
 #include "core/report.h"
+#include "output/drawing/animate.h"
 
 enum { ROWS = 256,      /* of a period of the motion; chosen */
        HARMONICS = 16 };
@@ -26,10 +29,10 @@ enum { ROWS = 256,      /* of a period of the motion; chosen */
 
 struct settings {
 	struct cli_common common;
-	const char *label;
-	int n;
+	const char *label, *animate;
+	int n, frames;
 };
-static const struct settings defaults = {.label = NULL};
+static const struct settings defaults = {.frames = HAWSER__ANIMATE_FRAMES};
 
 static const struct cli_option options[] = {
 	{"from-label", 0, "FILE#LABEL", "label of a JSON result of frf", CLI_TEXT(label)},
@@ -37,6 +40,10 @@ static const struct cli_option options[] = {
 	CLI_LIBRARY_OPTION,
 	CLI_LANE_LOAD_OPTION,
 	CLI_LANE_OPTIONS,
+	CLI_HEADING("Pictures and files"),
+	{"animate", 0, "FILE.gif", "nets: write an animation of a period", CLI_TEXT_FOR(animate, CLI_NET)},
+	{"frames", 0, "N", "of the animation, at most (100)", CLI_COUNT_FOR(frames, CLI_NET),
+	 .needs = "animate"},
 	CLI_NO_OPTION,
 };
 
@@ -185,6 +192,29 @@ static enum hawser_status solve(struct cli_integrate_result *result, struct cli_
 	return status;
 }
 
+/* A period at so many equal phases that a part of the rows has; of a label alone, only now is known of
+ * what. */
+static enum hawser_status animate(const struct cli_integrate_result *result,
+                                  const struct settings *settings, struct hawser_report *report)
+{
+	const struct cli_model *model = result->model;
+	size_t n = (size_t)model->rom.n;
+	int stride = 1;
+	double *u = hawser__numbers(ROWS, n);
+	enum hawser_status status;
+
+	while (ROWS/stride > settings->frames)
+		stride *= 2;
+	for (size_t i = 0; u && i < (size_t)(ROWS/stride); i++)
+		memcpy(u + i*n, result->run.state + 2*i*(size_t)stride*n, n*sizeof *u);
+	status = !u ? hawser__no_memory(report, "orbit")
+	         : model->made->by->animate(settings->animate, model, &(struct hawser_net_rom_motion){
+			.u = u, .rows = ROWS/stride, .periods = result->orbit->period,
+			.duration = result->period/cli_per_omega(model)}, report);
+	free(u);
+	return status;
+}
+
 /* FILE#LABEL in place of the scene: the result names the scene or model, scene [size]. */
 static enum hawser_status of_result(struct settings *settings, char *scene, size_t size,
                                     struct hawser_report *report)
@@ -217,6 +247,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	char text[CLI_WARNING_SIZE], scene[4096];
 
 	if (!status)
+		status = hawser__animate_check(settings->animate, "orbit", report);
+	if (!status)
 		status = of_result(&own, scene, sizeof scene, report);
 	if (!status && !settings->label)
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "orbit",
@@ -226,6 +258,9 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		status = cli_model_load(&model, &settings->common, settings->n, report);
 	if (!status)
 		status = cli_exact_as(&model, settings->label, report);
+	if (!status && settings->animate && !(model.made && model.made->by->animate))
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "orbit", "--animate is for nets, and %s is "
+		                      "not one", cli_input_name(&settings->common));
 	if (!status)
 		status = cli_label_open(&label, "from-label", settings->label, NULL, &model,
 		                        &settings->common, report);
@@ -248,6 +283,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	showing.comments = comments;
 	if (!status)
 		status = cli_show(&settings->common, &showing, &result, report);
+	if (!status && settings->animate)
+		status = animate(&result, settings, report);
 	if (!status)
 		cli_known_warn(&model, label.omega);
 	if (!status)

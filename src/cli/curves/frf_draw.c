@@ -13,6 +13,7 @@
 #include "cli/curves/frf_over.h"
 #include "cli/curves/frf_picture.h"
 #include "cli/frame/view.h"
+#include "cli/model/made.h"
 #include "core/append.h"
 #include "core/order.h"
 #include "core/report.h"
@@ -23,6 +24,8 @@ enum { label_size = CLI_FRF_LABEL };
 static const double visible = 1e-9;
 /* If the ratio of large to small amplitudes exceeds this, a linear axis hides the small ones. */
 static const double log_ratio = 100.0;
+/* Least motion of a joint that is drawn, over that of a place on a cable that moves more. Chosen. */
+static const double enough = 0.5;
 /* Amplitudes of mirrored probes differ by less than this, relative: the orbits' errors. */
 static const double same = 1e-6;
 
@@ -111,19 +114,27 @@ static void choose_stroke(struct cli_frf_picture *of)
 
 static const char *const axis_name[] = {"{/:Italic x}", "{/:Italic y}", "{/:Italic z}"};
 
-/* The probe, but for `drawn`, whose y or z is largest; the first of equal ones (a quarter of a span
- * before three quarters). -1: there is none. */
-static int moves_most(const struct cli_frf_picture *of, int drawn)
+/* Largest amplitude of y or z. */
+static double motion_of(const struct cli_frf_picture *of, int probe)
 {
 	const struct hawser_frf *frf = of->result->frf;
+
+	return fmax(largest(frf->probe, frf->points, 3*frf->probes, 3*probe + 1),
+	            largest(frf->probe, frf->points, 3*frf->probes, 3*probe + 2));
+}
+
+/* Of the first probes the one, but for `drawn`, that moves most; the first of equal ones (a quarter of
+ * a span before three quarters). -1: there is none. */
+static int moves_most(const struct cli_frf_picture *of, int probes, int drawn)
+{
 	double most = -1.0;
 	int at = -1;
 
-	for (int p = 0; p < frf->probes; p++) {
-		double y = largest(frf->probe, frf->points, 3*frf->probes, 3*p + 1);
-		double size = fmax(y, largest(frf->probe, frf->points, 3*frf->probes, 3*p + 2));
+	for (int p = 0; p < probes; p++) {
+		double size = motion_of(of, p);
 
-		if (p == drawn || is_stroke(of->result->model->rom.shapes.name[p]) || size <= most*(1.0 + same))
+		if (p == drawn || is_stroke(of->result->model->rom.shapes.name[p]) ||
+		    size <= most*(1.0 + same))
 			continue;
 		most = size;
 		at = p;
@@ -131,8 +142,19 @@ static int moves_most(const struct cli_frf_picture *of, int drawn)
 	return at;
 }
 
+/* The same of all probes, or of the joints of a net, which have names that its user knows. */
+static int drawn_first(const struct cli_frf_picture *of, int drawn)
+{
+	const struct cli_made *made = of->result->model->made;
+	int most = moves_most(of, of->result->frf->probes, drawn);
+	int joint = made ? moves_most(of, made->joints, drawn) : -1;
+
+	return joint >= 0 && motion_of(of, joint) > enough*motion_of(of, most) ? joint : most;
+}
+
 /* The middle of a span, since others move with it, and the probe that moves most of the others; of a
- * ropeway, whose probes are the middles of its spans, the two that move most. */
+ * ropeway, whose probes are the middles of its spans, the two that move most; of a net the
+ * joints, if they do not move much less. */
 static int choose_points(int point[2], const struct cli_frf_picture *of)
 {
 	const struct hawser_rom_shapes *shapes = &of->result->model->rom.shapes;
@@ -141,8 +163,8 @@ static int choose_points(int point[2], const struct cli_frf_picture *of)
 	while (second < shapes->points && strcmp(shapes->name[second], "mid") != 0)
 		second++;
 	if (second == shapes->points)
-		second = moves_most(of, -1);
-	point[0] = moves_most(of, second);
+		second = drawn_first(of, -1);
+	point[0] = drawn_first(of, second);
 	point[1] = second;
 	if (point[0] < 0)
 		point[0] = second;

@@ -4,6 +4,7 @@
 #define HAWSER_CLI_MADE_H
 
 #include <hawser/line_rom.h>
+#include <hawser/net_rom.h>
 
 #include "cli/frame/cli.h"
 #include "cli/model/certificate.h"
@@ -34,6 +35,10 @@ struct cli_maker {
 	enum hawser_status (*certify)(struct cli_certificate *certificate,
 	                              const struct cli_frf_result *result, double bearable,
 	                              struct hawser_report *report);
+	/* Write the motion of such a model as an animation of what it is of; or NULL. */
+	enum hawser_status (*animate)(const char *path, const struct cli_model *model,
+	                              const struct hawser_net_rom_motion *motion,
+	                              struct hawser_report *report);
 	void (*clear)(struct cli_made *made); /* without the modes */
 };
 
@@ -42,6 +47,7 @@ struct cli_made {
 	const struct cli_maker *by;
 	struct cli_made_modes modes;
 	int chosen;                  /* candidates of a choice of modes; 0: none was made */
+	int joints;                  /* shape points that come first and are joints of a net */
 };
 void cli_made_free(struct cli_made *made);
 /* --keep: "1,4,6", as indices kept[by->most]; *count, and n, the last of them. */

@@ -4,10 +4,10 @@
 
 #include <math.h>
 #include <stdlib.h>
-
-#include <hawser/net_rom.h>
+#include <string.h>
 
 #include "cli/model/made.h"
+#include "cli/motion/film_net.h"
 #include "core/report.h"
 
 struct cli_rom_net {
@@ -36,6 +36,16 @@ static enum hawser_status again(struct hawser_rom *rom, struct cli_made_modes *m
 	return build(rom, modes, made, n, kept, count, !kept, report);
 }
 
+/* Shape points of joints come first, in the order of the nodes. */
+static int count_joints(const struct hawser_rom_shapes *shapes, const struct hawser_net *net)
+{
+	int count = 0;
+
+	for (int i = 0; i < net->nodes && count < shapes->points; i++)
+		count += strcmp(shapes->name[count], net->node[i].name) == 0;
+	return count;
+}
+
 static enum hawser_status load(struct cli_model *model, const struct cli_common *common, int n,
                                struct hawser_report *report)
 {
@@ -52,33 +62,72 @@ static enum hawser_status load(struct cli_model *model, const struct cli_common 
 	if (!status && common->lane.keep)
 		status = cli_made_keep(of->kept, &of->count, &n, common->lane.keep, &cli_maker_net, report);
 	of->n = n;
-	return status ? status : build(&model->rom, &of->made.modes, &of->made, n,
-	                               of->count ? of->kept : NULL, of->count, 0, report);
+	if (!status)
+		status = build(&model->rom, &of->made.modes, &of->made, n, of->count ? of->kept : NULL,
+		               of->count, 0, report);
+	if (!status)
+		of->made.joints = count_joints(&model->rom.shapes, &of->net);
+	return status;
 }
 
-/* The options of the model that the result is of: those it was loaded with, or of a choice. */
+/* The options of the model: those it was loaded with, or of a choice, with room for the modes. */
+static struct hawser_net_rom_options options_of(int kept[HAWSER_NET_ROM_MODES],
+                                                const struct cli_rom_net *of)
+{
+	const struct hawser_modes *modes = &of->made.modes.modes;
+
+	for (int k = 0; k < modes->n; k++)
+		kept[k] = modes->mode[k].place - 1;
+	if (of->made.chosen > 0)
+		return (struct hawser_net_rom_options){.n = of->made.chosen, .kept = kept, .count = modes->n};
+	return (struct hawser_net_rom_options){.n = of->n, .count = of->count,
+	                                       .kept = of->count ? of->kept : NULL};
+}
+
 static enum hawser_status certify(struct cli_certificate *certificate,
                                   const struct cli_frf_result *result, double bearable,
                                   struct hawser_report *report)
 {
 	const struct cli_rom_net *of = (const struct cli_rom_net *)result->model->made;
-	const struct hawser_modes *modes = &of->made.modes.modes;
 	struct hawser_certificate *own = &certificate->own;
 	int kept[HAWSER_NET_ROM_MODES];
-	struct hawser_net_rom_options options = {.n = of->n, .count = of->count,
-	                                         .kept = of->count ? of->kept : NULL};
-	enum hawser_status status;
+	const struct hawser_net_rom_options options = options_of(kept, of);
+	enum hawser_status status = hawser_net_certify(own, &of->net, &options, &result->model->rom,
+	                                               result->frf, result->peak, result->peaks, bearable,
+	                                               report);
 
-	for (int k = 0; k < modes->n; k++)
-		kept[k] = modes->mode[k].place - 1;
-	if (of->made.chosen > 0)
-		options = (struct hawser_net_rom_options){.n = of->made.chosen, .kept = kept,
-		                                          .count = modes->n};
-	status = hawser_net_certify(own, &of->net, &options, &result->model->rom, result->frf, result->peak,
-	                            result->peaks, bearable, report);
 	for (int k = 0; k < own->count && !status; k++)
 		certificate->cable[k] = isfinite(own->item[k].tension) ? of->net.cable[own->item[k].cable].name
 		                                                       : NULL;
+	return status;
+}
+
+static int add_frame(void *film, const struct hawser_net_frame *frame)
+{
+	return cli_film_add(film, frame);
+}
+
+static enum hawser_status animate(const char *path, const struct cli_model *model,
+                                  const struct hawser_net_rom_motion *motion,
+                                  struct hawser_report *report)
+{
+	const struct cli_rom_net *of = (const struct cli_rom_net *)model->made;
+	struct cli_film film = {.room = motion->rows, .last = motion->rows - 1.0};
+	struct hawser_net_rom_motion own = *motion;
+	int kept[HAWSER_NET_ROM_MODES];
+	const struct hawser_net_rom_options options = options_of(kept, of);
+	enum hawser_status status;
+
+	own.frame = add_frame;
+	own.data = &film;
+	status = hawser_net_rom_show(&of->net, &options, &own, report);
+	if (!status && film.rows < motion->rows)
+		status = hawser__no_memory(report, "animation");
+	if (!status) {
+		cli_film_magnify(&film);
+		status = cli_film_write(path, &film, &of->net, report);
+	}
+	cli_film_clear(&film);
 	return status;
 }
 
@@ -107,4 +156,5 @@ static void clear(struct cli_made *made)
 const struct cli_maker cli_maker_net = {
 	.called = "a net", .many = "nets", .most = HAWSER_NET_ROM_MODES, .clusters = 1,
 	.still = "a net, whose mesh moves by tables: hawser integrate, with supports.NAME.table",
-	.load = load, .again = again, .comments = comments, .certify = certify, .clear = clear};
+	.load = load, .again = again, .comments = comments, .certify = certify, .animate = animate,
+	.clear = clear};

@@ -3,12 +3,18 @@
 
 #include <errno.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "cli/motion/film_net.h"
 #include "core/report.h"
 #include "output/drawing/animate.h"
+#include "output/drawing/panels.h"
+#include "output/drawing/perspective.h"
+
+static const double large = 0.2;  /* of the size of the net, half of which magnified motions reach */
+static const double same = 1e-6;  /* relative: of equal motions the first one has the mark */
 
 /* Make room for all frames. */
 static int begin(struct cli_film *film, const struct hawser_net_frame *frame)
@@ -17,8 +23,10 @@ static int begin(struct cli_film *film, const struct hawser_net_frame *frame)
 	film->elements = frame->elements;
 	film->x = calloc((size_t)film->room*(size_t)frame->nodes, sizeof *film->x);
 	film->row = calloc((size_t)film->room, sizeof *film->row);
+	film->time = calloc((size_t)film->room, sizeof *film->time);
+	film->mark = calloc((size_t)film->room, sizeof *film->mark);
 	film->end = calloc((size_t)frame->elements + 1, sizeof *film->end);
-	if (!film->x || !film->row || !film->end)
+	if (!film->x || !film->row || !film->time || !film->mark || !film->end)
 		return ENOMEM;
 	memcpy(film->end, frame->end, (size_t)frame->elements*sizeof *film->end);
 	return 0;
@@ -33,8 +41,69 @@ int cli_film_add(struct cli_film *film, const struct hawser_net_frame *frame)
 		return bad;
 	memcpy(film->x + (size_t)film->rows*(size_t)film->nodes, frame->x,
 	       (size_t)film->nodes*sizeof *film->x);
+	film->time[film->rows] = frame->t;
 	film->row[film->rows++] = frame->row;
 	return 0;
+}
+
+/* --- what is too small to be seen --- */
+
+static void mean_of(double mean[3], const struct cli_film *film, int node)
+{
+	memset(mean, 0, 3*sizeof *mean);
+	for (int i = 0; i < 3*film->rows; i++)
+		mean[i%3] += film->x[i/3*film->nodes + node][i%3]/film->rows;
+}
+
+/* The longest way from there. */
+static double reach_of(const struct cli_film *film, const double mean[3], int node)
+{
+	double most = 0.0;
+
+	for (int i = 0; i < film->rows; i++) {
+		const double *x = film->x[i*film->nodes + node];
+
+		most = fmax(most, hypot(hypot(x[0] - mean[0], x[1] - mean[1]), x[2] - mean[2]));
+	}
+	return most;
+}
+
+static void enlarge(struct cli_film *film, int node, double times)
+{
+	double mean[3];
+
+	mean_of(mean, film, node);
+	for (int i = 0; i < 3*film->rows; i++) {
+		double *x = &film->x[i/3*film->nodes + node][i%3];
+
+		*x = mean[i%3] + times*(*x - mean[i%3]);
+	}
+}
+
+void cli_film_magnify(struct cli_film *film)
+{
+	struct hawser__box box = {.any = 0};
+	struct hawser__eye eye;
+	double most = 0.0, times;
+	int best = 0;
+
+	for (int i = 0; i < film->nodes; i++) {
+		double mean[3], reach;
+
+		mean_of(mean, film, i);
+		reach = reach_of(film, mean, i);
+		hawser__box_add(&box, mean, 3);
+		best = reach > most*(1.0 + same) ? i : best;
+		most = fmax(most, reach);
+	}
+	hawser__eye_look(&eye, &box, HAWSER__IN_SPACE, NULL);
+	times = hawser__panels_magnify(most, large*eye.size);
+	for (int i = 0; i < film->nodes && times > 1.0; i++)
+		enlarge(film, i, times);
+	for (int i = 0; i < film->rows; i++)
+		memcpy(film->mark[i], film->x[i*film->nodes + best], sizeof *film->mark);
+	if (times > 1.0)
+		snprintf(film->note, sizeof film->note, "motion magnified %.9g times", times);
 }
 
 void cli_film_clear(struct cli_film *film)
@@ -42,22 +111,16 @@ void cli_film_clear(struct cli_film *film)
 	free(film->x);
 	free(film->end);
 	free(film->row);
+	free(film->time);
+	free(film->mark);
 }
 
 enum hawser_status cli_film_write(const char *path, const struct cli_film *film,
-                                  const struct hawser_net *net, const struct hawser_net_motion *motion,
-                                  struct hawser_report *report)
+                                  const struct hawser_net *net, struct hawser_report *report)
 {
-	double *time = calloc((size_t)film->room, sizeof *time);
-	double (*mark)[3] = calloc((size_t)film->room, sizeof *mark);
 	int *held = calloc((size_t)net->nodes + 1, sizeof *held), helds = 0;
-	enum hawser_status status = time && mark && held ? HAWSER_OK
-	                                                 : hawser__no_memory(report, "integrate");
+	enum hawser_status status = held ? HAWSER_OK : hawser__no_memory(report, "animation");
 
-	for (int i = 0; i < film->rows && !status; i++) {
-		time[i] = motion->time[film->row[i]];
-		memcpy(mark[i], motion->x[(long)film->row[i]*motion->probes], sizeof mark[i]);
-	}
 	for (int i = 0; i < net->nodes && !status; i++) {
 		int free_now = 0;
 
@@ -68,12 +131,11 @@ enum hawser_status cli_film_write(const char *path, const struct cli_film *film,
 	}
 	if (!status)
 		status = hawser__animate(path, &(struct hawser__animation){
-			.time = time, .x = (const double (*)[3])film->x, .rows = film->rows,
-			.points = film->nodes, .frames = film->room, .mark = (const double (*)[3])mark,
+			.time = film->time, .x = (const double (*)[3])film->x, .rows = film->rows,
+			.points = film->nodes, .frames = film->room, .mark = (const double (*)[3])film->mark,
 			.end = (const int (*)[2])film->end, .elements = film->elements, .held = held,
-			.helds = helds, .surface = net->surface, .surfaces = net->surfaces}, report);
-	free(time);
-	free(mark);
+			.helds = helds, .surface = net->surface, .surfaces = net->surfaces,
+			.note = *film->note ? film->note : NULL}, report);
 	free(held);
 	return status;
 }

@@ -378,9 +378,11 @@ static enum hawser_status solve(struct result *result, struct hawser_report *rep
 		*report = result->of_frame;
 		status = result->failed;
 	}
+	for (int i = 0; i < result->film.rows && !status; i++) /* of the first probe */
+		memcpy(result->film.mark[i], result->motion.x[(long)result->film.row[i]*result->motion.probes],
+		       sizeof *result->film.mark);
 	if (!status && result->settings->animate)
-		status = cli_film_write(result->settings->animate, &result->film, &result->mesh.net,
-		                        &result->motion, report);
+		status = cli_film_write(result->settings->animate, &result->film, &result->mesh.net, report);
 	return status;
 }
 

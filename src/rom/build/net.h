@@ -63,10 +63,10 @@ enum hawser_status hawser__net_source_open(struct hawser__net_source *source, st
                                            struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser__net_source_clear(struct hawser__net_source *source);
 /* net_lift.c: displacements [rows][unknowns], m, at equidistant phases from 0 of a motion u [rows][n]
- * of its model. */
+ * of its model over so many periods of the load. */
 enum hawser_status hawser__net_lift(double *to, const struct hawser__net_source *source,
                                     const struct hawser__answers *answers, const double *u, int rows,
-                                    struct hawser_report *report) HAWSER_MUST_CHECK;
+                                    int periods, struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* net_load.c: waves and lifts of the scene; and the multiples of waves and motions. */
 enum hawser_status hawser__net_multiples(struct hawser__mesh *mesh, const char *name,

@@ -97,7 +97,8 @@ static enum hawser_status lift(struct work *w, const double *state, double omega
 		memcpy(w->u + t*n, run.state + 2*t*n, n*sizeof *w->u);
 	hawser_trajectory_clear(&run);
 	if (!status)
-		status = hawser__net_lift(w->row, &w->both.source, &w->both.answers, w->u, PHASES, report);
+		status = hawser__net_lift(w->row, &w->both.source, &w->both.answers, w->u, PHASES, 1,
+		                          report);
 	if (!status)
 		transform(w);
 	return status;
