@@ -18,6 +18,8 @@
 #define A_PART 0.5      /* of what can be borne, for a part of the range; chosen */
 #define ASIDE 2         /* points before the one from which the curve cannot be followed; chosen */
 #define SLACK_POINTS 50 /* fewest points of which slackness is judged; chosen */
+#define UNSEEN 0.035    /* distance of two drafts, relative to the accuracy, that is not seen between
+                         * their points: 4.9e-4 at a peak of deep-sag where 4.4e-5 was */
 #define FINELY 64       /* parts of a curve, up to one of which two are told to agree; chosen */
 #define FIRST_POINTS 24 /* of a trace, before anything is foreseen; chosen */
 
@@ -242,10 +244,10 @@ static enum hawser_status agree(struct hawser__draft *draft, const struct hawser
 		a = part(before, to, way);
 		b = part(curve, to, way);
 		status = hawser__curve_distance(&apart, &a, &b, report);
-			if (!status && apart <= most) {
+		if (!status && apart <= most) {
 			good = middle;
 			draft->until = exp(to);
-			draft->apart = apart;
+			draft->apart = fmax(apart, UNSEEN*HAWSER__SAFETY_BASIS*most);
 		} else {
 			bad = middle;
 		}
@@ -275,6 +277,7 @@ enum hawser_status hawser__draft_draw(struct hawser__draft *next, double *moved,
 	if (!status && !hawser__accuracy_cut(a) && last.functions && last.functions == chosen->functions &&
 	    traced->end == last.end)
 		status = hawser__curve_distance(moved, &last.curve, &traced->curve, report);
+	*moved = fmax(*moved, UNSEEN*a->asked);
 	if (!status && options->partial && isfinite(*moved) && *moved > most)
 		status = agree(next, &last.curve, &traced->curve, most, report);
 	hawser__traced_clear(&last);
