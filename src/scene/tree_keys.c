@@ -123,9 +123,8 @@ static int among(const char *name, const char *keys)
 static const struct {
 	const char *name, *key;
 } synonym[] = {
-	{"mass", "rho"}, {"density", "rho"}, {"weight", "rho"}, {"stiffness", "EA"},
-	{"E", "EA"}, {"length", "d"}, {"span", "d"}, {"rise", "h"}, {"height", "h"}, {"pretension", "H"},
-	{"force", "H"}, {"velocity", "speed"}, {"zeta", "ratio"}, {"xi", "ratio"},
+	{"mass", "rho"}, {"stiffness", "EA"}, {"length", "d"}, {"span", "d"}, {"rise", "h"},
+	{"height", "h"}, {"pretension", "H"}, {"velocity", "speed"}, {"zeta", "ratio"}, {"xi", "ratio"},
 };
 
 /* One of the keys by another name of it, or NULL. */

@@ -318,24 +318,34 @@ static double mass_of_weight(const char *text, const char *unit)
 	return answer == HAWSER__NUMBER_OK ? weight/standard_gravity : NAN;
 }
 
-/* A unit that differs from `text` in small and capital letters alone, or NULL. */
-static const char *other_case(const char *text)
+/* A unit that converts to `to` and differs from `text` in small and capital letters alone, or NULL. */
+static const char *other_case(const char *text, const char *to)
 {
 	static const char *const unit[] = {
 		"N", "kN", "MN", "Pa", "kPa", "MPa", "GPa", "Hz", "kHz", "rad/s", "m", "mm", "km", "kg", "g",
 		"s", "min", "m/s", "km/h", "N/m", "kN/m", "kg/m", "N*m", "kN*m", "deg", "rad", "degC", "K",
 	};
 
-	for (size_t i = 0; i < sizeof unit/sizeof *unit; i++)
-		if (strcasecmp(text, unit[i]) == 0)
-			return unit[i];
-	return NULL;
+	const char *meant = NULL;
+	struct hawser__units units = {NULL};
+
+	for (size_t i = 0; i < sizeof unit/sizeof *unit; i++) {
+		char one[16];
+		double ignored;
+
+		snprintf(one, sizeof one, "1 %s", unit[i]);
+		if (strcasecmp(text, unit[i]) == 0 &&
+		    hawser__units_read(&units, &ignored, one, to) == HAWSER__NUMBER_OK)
+			meant = unit[i];
+	}
+	hawser__units_clear(&units);
+	return meant;
 }
 
 /* What is not a unit. */
-static void no_unit(char *sentence, size_t size, const char *shown, const char *how)
+static void no_unit(char *sentence, size_t size, const char *shown, const char *to, const char *how)
 {
-	const char *meant = other_case(shown);
+	const char *meant = other_case(shown, to);
 
 	if (*shown == ',')
 		snprintf(sentence, size, "has a comma: a number has a decimal point");
@@ -363,7 +373,7 @@ void hawser__units_explain(char *sentence, size_t size, enum hawser__number fail
 		snprintf(sentence, size, "is beyond double precision: %s", how);
 		break;
 	case HAWSER__NUMBER_UNKNOWN:
-		no_unit(sentence, size, shown, how);
+		no_unit(sentence, size, shown, unit, how);
 		break;
 	case HAWSER__NUMBER_DIMENSION:
 		mass = mass_of_weight(text, unit);

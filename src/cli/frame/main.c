@@ -5,7 +5,7 @@
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
+#include <sys/stat.h>
 
 #include <cblas.h>
 
@@ -94,6 +94,7 @@ static enum hawser_status unknown_command(const char *name, struct hawser_report
 {
 	char word[command_count][16];
 	const char *names[command_count], *best;
+	struct stat file;
 	int i;
 
 	for (i = 0; i < command_count; i++) {
@@ -104,7 +105,7 @@ static enum hawser_status unknown_command(const char *name, struct hawser_report
 		if (is_called(commands[i], name, commands[i]->name + first_word(commands[i]) + 1, 2))
 			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "main",
 			                    "%s needs a second word: hawser %s", name, commands[i]->name);
-	if (name[0] != '-' && access(name, R_OK) == 0)
+	if (name[0] != '-' && stat(name, &file) == 0 && S_ISREG(file.st_mode))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "main", "%s is a file, and no command comes "
 		                    "before it: hawser check %s tells which commands take it", name, name);
 	best = cli_nearest(name, names, command_count);

@@ -35,7 +35,6 @@
 #include "config.h"
 
 #include <math.h>
-#include <stdio.h>
 
 #include "core/progress.h"
 #include "core/report.h"
@@ -50,7 +49,7 @@
                           * chosen */
 #define NEAR 0.1        /* largest distance of marks from the curve that they are carried from: others
                           * are of another curve; chosen */
-#define AT_LEAST 0.5     /* of what can be borne, for the response whatever the drafts took; chosen */
+#define AT_LEAST 0.5    /* of what can be borne, for the response whatever the drafts took; chosen */
 #define REACH 2.0        /* 2: the second harmonic of the response may be in resonance with them */
 
 /* Numbers of functions per component, in the order in which they are tried. */
@@ -141,23 +140,6 @@ static int retry(enum hawser_status status, int *functions, struct hawser_frf_op
 	return *functions < (options->most_functions > 0 ? options->most_functions : bases[BASES - 1]);
 }
 
-/* Where no two bases agree over the whole range, it ends where the last two no longer do. */
-static enum hawser_status end_range(enum hawser_status status, const struct hawser__draft *chosen,
-                                    double *moved, struct hawser_accuracy *a,
-                                    struct hawser_frf_options *frf)
-{
-	if ((status && status != HAWSER_ERR_CONVERGENCE) || HAWSER__SAFETY_BASIS**moved <= a->asked ||
-	    !(chosen->until > 0.0) || (hawser__accuracy_cut(a) && !a->costly))
-		return status;
-	a->until = frf->to = chosen->until;
-	snprintf(a->beyond, sizeof a->beyond, "there, models of up to %d functions a component do not "
-	         "agree on the motion", chosen->functions);
-	*moved = chosen->apart;
-	a->costly = 0;
-	a->frf.end = HAWSER_END_RANGE;
-	return HAWSER_OK;
-}
-
 /* The first bases of which two agree: *chosen is the smaller one, *moved the distance of the two,
  * and *checked the coordinates of the larger. If no two agree, the last ones. */
 static enum hawser_status choose(struct hawser__draft *chosen, double *moved, int *checked,
@@ -211,7 +193,7 @@ static enum hawser_status choose(struct hawser__draft *chosen, double *moved, in
 		*chosen = next;
 	}
 	hawser__traced_clear(&traced);
-	return end_range(status, chosen, moved, a, frf);
+	return status;
 }
 
 /* The response of the chosen basis. */
@@ -236,7 +218,7 @@ static enum hawser_status follow(struct hawser_accuracy *a, struct hawser__marks
 	}
 	a->traced.progress = options->frf.progress;
 	if (!status && a->frf.end == HAWSER_END_WORK) {
-		a->until = hawser__draft_reach(&a->frf, a->frf.points, settled);
+		a->until = a->traced.to = hawser__draft_reach(&a->frf, a->frf.points, settled);
 		a->beyond[0] = '\0';
 		a->frf.end = HAWSER_END_RANGE;
 	}

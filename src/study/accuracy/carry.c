@@ -23,8 +23,8 @@
 #include "rom/terms/terms.h"
 
 #define FAR 0.1    /* largest distance from an orbit to its counterpart, relative; chosen */
-#define PATIENCE 100.0 /* contraction of Newton's steps that is borne: in the metric, what was at rest
-                      * counts most, and the second step may be as long as the first; chosen */
+#define PATIENCE 100.0 /* contraction that is borne, hardly a limit: in the metric of the orbit, what
+                        * was at rest counts most, and the first steps may grow; FAR decides; chosen */
 #define PART 1e-5  /* smallest harmonic that is taken over, relative to the orbit, both by the roots of
                     * their energies: small motions along the cable stretch it; chosen */
 

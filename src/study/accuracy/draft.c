@@ -20,7 +20,6 @@
 #define SLACK_POINTS 50 /* fewest points of which slackness is judged; chosen */
 #define UNSEEN 0.035    /* distance of two drafts, relative to the accuracy, that is not seen between
                          * their points: 4.9e-4 at a peak of deep-sag where 4.4e-5 was */
-#define FINELY 64       /* parts of a curve, up to one of which two are told to agree; chosen */
 #define FIRST_POINTS 24 /* of a trace, before anything is foreseen; chosen */
 
 void hawser__traced_clear(struct hawser__traced *traced)
@@ -223,38 +222,6 @@ enum hawser_status hawser__draft_carry(struct hawser__draft *draft, double *away
 	return status;
 }
 
-/* Up to where the draft agrees with the one before, which differs somewhere in the range: the points of
- * its curve are halved. */
-static enum hawser_status agree(struct hawser__draft *draft, const struct hawser__drawn_curve *before,
-                                const struct hawser__drawn_curve *curve, double most,
-                                struct hawser_report *report)
-{
-	double way = log_omega(curve, curve->points - 1) > log_omega(curve, 0) ? 1.0 : -1.0;
-	struct hawser__drawn_curve a, b;
-	int good = FIRST_POINTS, bad = curve->points;
-	enum hawser_status status = HAWSER_OK;
-
-	while (!status && bad - good > 1 + curve->points/FINELY) {
-		int middle = good + (bad - good)/2;
-		double to = log_omega(curve, 0), apart = INFINITY;
-
-		for (int i = 1; i < middle; i++)
-			to = way*(log_omega(curve, i) - to) > 0.0 ? log_omega(curve, i) : to;
-		to -= way*most; /* at a fold, a little before it */
-		a = part(before, to, way);
-		b = part(curve, to, way);
-		status = hawser__curve_distance(&apart, &a, &b, report);
-		if (!status && apart <= most) {
-			good = middle;
-			draft->until = exp(to);
-			draft->apart = fmax(apart, UNSEEN*HAWSER__SAFETY_BASIS*most);
-		} else {
-			bad = middle;
-		}
-	}
-	return status;
-}
-
 /* The same basis with a draft of its own, in place of the last one, with which it is compared. */
 enum hawser_status hawser__draft_draw(struct hawser__draft *next, double *moved,
                                       struct hawser__traced *traced,
@@ -264,7 +231,6 @@ enum hawser_status hawser__draft_draw(struct hawser__draft *next, double *moved,
                                       struct hawser_report *report)
 {
 	struct hawser__traced last = *traced;
-	double most = a->asked/HAWSER__SAFETY_BASIS;
 	enum hawser_status status;
 
 	*moved = INFINITY;
@@ -278,8 +244,6 @@ enum hawser_status hawser__draft_draw(struct hawser__draft *next, double *moved,
 	    traced->end == last.end)
 		status = hawser__curve_distance(moved, &last.curve, &traced->curve, report);
 	*moved = fmax(*moved, UNSEEN*a->asked);
-	if (!status && options->partial && isfinite(*moved) && *moved > most)
-		status = agree(next, &last.curve, &traced->curve, most, report);
 	hawser__traced_clear(&last);
 	return status;
 }

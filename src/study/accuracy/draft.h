@@ -19,9 +19,6 @@ struct hawser__draft {
 	struct hawser__drawn_curve curve;
 	int functions, points;
 	double work;
-	/* Omega up to which it agrees with the draft before, if not over the whole range; 0: nowhere, or
-	 * not known. And how far they are apart up to there. */
-	double until, apart;
 };
 
 /* The last curve that was traced, and the orbits at its marks. */
