@@ -111,8 +111,11 @@ try "  frames" python3 -S -c 'import sys; d = open("all.gif", "rb").read()
 sys.exit(d[:6] != b"GIF89a" or d.count(bytes([0x21, 0xf9, 4])) != 8)'
 works "a response of a file" frf axial.json --from 1.07w3 --to 1.075w3 --json response.json -q
 denies "the motion of a file" 1 "--animate is for nets, and axial.json is not one" orbit response.json#1 --animate all.gif
-denies "a cable that is not there" 1 "passing\[0\].along: there is no cable of this name" check passing.yaml \
+denies "a cable that is not there" 1 "passing\[0\].along: there is no cable c9" check passing.yaml \
 	--set "passing=[{along: [c9], $weights}]"
+denies "carriers without a weight" 1 "passing\[0\] needs weight or mass, and not both" check passing.yaml \
+	--set "passing=[{along: [c1], spacing: 60}]"
+denies "with both" 1 "passing\[0\] needs weight or mass" check passing.yaml --set "passing=[{along: [c1], $weights, mass: 300}]"
 denies "one away from the rope" 1 "cable i does not begin where the one before it ends" check back.yaml \
 	--set "passing=[{along: [c2, c1, i], $weights}]"
 denies "a part of a cable by catenaries" 1 "takes loads of whole cables" statics parts.yaml --method catenary

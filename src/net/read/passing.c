@@ -37,8 +37,8 @@ static enum hawser_status next(struct hawser__reader *reader, struct along *at,
 	const struct hawser_net_cable *own = cable < 0 ? NULL : &net->cable[cable];
 
 	if (!own)
-		return hawser__reader_fail(reader, &one->at, "%s.along: there is no cable of this name",
-		                           what);
+		return hawser__reader_fail(reader, &one->at, "%s.along: there is no cable %s", what,
+		                           one->text ? one->text : "without a name");
 	if (own->given != HAWSER_NET_LENGTH0)
 		return hawser__reader_fail(reader, &one->at, "%s.along: cable %s has no length0, from which "
 		                           "the places of the carriers follow", what, own->name);
@@ -90,6 +90,8 @@ static enum hawser_status rope(struct hawser__reader *reader, struct hawser_net 
 	const struct hawser__tree *list = hawser__tree_find(tree, "along");
 	enum hawser_status status = hawser__tree_fill(reader, &of, tree, what, "net.passing[]");
 
+	if (!status && (of.weight > 0.0) == (of.mass > 0.0))
+		status = hawser__reader_fail(reader, &tree->at, "%s needs weight or mass, and not both", what);
 	if (!status && (!list || list->kind != HAWSER__SEQUENCE || !list->child))
 		status = hawser__reader_fail(reader, &tree->at, "%s.along must be a list of cables", what);
 	for (const struct hawser__tree *one = status ? NULL : list->child; one && !status;
