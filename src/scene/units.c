@@ -303,38 +303,71 @@ static void advice(char *text, size_t size, const char *unit)
 		         unit);
 }
 
-/* The mass per length that has the weight `text` per length under standard gravity, kg/m; NAN if
- * `text` is no force per length, or if no mass per length is asked for. */
-static double mass_of_weight(const char *text, const char *unit)
-{
-	static const double standard_gravity = 9.80665; /* m/s^2, exact by definition */
-	struct hawser__units units = {NULL};
-	enum hawser__number answer = HAWSER__NUMBER_UNKNOWN;
-	double weight;
+/* Masses and their weights, of which the other is wanted under standard gravity,
+ * 9.80665 m/s^2 by definition. */
+static const struct twin {
+	const char *wanted, *given, *is, *a;
+	double factor;
+	const char *other; /* a customary unit of what is wanted, and how much it is in its SI unit */
+	double of_other;
+} twins[] = {
+	{"kg/m", "N/m", "a weight per length (\"%s\"), a force", "a mass per length", 1.0/9.80665, "lb/ft",
+	 0.45359237/0.3048},
+	{"N", "kg", "a mass (\"%s\")", "a force", 9.80665, "lbf", 0.45359237*9.80665},
+	{"N/m", "kg/m", "a mass per length (\"%s\")", "a force per length", 9.80665, "lbf/ft",
+	 0.45359237*9.80665/0.3048},
+};
 
-	if (!strcmp(unit, "kg/m"))
-		answer = hawser__units_read(&units, &weight, text, "N/m");
+/* The row of a mass or weight `text` where the other is wanted, and its value in that unit; NULL: it is
+ * neither. */
+static const struct twin *twin_of(double *value, const char *text, const char *unit)
+{
+	const struct twin *found = NULL;
+	struct hawser__units units = {NULL};
+
+	for (size_t i = 0; i < sizeof twins/sizeof *twins && !found; i++)
+		if (!strcmp(unit, twins[i].wanted) &&
+		    hawser__units_read(&units, value, text, twins[i].given) == HAWSER__NUMBER_OK) {
+			*value *= twins[i].factor;
+			found = &twins[i];
+		}
 	hawser__units_clear(&units);
-	return answer == HAWSER__NUMBER_OK ? weight/standard_gravity : NAN;
+	return found;
 }
 
-/* A unit that converts to `to` and differs from `text` in small and capital letters alone, or NULL. */
-static const char *other_case(const char *text, const char *to)
+/* A unit without what may stand between its parts, into letters [size]. */
+static void letters_of(char *letters, size_t size, const char *text)
+{
+	size_t n = 0;
+
+	for (; *text && n + 1 < size; text++)
+		if (!strchr(" .*^", *text))
+			letters[n++] = *text;
+	letters[n] = '\0';
+}
+
+/* A unit that converts to `to` and differs from `text` in small and capital letters, and in signs of
+ * products and powers, alone, or NULL. */
+static const char *nearly(const char *text, const char *to)
 {
 	static const char *const unit[] = {
 		"N", "kN", "MN", "Pa", "kPa", "MPa", "GPa", "Hz", "kHz", "rad/s", "m", "mm", "km", "kg", "g",
-		"s", "min", "m/s", "km/h", "N/m", "kN/m", "kg/m", "N*m", "kN*m", "deg", "rad", "degC", "K",
+		"s", "min", "m/s", "km/h", "N/m", "kN/m", "kg/m", "N.m", "kN.m", "N.m^2", "kN.m^2", "N.s/m",
+		"kN.s/m", "deg", "rad", "degC", "K",
 	};
 
 	const char *meant = NULL;
+	char letters[HAWSER__SHOWN];
 	struct hawser__units units = {NULL};
 
+	letters_of(letters, sizeof letters, text);
 	for (size_t i = 0; i < sizeof unit/sizeof *unit; i++) {
-		char one[16];
+		char one[16], own[16];
 		double ignored;
 
 		snprintf(one, sizeof one, "1 %s", unit[i]);
-		if (strcasecmp(text, unit[i]) == 0 &&
+		letters_of(own, sizeof own, unit[i]);
+		if (strcasecmp(letters, own) == 0 &&
 		    hawser__units_read(&units, &ignored, one, to) == HAWSER__NUMBER_OK)
 			meant = unit[i];
 	}
@@ -345,7 +378,7 @@ static const char *other_case(const char *text, const char *to)
 /* What is not a unit. */
 static void no_unit(char *sentence, size_t size, const char *shown, const char *to, const char *how)
 {
-	const char *meant = other_case(shown, to);
+	const char *meant = nearly(shown, to);
 
 	if (*shown == ',')
 		snprintf(sentence, size, "has a comma: a number has a decimal point");
@@ -359,7 +392,8 @@ void hawser__units_explain(char *sentence, size_t size, enum hawser__number fail
 {
 	char how[128], shown[HAWSER__SHOWN];
 	const char *rest = text;
-	double ignored, mass;
+	const struct twin *twin;
+	double ignored, value;
 
 	if (failure != HAWSER__NUMBER_SYNTAX)
 		(void)number(&ignored, &rest, skip(text));
@@ -376,12 +410,14 @@ void hawser__units_explain(char *sentence, size_t size, enum hawser__number fail
 		no_unit(sentence, size, shown, unit, how);
 		break;
 	case HAWSER__NUMBER_DIMENSION:
-		mass = mass_of_weight(text, unit);
-		if (isfinite(mass)) {
-			snprintf(sentence, size,
-			         "is a weight per length (\"%s\"), a force; a mass per length is wanted: under "
-			         "standard gravity it belongs to \"%.8g kg/m\", or \"%.8g lb/ft\"", shown, mass,
-			         mass*0.3048/0.45359237);
+		twin = twin_of(&value, text, unit);
+		if (twin) {
+			char is[96];
+
+			snprintf(is, sizeof is, twin->is, shown);
+			snprintf(sentence, size, "is %s; %s is wanted: under standard gravity it belongs to "
+			         "\"%.8g %s\", or \"%.8g %s\"", is, twin->a, value, twin->wanted,
+			         value/twin->of_other, twin->other);
 			break;
 		}
 		snprintf(sentence, size,
@@ -396,7 +432,8 @@ void hawser__units_explain(char *sentence, size_t size, enum hawser__number fail
 		break;
 	case HAWSER__NUMBER_SYNTAX:
 	case HAWSER__NUMBER_OK:
-		snprintf(sentence, size, "is not a number: %s", how);
+		snprintf(sentence, size, "is not a number: %s%s", strcasecmp(skip(text), "inf")
+		         ? "" : "did you mean .inf? ", how);
 		break;
 	}
 }

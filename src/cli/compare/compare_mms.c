@@ -455,5 +455,5 @@ const struct cli_command cli_compare_mms = {
 	"compare mms", "SCENE|MODEL", "Multiple scales against the model's response, at falling load",
 	        notes,
 	options, &defaults, sizeof(struct settings), 1, run, cli_compare_mms_listing,
-	.takes = CLI_ROPEWAY | CLI_MODEL,
+	.takes = CLI_FORCED | CLI_CABLE | CLI_TRAVELLING | CLI_ROPEWAY | CLI_MODEL,
 };

@@ -12,6 +12,7 @@
 #include "core/append.h"
 #include "core/report.h"
 #include "net/read/read.h"
+#include "scene/tree_keys.h"
 
 enum { CALLED = HAWSER__TEXT_ROOM + 64 };
 
@@ -227,8 +228,7 @@ static enum hawser_status rules(struct hawser__reader *reader, const struct haws
 		if (hawser__net_node_of(net, name) >= 0)
 			status = hawser__reader_fail(reader, &one->at, "%s is the name of a node and of a cable: "
 			                             "give different ones", name);
-		else if (strcmp(name, net->cable[net->order[net->nodes + i]].name) != 0 &&
-		         hawser__net_cable_of(net, name) != i)
+		else if (hawser__net_cable_of(net, name) != i)
 			status = hawser__reader_fail(reader, &one->at, "two cables have the name %s: give "
 			                             "different ones", name);
 		if (!status)
@@ -281,19 +281,29 @@ static enum hawser_status common(struct hawser__reader *reader, struct hawser_ne
 	return status ? status : hawser__net_room(reader, net, root);
 }
 
+/* A word that is no kind's is read here. */
+static enum hawser_status check_kind(struct hawser__reader *reader, const struct hawser__tree *kind)
+{
+	char near[HAWSER__TEXT_ROOM], shown[HAWSER__SHOWN];
+
+	if (!kind || (kind->text && (!strcmp(kind->text, "net") || !strcmp(kind->text, "span"))))
+		return HAWSER_OK;
+	hawser__tree_nearest(near, kind->text ? kind->text : "", "span, net, ropeway, rod, tow");
+	return hawser__reader_fail(reader, &kind->at, "kind must be span, net, ropeway, rod or tow, not "
+	                           "%s%s%s%s", kind->text ? hawser__shown(shown, kind->text) : "a list",
+	                           *near ? ": did you mean " : "", near, *near ? "?" : "");
+}
+
 static enum hawser_status interpret(struct hawser__reader *reader, void *scene,
                                     const struct hawser__tree *root)
 {
 	struct hawser_net *net = scene;
-	const struct hawser__tree *kind = hawser__tree_find(root, "kind");
-	enum hawser_status status;
+	enum hawser_status status = check_kind(reader, hawser__tree_find(root, "kind"));
 
-	if (hawser__tree_find(root, "span")) {
+	if (!status && hawser__tree_find(root, "span")) {
 		status = hawser__net_of_span(reader, net, root);
 		return status ? status : common(reader, net, root, DYNAMICS);
 	}
-	status = !kind || (kind->text && strcmp(kind->text, "net") == 0) ? HAWSER_OK
-		: hawser__reader_fail(reader, &kind->at, "kind must be span, net, ropeway, rod or tow");
 	if (!status)
 		status = hawser__tree_keys(reader, root, "the scene", "net");
 	if (!status)

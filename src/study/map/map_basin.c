@@ -345,8 +345,8 @@ enum hawser_status hawser_map_basin_open(struct hawser_map_field *field,
 	for (int k = 0; k < 2 && !status; k++)
 		status = read_key(basins, k, report);
 	if (!status && basins->component[0] == basins->component[1])
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "map", "both axes are %s",
-		                      source->key[0]);
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "map", "both axes are %s: give --y "
+		                      "another key", source->key[0]);
 	if (!status) {
 		double x = fmax(fabs(source->from[0]), fabs(source->to[0]))*basins->scaled[0];
 		double y = fmax(fabs(source->from[1]), fabs(source->to[1]))*basins->scaled[1];
