@@ -1,6 +1,7 @@
 /* cli/frame/deliver.c - output of results: files first, standard output last, so that a failed
- * run prints nothing. A full disk or a missing gnuplot that prevents a picture takes no numbers with it:
- * they are written, and printed if there is no other file. SPDX-License-Identifier: GPL-3.0-or-later */
+ * run prints nothing. A full disk or a missing gnuplot that prevents a picture takes no numbers with
+ * it: they are written, and printed if there is no other file.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <stdlib.h>
