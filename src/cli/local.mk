@@ -32,6 +32,7 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/tools/cmd_schema.c \
 	%D%/tools/init_scenes.c \
 	%D%/tools/init_scenes.h \
+	%D%/tools/init_structures.c \
 	%D%/tools/records.c \
 	%D%/frame/input.h \
 	%D%/frame/part.c \
