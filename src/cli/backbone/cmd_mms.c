@@ -96,6 +96,26 @@ static enum hawser_status load_model(struct cli_model *model, const struct setti
 
 /* --- results --- */
 
+/* A second mode that the closed form leaves out although it takes part. */
+static void warn_of_rival(const struct hawser_primary *primary, const struct hawser_rom *rom)
+{
+	char text[320];
+	double strength;
+	int m = primary->mode + 1, j = hawser_primary_rival(&strength, primary, rom) + 1;
+	double ratio = j ? natural_of(rom, j - 1)/primary->omega : 0.0;
+
+	if (!j)
+		return;
+	if (ratio > 1.0)
+		snprintf(text, sizeof text, "mode %d, at %.4g times the frequency of mode %d, takes part by a "
+		         "resonance of two to one, and the closed form leaves it out: hawser mms --resonant "
+		         "%d:1,%d:2 has both, hawser frf the whole model", j, ratio, m, m, j);
+	else
+		snprintf(text, sizeof text, "mode %d, at %.4g times the frequency of mode %d, begins to move at "
+		         "half the forcing frequency from %.3g of the peak on, and the closed form leaves it out: "
+		         "hawser frf with --branches 1 follows both", j, ratio, m, 1.0/strength);
+	cli_warn(text);
+}
 
 static enum hawser_status closed_form(struct cli_mms_result *result, struct cli_model *model,
                                       const struct settings *settings,
@@ -122,6 +142,8 @@ static enum hawser_status closed_form(struct cli_mms_result *result, struct cli_
 	result->modulation = &primary.modulation;
 	if (!status)
 		status = cli_show(result->common, &cli_mms_showing, result, report);
+	if (!status)
+		warn_of_rival(&primary, &model->rom);
 	if (!status)
 		cli_range_warn(model, cli_range_reach(NULL, model, curve.frf.coordinate, curve.frf.points,
 		                                      model->rom.n));

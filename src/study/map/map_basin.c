@@ -281,6 +281,10 @@ static enum hawser_status read_key(struct hawser__basins *basins, int k, struct 
 	long j = (*key == 'u' || *key == 'v') && isdigit((unsigned char)key[1])
 	         ? strtol(key + 1, &end, 10) : 0;
 
+	if (j > 1 && rom->n == 1)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
+		                    "%.60s: the axes of basins are components of the initial state: u1 "
+		                    "(displacement) and v1 (velocity)", key);
 	if (j < 1 || j > rom->n || *end)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
 		                    "%.60s: the axes of basins are components of the initial state: u1 to "
