@@ -108,12 +108,12 @@ static void warn_of_rival(const struct hawser_primary *primary, const struct haw
 		return;
 	if (ratio > 1.0)
 		snprintf(text, sizeof text, "mode %d, at %.4g times the frequency of mode %d, takes part by a "
-		         "resonance of two to one, and the closed form leaves it out: hawser mms --resonant "
-		         "%d:1,%d:2 has both, hawser frf the whole model", j, ratio, m, m, j);
+		         "resonance of two to one, and the closed form leaves it out: hawser mms "
+		         "--resonant %d:1,%d:2 has both, hawser frf the whole model", j, ratio, m, m, j);
 	else
-		snprintf(text, sizeof text, "mode %d, at %.4g times the frequency of mode %d, begins to move at "
-		         "half the forcing frequency from %.3g of the peak on, and the closed form leaves it out: "
-		         "hawser frf with --branches 1 follows both", j, ratio, m, 1.0/strength);
+		snprintf(text, sizeof text, "mode %d, at %.4g times the frequency of mode %d, begins to move "
+		         "at half the forcing frequency from %.3g of the peak on, and the closed form leaves "
+		         "it out: hawser frf with --branches 1 follows both", j, ratio, m, 1.0/strength);
 	cli_warn(text);
 }
 
