@@ -35,6 +35,8 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/file/plug.h \
 	%D%/file/read_own.c \
 	%D%/terms/terms.c \
+	%D%/terms/wind.c \
+	%D%/terms/wind.h \
 	%D%/terms/terms.h \
 	%D%/choose/drive.c \
 	%D%/choose/drive.h \

@@ -89,6 +89,7 @@ static const struct row {
 	ROW(hawser_friction_problem),
 	ROW(hawser_bending),
 	ROW(hawser_attachment),
+	ROW(hawser_wind),
 	ROW(hawser_auto_options),
 	ROW(hawser_backbone),
 	ROW(hawser_backbone_options),

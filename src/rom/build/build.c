@@ -32,6 +32,7 @@
 #include "rom/energy/project.h"
 #include "rom/condense/support.h"
 #include "rom/terms/travel.h"
+#include "rom/terms/wind.h"
 #include "statics/frame.h"
 
 /* Probes, as fractions of the unstretched length. */
@@ -387,6 +388,8 @@ static enum hawser_status build_with(struct hawser_rom *rom, const struct hawser
 		status = hawser__rom_tensors(rom, modes, pairs, report);
 	if (!status)
 		status = hawser__rom_finish(rom, modes, scene, report);
+	if (!status)
+		status = hawser__wind_add(rom, modes, scene, whole, report);
 	if (!status && pairs)
 		status = set_second(rom, modes, pairs, report);
 	if (!status && condensed)

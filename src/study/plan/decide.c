@@ -154,12 +154,12 @@ static void decide_static_load(struct hawser_plan *plan, const struct hawser_sce
 	const struct hawser_statics *st = &plan->modes.statics;
 	int still = scene->tension.state == HAWSER_STATE_LOADED;
 
-	if (scene->static_load.present)
+	if (scene->static_load.present || scene->wind.present)
 		decide(plan, "static load", 1, "%.4g N/m with the weight, %.4g kg/m in motion; the plane of "
 		    "the cable, to which \"in the plane\" refers, swings by %.3g rad",
 		    hawser_statics_actual(st).span.rho*st->span.g,
 		    scene->cable.rho + scene->static_load.mass, st->turned ? st->swing : 0.0);
-	if (scene->static_load.present || scene->temperature.present)
+	if (scene->static_load.present || scene->wind.present || scene->temperature.present)
 		decide(plan, "given tension", 1, "that of the %s state (tension.state), with the length of "
 		    "cable of %s state%s", still ? "loaded" : "reference", still ? "this" : "that",
 		    scene->temperature.present ? ", changed by the temperature" : "");
