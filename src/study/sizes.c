@@ -126,6 +126,7 @@ static const struct row {
 	ROW(hawser_critical),
 	ROW(hawser_cubic),
 	ROW(hawser_damped),
+	ROW(hawser_damped_event),
 	ROW(hawser_damped_mode),
 	ROW(hawser_damped_options),
 	ROW(hawser_damped_sweep),
