@@ -328,8 +328,9 @@ static enum hawser_status draw(const char *path, const void *of, struct hawser_r
 		const double *at = end + (panels > 1 ? p ? 2 : 4 : 0);
 
 		hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.13, 0.97, at[0], at[1],
-			.x = {&axis, ends[0], ends[1], .tics = 8, .logarithmic = result->logarithmic},
-			.y = {&shown[p], .zero = !p, .tics = 7, .room = 0.06}});
+			.x = {&axis, ends[0], ends[1], .tics = 8, .logarithmic = result->logarithmic,
+			      .untitled = p < panels - 1},
+			.y = {&shown[p], .zero = panels == 1, .tics = 7, .room = 0.06}});
 		draw_curves(&figure, sweep, p);
 	}
 	return hawser__figure_finish(&figure, report);
