@@ -157,6 +157,15 @@ struct hawser_wind {
 	int crises;          /* 0: no dependence on Reynolds' number */
 	double reynolds[HAWSER_WIND_ROWS][2]; /* [crises] |p| diameter/viscosity, C_D at the angle 0 */
 	double viscosity;    /* m^2/s, kinematic; 0: not given */
+	struct {
+		int present;
+		double strouhal;      /* vortices of a cable at rest: frequency strouhal U/diameter */
+		double lift;          /* their lift coefficient */
+		double A, epsilon;    /* of the oscillator q'' + epsilon W (q^2 - 1) q' + W^2 q = A y''/diameter */
+		double fluid_damping; /* damping per length fluid_damping W density diameter^2 */
+		double added_mass;    /* over that of the displaced fluid */
+		int places;           /* 0: an oscillator per mode */
+	} wake;
 };
 
 /* Value of model.modes if the program chooses the modes (choose.h). */

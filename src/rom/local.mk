@@ -35,6 +35,8 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/file/plug.h \
 	%D%/file/read_own.c \
 	%D%/terms/terms.c \
+	%D%/terms/wake.c \
+	%D%/terms/wake.h \
 	%D%/terms/wind.c \
 	%D%/terms/wind.h \
 	%D%/terms/terms.h \

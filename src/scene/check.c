@@ -192,7 +192,21 @@ static enum hawser_status wind(const struct checked *of)
 		return hawser__reader_fail(of->reader, place(of, "wind.table"), "wind.table contradicts "
 		                           "wind.%s: drag and lift are a table or sums of powers, remove one "
 		                           "of them", given(of, "wind.drag") ? "drag" : "lift");
-	if (!wind->tables && !wind->crises && !given(of, "wind.drag"))
+	if (wind->wake.present && wind->wake.fluid_damping > 0.0 &&
+	    (wind->tables || wind->crises || given(of, "wind.drag") || given(of, "wind.lift")))
+		return hawser__reader_fail(of->reader, place(of, "wind.wake"), "wind.wake.fluid_damping = %g "
+		                           "is the damping by the drag, and wind has drag and lift besides: set "
+		                           "wind.wake.fluid_damping: 0, or remove them",
+		                           wind->wake.fluid_damping);
+	if (wind->wake.present && wind->form == HAWSER_WIND_EXACT)
+		return hawser__reader_fail(of->reader, place(of, "wind.form"), "wind.form: exact contradicts "
+		                           "wind.wake, whose oscillators go with the cubic form: remove one of "
+		                           "them");
+	if (wind->wake.present && wind->profiles && wind->wake.places == 0)
+		return hawser__reader_fail(of->reader, place(of, "wind.profile"), "wind.profile contradicts "
+		                           "wind.wake.at: modes, which have one speed each: give a number of "
+		                           "places, such as at: 16");
+	if (!wind->tables && !wind->crises && !wind->wake.present && !given(of, "wind.drag"))
 		return hawser__reader_fail(of->reader, place(of, "wind"), "wind has no drag: give wind.drag, "
 		                           "or wind.table, such as drag: 1.2 of a round cable");
 	if ((wind->crises > 0) != (wind->viscosity > 0.0))
@@ -314,6 +328,7 @@ enum hawser_status hawser__check(struct hawser__reader *reader, struct hawser_sc
 	scene->support[1].present = given(&of, "support.B");
 	scene->static_load.present = given(&of, "load.static");
 	scene->wind.present = given(&of, "wind");
+	scene->wind.wake.present = given(&of, "wind.wake");
 	scene->temperature.present = given(&of, "temperature");
 	scene->load.present = load && (load->children != 1 || !scene->static_load.present);
 	for (size_t i = 0; i < sizeof rule/sizeof *rule && !status; i++)

@@ -157,6 +157,8 @@ int hawser__applies(const struct hawser_scene *scene, int index)
 		return scene->wind.present && !scene->wind.tables;
 	if (!strcmp(path, "wind.viscosity"))
 		return scene->wind.crises > 0;
+	if (hawser__child_of(path, "wind.wake"))
+		return scene->wind.wake.present;
 	if (hawser__child_of(path, "wind"))
 		return scene->wind.present;
 	if (hawser__child_of(path, "temperature"))

@@ -126,6 +126,24 @@
 	    "force of the wind on the moving cable: cubic, to the third power of its velocity, as terms " \
 	    "of the reduced model; or exact, integrated along the cable at every instant, for hawser " \
 	    "integrate") \
+	TO##_NUMBER("span.wind.wake.strouhal", OPTIONAL, "1", POSITIVE, SPAN_AT(wind.wake.strouhal), "0.2", \
+	    "Strouhal's number: frequency of the vortices of a cable at rest over speed/diameter") \
+	TO##_NUMBER("span.wind.wake.lift", OPTIONAL, "1", NOT_NEGATIVE, SPAN_AT(wind.wake.lift), "0.3", \
+	    "amplitude of the lift coefficient of a cable at rest") \
+	TO##_NUMBER("span.wind.wake.A", OPTIONAL, "1", NOT_NEGATIVE, SPAN_AT(wind.wake.A), "12", \
+	    "coupling of the wake to the acceleration of the cable over the diameter") \
+	TO##_NUMBER("span.wind.wake.epsilon", OPTIONAL, "1", NOT_NEGATIVE, SPAN_AT(wind.wake.epsilon), \
+	    "0.3", "growth of the wake's oscillation from rest") \
+	TO##_NUMBER("span.wind.wake.fluid_damping", OPTIONAL, "1", NOT_NEGATIVE, \
+	    SPAN_AT(wind.wake.fluid_damping), "0.8", \
+	    "damping across the flow, C_D/(4 pi strouhal); 0 with wind.drag, which damps by itself") \
+	TO##_NUMBER("span.wind.wake.added_mass", OPTIONAL, "1", NOT_NEGATIVE, \
+	    SPAN_AT(wind.wake.added_mass), "1", \
+	    "mass of the fluid that moves with the cable over that of the displaced fluid; it has no " \
+	    "weight") \
+	TO##_INTEGER_OR("span.wind.wake.at", "modes", 1, 64, SPAN_AT(wind.wake.places), "modes", \
+	    "an oscillator for each mode (modes), or this number of them at the middles of equal parts " \
+	    "of the cable, which may have different speeds (wind.profile)") \
 	TO##_WORD("span.load.frame", TOGETHER, "local|global", SPAN_AT(load.frame), NULL, \
 	    "axes of the load: local is tangent, normal, binormal (e, n, z), global is x, y, z") \
 	TO##_VECTOR("span.load.per_length", 3, TOGETHER, "N/m", ANY, SPAN_AT(load.per_length), NULL, \
@@ -372,6 +390,9 @@ static const struct hawser__tree_key span_rows[] = {
 	SECTION("span.wind", OPTIONAL,
 	        "steady wind whose force follows the motion of the cable; what it does to the cable at "
 	        "rest is added to load.static")
+	SECTION("span.wind.wake", OPTIONAL,
+	        "oscillators for the vortices behind the cable; the defaults are those of Facchinetti, de "
+	        "Langre, Biolley (2004). {} has all defaults")
 	LIST("span.wind.drag", OPTIONAL, "of the powers 0, 1, 2, ... of the angle of attack")
 	NUMBER("span.wind.drag[]", OPTIONAL, "1", ANY, NOWHERE, NULL, "factor of a power")
 	LIST("span.wind.lift", OPTIONAL, "of the powers 0, 1, 2, ... of the angle of attack")
@@ -430,6 +451,7 @@ static const struct hawser__tree_key span_rows[] = {
 	LIMIT("span.ends.A", "pinned|clamped", SPAN_AT(ends[0]), NULL, "a hinge, or held")
 	LIMIT("span.ends.B", "pinned|clamped", SPAN_AT(ends[1]), NULL, "a hinge, or held")
 	WORD("span.model.modes", OPTIONAL, "auto", SPAN_AT(model.modes), NULL, "as the accuracy requires")
+	WORD("span.wind.wake.at", OPTIONAL, "modes", SPAN_AT(wind.wake.places), NULL, "one for each mode")
 	LIST("span.damping.ratio", AT_MOST_ONE, "of the modes 1, 2, ... of hawser modes")
 	NUMBER("span.damping.ratio[]", OPTIONAL, "1", NOT_NEGATIVE, NOWHERE, NULL, "ratio of a mode")
 };

@@ -154,6 +154,7 @@ static enum hawser_status apply(struct hawser_equivalent *equal, const struct ha
 	enum hawser_status status = refuse_attached(scene, report);
 
 	bare(&equal->span, scene);
+	rho += hawser__added_mass(scene);
 	equal->span.rho = rho;
 	equal->span.d = chord[0];
 	equal->span.h = chord[1];

@@ -300,6 +300,14 @@ static int wind_axes(double along[3], double across[3], double *speed, const str
 	return size > 0.0;
 }
 
+double hawser__added_mass(const struct hawser_scene *scene)
+{
+	const struct hawser_wind *wind = &scene->wind;
+
+	return wind->present && wind->wake.present
+	       ? wind->wake.added_mass*wind->density*M_PI/4.0*wind->diameter*wind->diameter : 0.0;
+}
+
 int hawser__static_load(double force[3], const struct hawser_scene *scene)
 {
 	static const double rest[2] = {0.0};

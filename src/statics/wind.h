@@ -41,6 +41,9 @@ void hawser__section_series(double series[2][HAWSER__WIND_TERMS],
  * Returns 0 if the scene has neither. */
 int hawser__static_load(double force[3], const struct hawser_scene *scene);
 
+/* Mass per unstretched length of the fluid that moves with the cable, without weight. */
+double hawser__added_mass(const struct hawser_scene *scene);
+
 /* Speed at this fraction of the unstretched length over wind.speed. */
 double hawser__wind_profile(const struct hawser_wind *wind, double part);
 

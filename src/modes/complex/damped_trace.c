@@ -39,7 +39,7 @@ void hawser_damped_clear(struct hawser_damped *damped)
 	*damped = (struct hawser_damped){.n = 0};
 }
 
-static enum hawser_status check(const struct hawser_statics *st,
+static enum hawser_status check(const struct hawser_statics *st, const struct hawser_scene *scene,
                                 const struct hawser_damped_options *options,
                                 struct hawser_report *report)
 {
@@ -50,6 +50,10 @@ static enum hawser_status check(const struct hawser_statics *st,
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
 		                    "a tolerance of damped modes of %g: give a relative error in (0, 1), or 0 "
 		                    "for 1e-8", options->tolerance);
+	if (scene && scene->wind.present && scene->wind.wake.present)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
+		                    "damped modes do not take the wakes of wind.wake, whose motion is not small: "
+		                    "set wind.wake=");
 	if (st->motion.nu != 0.0)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
 		                    "damped modes are those of a cable at rest: set travel.speed=0");
@@ -110,7 +114,7 @@ enum hawser_status hawser_damped_solve(struct hawser_damped *damped,
 
 	*damped = (struct hawser_damped){.n = 0};
 	hawser_damped_settle(&settled);
-	status = check(statics, &settled, report);
+	status = check(statics, scene, &settled, report);
 	if (!status)
 		status = solve(damped, &pair, statics, scene, &settled, report);
 	hawser__damped_pair_clear(&pair);
@@ -153,7 +157,7 @@ static enum hawser_status solve_at(struct hawser_damped *state, const struct swe
 	if (!status)
 		status = hawser_statics_scene(&st, &scene, report);
 	if (!status)
-		status = check(&st, &options->modes, report);
+		status = check(&st, &scene, &options->modes, report);
 	if (!status && !sweep->same)
 		hawser__damped_pair_clear(pair);
 	if (!sweep->same)

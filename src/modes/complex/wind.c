@@ -17,9 +17,9 @@
 #include "modes/complex/wind.h"
 #include "statics/frame.h"
 
-/* e1 and e2 along n and z; returns the speed across the cable. Without one e1 is n. */
-static double flow_axes(double axis[2][2], const struct hawser_statics *st, double s,
-                        const struct hawser_wind *wind)
+/* Without a speed across the cable e1 is n. */
+double hawser__flow_axes(double axis[2][2], const struct hawser_statics *st, double s,
+                         const struct hawser_wind *wind)
 {
 	struct hawser_frame_point at = hawser_statics_frame(st, s);
 	double blow[3], local[3], up[3], size = 0.0, across;
@@ -57,7 +57,7 @@ int hawser__flow_points(struct hawser__flow_points *flow, const struct hawser_mo
 	for (size_t i = 0; i < points; i++) {
 		double axis[2][2];
 
-		flow->speed[i] = flow_axes(axis, st, grid->s[i], &scene->wind);
+		flow->speed[i] = hawser__flow_axes(axis, st, grid->s[i], &scene->wind);
 		flow->weight[i] = grid->weight[i]*st->span.d/st->H/flow->unit;
 		for (size_t j = 0; j < n; j++) {
 			double at[3];

@@ -23,6 +23,9 @@ struct hawser__flow_points {
  * 0 if memory is short. */
 int hawser__flow_points(struct hawser__flow_points *flow, const struct hawser_modes *modes,
                         const struct hawser_scene *scene);
+/* Along n and z of the point at s: e1 and e2 (wind.c). Returns the speed across the cable, m/s. */
+double hawser__flow_axes(double axis[2][2], const struct hawser_statics *st, double s,
+                         const struct hawser_wind *wind);
 void hawser__flow_points_clear(struct hawser__flow_points *flow);
 
 /* D [n][n] += the linear damping by the flow, scaled. It is not symmetric. */

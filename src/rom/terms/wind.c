@@ -151,6 +151,10 @@ enum hawser_status hawser__wind_add(struct hawser_rom *rom, const struct hawser_
 
 	if (!scene || !scene->wind.present || (whole && scene->wind.form == HAWSER_WIND_EXACT))
 		return HAWSER_OK;
+	if (!whole && scene->wind.wake.present)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+		                    "linear questions do not take the wakes of wind.wake, whose motion is not "
+		                    "small: remove it, or integrate");
 	if (whole && modes->n > MOST)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
 		                    "wind.form: cubic is for models of at most %d coordinates, and this one has "

@@ -175,7 +175,11 @@ static enum hawser_status decide_wind(struct hawser_plan *plan, const struct haw
 	int count = 0;
 	enum hawser_status status;
 
-	if (!wind->present || !hawser__static_load(force, survey->scene))
+	if (wind->present && wind->wake.present)
+		decide(plan, "vortices", 1, "an oscillator %s, a coordinate each, at %.4g Hz behind a cable at "
+		    "rest", wind->wake.places ? "at each of the places" : "for each mode that moves across the "
+		    "flow", wind->wake.strouhal*wind->speed/wind->diameter);
+	if (!wind->present || wind->wake.present || !hawser__static_load(force, survey->scene))
 		return HAWSER_OK;
 	decide(plan, "wind", 1, "quasi-steady drag and lift of %g m/s, %s in the velocity of the cable "
 	    "(wind.form); at rest, with load.static, %.4g, %.4g and %.4g N/m along x, y and z; sections do "
