@@ -66,7 +66,7 @@ struct hawser_damped_sweep_options {
 struct hawser_damped_event {
 	double value;     /* SI */
 	double frequency; /* Hz */
-	int onset;        /* 1: beyond, in the direction of the sweep, the mode grows; 0: it no longer does */
+	int onset;        /* 1: beyond, in the direction of the sweep, the mode grows; 0: no longer */
 	enum hawser_plane plane; /* of struct hawser_damped_mode */
 	int number;
 };

@@ -161,7 +161,7 @@ struct hawser_wind {
 		int present;
 		double strouhal;      /* vortices of a cable at rest: frequency strouhal U/diameter */
 		double lift;          /* their lift coefficient */
-		double A, epsilon;    /* of the oscillator q'' + epsilon W (q^2 - 1) q' + W^2 q = A y''/diameter */
+		double A, epsilon;    /* of q'' + epsilon W (q^2 - 1) q' + W^2 q = A y''/diameter */
 		double fluid_damping; /* damping per length fluid_damping W density diameter^2 */
 		double added_mass;    /* over that of the displaced fluid */
 		int places;           /* 0: an oscillator per mode */

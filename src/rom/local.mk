@@ -24,7 +24,6 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/terms/dampers.c \
 	%D%/terms/dampers.h \
 	%D%/terms/damping.c \
-	%D%/terms/damping.h \
 	%D%/terms/drag.c \
 	%D%/terms/drag.h \
 	%D%/file/formula.c \

@@ -195,8 +195,8 @@ static enum hawser_status wind(const struct checked *of)
 	if (wind->wake.present && wind->wake.fluid_damping > 0.0 &&
 	    (wind->tables || wind->crises || given(of, "wind.drag") || given(of, "wind.lift")))
 		return hawser__reader_fail(of->reader, place(of, "wind.wake"), "wind.wake.fluid_damping = %g "
-		                           "is the damping by the drag, and wind has drag and lift besides: set "
-		                           "wind.wake.fluid_damping: 0, or remove them",
+		                           "is the damping by the drag, and wind has drag and lift besides: "
+		                           "set wind.wake.fluid_damping: 0, or remove them",
 		                           wind->wake.fluid_damping);
 	if (wind->wake.present && wind->form == HAWSER_WIND_EXACT)
 		return hawser__reader_fail(of->reader, place(of, "wind.form"), "wind.form: exact contradicts "

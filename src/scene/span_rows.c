@@ -126,7 +126,8 @@
 	    "force of the wind on the moving cable: cubic, to the third power of its velocity, as terms " \
 	    "of the reduced model; or exact, integrated along the cable at every instant, for hawser " \
 	    "integrate") \
-	TO##_NUMBER("span.wind.wake.strouhal", OPTIONAL, "1", POSITIVE, SPAN_AT(wind.wake.strouhal), "0.2", \
+	TO##_NUMBER("span.wind.wake.strouhal", OPTIONAL, "1", POSITIVE, SPAN_AT(wind.wake.strouhal), \
+	    "0.2", \
 	    "Strouhal's number: frequency of the vortices of a cable at rest over speed/diameter") \
 	TO##_NUMBER("span.wind.wake.lift", OPTIONAL, "1", NOT_NEGATIVE, SPAN_AT(wind.wake.lift), "0.3", \
 	    "amplitude of the lift coefficient of a cable at rest") \

@@ -105,8 +105,8 @@ static enum hawser_status refuse_attached(const struct hawser_scene *scene,
 			                    "attach[%d] contradicts %s: springs, dampers and absorbers couple "
 			                    "the planes of a turned cable, which is not available; remove one "
 			                    "of them, or give a mass or force only", i,
-			                    scene->wind.present ? "wind" : wind ? "load.static.per_length" : "attach.force, which turns the cable "
-			                                                      "out of one plane");
+			                    scene->wind.present ? "wind" : wind ? "load.static.per_length"
+			                    : "attach.force, which turns the cable out of one plane");
 	}
 	return HAWSER_OK;
 }
@@ -149,7 +149,8 @@ static enum hawser_status apply(struct hawser_equivalent *equal, const struct ha
 {
 	double p[3];
 	int loaded = hawser__static_load(p, scene);
-	double rho = scene->cable.rho + (scene->static_load.present ? scene->static_load.mass : 0.0), weight = rho*scene->g;
+	double rho = scene->cable.rho + (scene->static_load.present ? scene->static_load.mass : 0.0);
+	double weight = rho*scene->g;
 	double w[3] = {p[0], p[1] - weight, p[2]}, force = hawser__norm(w);
 	enum hawser_status status = refuse_attached(scene, report);
 

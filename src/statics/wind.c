@@ -37,7 +37,8 @@ static void powers(struct hawser__coefficient *law, const double *value, int cou
 }
 
 /* Second derivatives of the natural spline, by elimination in the tridiagonal system. */
-static void spline(struct hawser__coefficient *law, const double *x, const double *y, int stride, int count)
+static void spline(struct hawser__coefficient *law, const double *x, const double *y, int stride,
+                   int count)
 {
 	double pivot[HAWSER_WIND_ROWS], *m = law->bend;
 
@@ -62,7 +63,8 @@ static void spline(struct hawser__coefficient *law, const double *x, const doubl
 /* Taylor's coefficients c [4] of the spline's piece between knots i and i + 1. */
 static void piece(double c[ORDER + 1], const struct hawser__coefficient *law, int i, double x)
 {
-	double h = law->x[i + 1] - law->x[i], t = x - law->x[i], third = (law->bend[i + 1] - law->bend[i])/h;
+	double h = law->x[i + 1] - law->x[i], t = x - law->x[i];
+	double third = (law->bend[i + 1] - law->bend[i])/h;
 	double slope = (law->y[i + 1] - law->y[i])/h - h*(2.0*law->bend[i] + law->bend[i + 1])/6.0;
 
 	c[0] = law->y[i] + t*(slope + t*(law->bend[i]/2.0 + t*third/6.0));
@@ -208,7 +210,8 @@ static void compose(double to[TERMS], const double c[ORDER + 1], const double x[
 	}
 }
 
-void hawser__section_series(double series[2][TERMS], const struct hawser__section *section, double speed)
+void hawser__section_series(double series[2][TERMS], const struct hawser__section *section,
+                            double speed)
 {
 	const double U = speed, arc[ORDER + 1] = {0.0, 1.0, 0.0, -1.0/3.0};
 	const double inverse[ORDER + 1] = {1.0/U, -1.0/(U*U), 1.0/(U*U*U), -1.0/(U*U*U*U)};

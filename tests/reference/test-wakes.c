@@ -37,8 +37,8 @@ static int build(struct hawser_rom *rom, const char *text)
 	return done;
 }
 
-/* Half the height of the motion at mid-span over the diameter after 130 s, and its frequency in rad/s from
- * the times at which it passes 0 upwards. */
+/* Half the height of the motion at mid-span over the diameter after 130 s, and its frequency in rad/s
+ * from the times at which it passes 0 upwards. */
 static double settled(double *omega, const struct hawser_rom *rom)
 {
 	enum { last = 1000 };

@@ -18,7 +18,8 @@ static void sum(double f[2], double series[2][HAWSER__WIND_TERMS], const double 
 	for (int i = 0; i < 2; i++) {
 		f[i] = 0.0;
 		for (int t = 0; t < HAWSER__WIND_TERMS; t++)
-			f[i] += series[i][t]*pow(v[0], hawser__wind_power[t][0])*pow(v[1], hawser__wind_power[t][1]);
+			f[i] += series[i][t]*pow(v[0], hawser__wind_power[t][0])*
+			        pow(v[1], hawser__wind_power[t][1]);
 	}
 }
 

@@ -74,16 +74,6 @@ static void block_clear(struct block *t)
 	hawser__hold_clear(&t->hold);
 }
 
-/* The damping ratio of undamped mode `place`: the last one of a list is that of all further modes. */
-static double ratio_of(const struct hawser_scene *scene, int place)
-{
-	int last = scene->damping.ratios;
-
-	if (last < 2 || place < 2)
-		return scene->damping.ratio;
-	return scene->damping.ratio_next[(place < last ? place : last) - 2];
-}
-
 /* Damping of the scene in mode k, scaled; *alpha: that along the cable, which masses do not have. */
 static double own_damping(double *alpha, const struct hawser_scene *scene,
                           const struct hawser_modes *modes, int k)
@@ -100,7 +90,7 @@ static double own_damping(double *alpha, const struct hawser_scene *scene,
 	case HAWSER_DAMPING_RAYLEIGH:
 		return scene->damping.mass*t + scene->damping.stiffness/t*omega*omega;
 	case HAWSER_DAMPING_RATIO:
-		return 2.0*ratio_of(scene, modes->mode[k].place)*omega;
+		return 2.0*hawser__damping_ratio(scene, &modes->mode[k])*omega;
 	case HAWSER_DAMPING_NONE:
 		break;
 	}
@@ -364,24 +354,6 @@ static enum hawser_status solve_block(struct list *list, const struct hawser_mod
 	return status;
 }
 
-/* The damping of all modes by the wind of the scene, [modes][modes]; NULL if it has none. *failed: 1 if
- * memory is short. */
-static double *flow_of(int *failed, const struct hawser_modes *modes, const struct hawser_scene *scene)
-{
-	struct hawser__flow_points flow;
-	double *D;
-
-	*failed = 0;
-	if (!scene || !scene->wind.present)
-		return NULL;
-	D = hawser__numbers((size_t)modes->n, (size_t)modes->n);
-	*failed = !hawser__flow_points(&flow, modes, scene) || !D;
-	if (!*failed)
-		hawser__flow_damping(D, &flow);
-	hawser__flow_points_clear(&flow);
-	return D;
-}
-
 /* All eigenvalues in the space of these modes. */
 static enum hawser_status values_of(struct list *list, const struct hawser_modes *modes,
                                     const struct hawser_statics *st,
@@ -389,7 +361,7 @@ static enum hawser_status values_of(struct list *list, const struct hawser_modes
 {
 	enum hawser_status status = HAWSER_OK;
 	int failed;
-	double *u = displacements(modes), *flow = flow_of(&failed, modes, scene);
+	double *u = displacements(modes), *flow = hawser__wind_damping(&failed, modes, scene);
 
 	*list = (struct list){.count = 0};
 	list->value = malloc(2*((size_t)modes->n + HAWSER_ATTACH_MAX + 1)*sizeof *list->value);

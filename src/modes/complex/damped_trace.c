@@ -3,8 +3,8 @@
  * The basis is enlarged until two sizes agree. Bases don't depend on the dampers, so that a sweep over
  * the size of a damper has them once. Points of a sweep are independent and shared among threads.
  *
- * In a wind, modes may grow. Their number is counted at each point. If it differs at two neighbours, the
- * k-th largest growth, a continuous function of the key whatever modes have it, changes its sign
+ * In a wind, modes may grow. Their number is counted at each point. If it differs at two neighbours,
+ * the k-th largest growth, a continuous function of the key whatever modes have it, changes its sign
  * between them for each k from the smaller number on, and its zero is an event.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -52,8 +52,8 @@ static enum hawser_status check(const struct hawser_statics *st, const struct ha
 		                    "for 1e-8", options->tolerance);
 	if (scene && scene->wind.present && scene->wind.wake.present)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
-		                    "damped modes do not take the wakes of wind.wake, whose motion is not small: "
-		                    "set wind.wake=");
+		                    "damped modes do not take the wakes of wind.wake, whose motion is not "
+		                    "small: set wind.wake=");
 	if (st->motion.nu != 0.0)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
 		                    "damped modes are those of a cable at rest: set travel.speed=0");

@@ -95,3 +95,20 @@ void hawser__flow_damping(double *D, const struct hawser__flow_points *flow)
 		}
 	}
 }
+
+double *hawser__wind_damping(int *failed, const struct hawser_modes *modes,
+                             const struct hawser_scene *scene)
+{
+	struct hawser__flow_points flow;
+	double *D;
+
+	*failed = 0;
+	if (!scene || !scene->wind.present)
+		return NULL;
+	D = hawser__numbers((size_t)modes->n, (size_t)modes->n);
+	*failed = !hawser__flow_points(&flow, modes, scene) || !D;
+	if (!*failed)
+		hawser__flow_damping(D, &flow);
+	hawser__flow_points_clear(&flow);
+	return D;
+}

@@ -30,5 +30,9 @@ void hawser__flow_points_clear(struct hawser__flow_points *flow);
 
 /* D [n][n] += the linear damping by the flow, scaled. It is not symmetric. */
 void hawser__flow_damping(double *D, const struct hawser__flow_points *flow);
+/* The same of the wind of the scene, which the caller frees; NULL: it has none. *failed: 1 if memory is
+ * short. */
+double *hawser__wind_damping(int *failed, const struct hawser_modes *modes,
+                             const struct hawser_scene *scene);
 
 #endif

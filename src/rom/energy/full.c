@@ -57,7 +57,8 @@ static enum hawser_status build(struct hawser_rom *rom, const struct hawser_mode
 		status = hawser__rom_finish(rom, modes, scene, report);
 	if (!status && scene && scene->wind.present && scene->wind.wake.present)
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
-		                      "wind.wake contradicts the exact strain energy: set model.energy=quartic");
+		                      "wind.wake contradicts the exact strain energy: set "
+		                      "model.energy=quartic");
 	if (!status)
 		status = hawser__wind_add(rom, modes, scene, 1, report);
 	if (!status && hawser__support_moves(scene))

@@ -192,8 +192,8 @@ enum hawser_status hawser__drag_refuse(const struct hawser_rom *rom, const char 
 		return HAWSER_OK;
 	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
 	                    rom && rom->drag->wind > 0.0
-	                    ? "%s has no exact force of the wind, which only hawser integrate and hawser frf "
-	                      "have (by shooting): set wind.form=cubic"
+	                    ? "%s has no exact force of the wind, which only hawser integrate and hawser "
+	                      "frf have (by shooting): set wind.form=cubic"
 	                    : "%s has no quadratic drag, which only hawser integrate and hawser frf have "
 	                      "(by shooting): set damping.drag=0, and give a linear damping with the same "
 	                      "loss at the amplitude of interest", what);

@@ -13,8 +13,8 @@
  * projected on each s_i; of the cubic term only that of q_i itself is kept, with the integral of s_i^4
  * over that of s_i^2. Modes that move less than 1 % across the flow have none.
  *
- * A coordinate is q_i/L, so that its value in m is q_i. The coupling by the acceleration is a mass matrix
- * [1 0; -c 1], by whose inverse [1 0; c 1] all equations are multiplied.
+ * A coordinate is q_i/L, so that its value in m is q_i. The coupling by the acceleration is a mass
+ * matrix [1 0; -c 1], by whose inverse [1 0; c 1] all equations are multiplied.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -256,8 +256,8 @@ static enum hawser_status append_wakes(struct hawser_rom *rom, const struct wake
 	for (int i = 0; i < wakes->count; i++)
 		if (!(wakes->omega[i] > 0.0))
 			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
-			                    "%s: the speed across the cable is 0 there, and a wake has none: give a "
-			                    "wind.speed and a wind.profile above 0", wakes->name[i]);
+			                    "%s: the speed across the cable is 0 there, and a wake has none: "
+			                    "give a wind.speed and a wind.profile above 0", wakes->name[i]);
 	if (!widen_model(rom, wakes) || !set_equations(rom, wakes, wind))
 		return hawser__no_memory(report, "rom");
 	return divide_by_mass(rom, wakes, wind, report);

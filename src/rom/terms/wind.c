@@ -3,9 +3,9 @@
  *   f_i      series of the force along e_i in the velocities v_1, v_2 to the third order
  *            (statics/wind.c)
  *   v_i      sum of u_k' w_ik (modes/complex/wind.c)
- *   T_jkl    - integral over the cable of sum_i w_ij times the symmetric tensor of the quadratic part of
- *            f_i, in which (v_1)^p (v_2)^q becomes the mean of the products w w over all orders of the
- *            indices; and T_jklm of the cubic part
+ *   T_jkl    - integral over the cable of sum_i w_ij times the symmetric tensor of the quadratic part
+ *            of f_i, in which (v_1)^p (v_2)^q becomes the mean of the products w w over all orders of
+ *            the indices; and T_jklm of the cubic part
  *
  * A term's value is that tensor times the number of different orders of its indices, k <= l <= m. The
  * linear part is D, and the constant one belongs to the statics. Motions of modes that are not kept are
@@ -157,9 +157,9 @@ enum hawser_status hawser__wind_add(struct hawser_rom *rom, const struct hawser_
 		                    "small: remove it, or integrate");
 	if (whole && modes->n > MOST)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
-		                    "wind.form: cubic is for models of at most %d coordinates, and this one has "
-		                    "%d: give wind.form: exact, which hawser integrate takes, or keep fewer "
-		                    "modes", MOST, modes->n);
+		                    "wind.form: cubic is for models of at most %d coordinates, and this one "
+		                    "has %d: give wind.form: exact, which hawser integrate takes, or keep "
+		                    "fewer modes", MOST, modes->n);
 	if (!hawser__flow_points(&flow, modes, scene))
 		status = hawser__no_memory(report, "rom");
 	if (!status)

@@ -12,20 +12,20 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 #include <hawser/damped.h>
 
 #include "core/append.h"
-#include "core/hold.h"
 #include "core/report.h"
 #include "modes/complex/wind.h"
 #include "study/accuracy/survey.h"
 
 enum { POINTS = 13, FEW = 4 }; /* modes where the scene does not say how many */
-#define LEAST 1e-3 /* speeds are sought between these multiples of the scene's */
-#define REACH 2.0
-#define PAIR 0.02 /* relative distance of two frequencies in 1:1 */
-#define APART 0.05 /* U over U_1 from which a pair is named as the reason */
+#define LEAST 1e-3 /* speeds are sought from this multiple of the scene's */
+#define REACH 2.0  /* to this one */
+#define PAIR 0.02  /* relative distance of two frequencies in 1:1; chosen */
+#define APART 0.05 /* |U/U_1 - 1| from which a pair is named as the reason; chosen */
 
 static const struct hawser_mode *mode_of(const struct hawser_modes *modes, int plane, int number)
 {
@@ -85,29 +85,26 @@ enum hawser_status hawser__plan_gallop(char text[HAWSER__GALLOPS][HAWSER__GALLOP
                                        const struct hawser_survey *survey,
                                        struct hawser_report *report)
 {
-	const struct hawser_modes *modes = &survey->plan->modes;
 	const struct hawser_scene *scene = survey->scene;
 	const struct hawser_damped_sweep_options options = {
 		.key = "wind.speed", .from = LEAST*scene->wind.speed, .to = REACH*scene->wind.speed,
-		.points = POINTS, .threads = 1, .modes = {.n = scene->model.modes > 0 ? scene->model.modes : FEW}};
+		.points = POINTS, .threads = 1,
+		.modes = {.n = scene->model.modes > 0 ? scene->model.modes : FEW}};
 	struct hawser_damped_sweep sweep = {.points = 0};
-	struct hawser__flow_points flow = {.n = 0};
-	double *damping = hawser__numbers((size_t)modes->n, (size_t)modes->n);
-	enum hawser_status status = hawser_damped_trace(&sweep, scene, &options, report);
+	int failed;
+	double *damping = hawser__wind_damping(&failed, &survey->plan->modes, scene);
+	enum hawser_status status = failed ? hawser__no_memory(report, "plan")
+	                                   : hawser_damped_trace(&sweep, scene, &options, report);
 
 	*count = 0;
-	if (!status && (!damping || !hawser__flow_points(&flow, modes, scene)))
-		status = hawser__no_memory(report, "plan");
-	if (!status)
-		hawser__flow_damping(damping, &flow);
 	for (int i = 0; !status && i < sweep.events && *count < HAWSER__GALLOPS; i++, ++*count) {
 		*text[*count] = '\0';
 		tell(text[*count], HAWSER__GALLOP_TEXT, survey, &sweep.event[i], damping);
 	}
 	if (!status && *count == 0)
-		snprintf(text[(*count)++], HAWSER__GALLOP_TEXT, "none of the %d lowest modes begins or ceases to "
-		         "grow up to %.4g m/s, %g times wind.speed", options.modes.n, options.to, REACH);
-	hawser__flow_points_clear(&flow);
+		snprintf(text[(*count)++], HAWSER__GALLOP_TEXT, "none of the %d lowest modes begins or "
+		         "ceases to grow up to %.4g m/s, %g times wind.speed", options.modes.n, options.to,
+		         REACH);
 	hawser_damped_sweep_clear(&sweep);
 	free(damping);
 	return status;
