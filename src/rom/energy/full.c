@@ -15,6 +15,7 @@
 #include "rom/energy/exact.h"
 #include "rom/energy/kernel.h"
 #include "rom/condense/support.h"
+#include "rom/terms/wind.h"
 
 /* Coordinates per function: two displacements in the plane, one out of it. With the default, orbits
  * near the first resonance have a relative error of 1e-6, also with a deep sag
@@ -54,6 +55,12 @@ static enum hawser_status build(struct hawser_rom *rom, const struct hawser_mode
 		                      "the slopes of the modes are not finite: solve the modes first");
 	if (!status)
 		status = hawser__rom_finish(rom, modes, scene, report);
+	if (!status && scene && scene->wind.present && scene->wind.wake.present)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+		                      "wind.wake contradicts the exact strain energy: set "
+		                      "model.energy=quartic");
+	if (!status)
+		status = hawser__wind_add(rom, modes, scene, 1, report);
 	if (!status && hawser__support_moves(scene))
 		status = hawser__support_forces(rom, modes, modes->n, 0, scene, report);
 	if (!status && hawser__support_moves(scene))
