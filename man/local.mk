@@ -46,6 +46,7 @@ shared_text = \
 	%D%/shared/help \
 	%D%/shared/mesh \
 	%D%/shared/lane \
+	%D%/shared/lane-form \
 	%D%/shared/lane-load \
 	%D%/shared/modes \
 	%D%/shared/picture \

@@ -123,6 +123,8 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/statics/statics_cases.c \
 	%D%/statics/statics_loaded.c \
 	%D%/statics/statics_marks.c \
+	%D%/compare/compare_made.c \
+	%D%/compare/compare_made.h \
 	%D%/compare/compare_mms.c \
 	%D%/compare/compare_motion.c \
 	%D%/statics/statics_fields.c \

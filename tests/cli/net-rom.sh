@@ -111,6 +111,23 @@ try "  frames" python3 -S -c 'import sys; d = open("all.gif", "rb").read()
 sys.exit(d[:6] != b"GIF89a" or d.count(bytes([0x21, 0xf9, 4])) != 8)'
 works "a response of a file" frf axial.json --from 1.07w3 --to 1.075w3 --json response.json -q
 denies "the motion of a file" 1 "--animate is for nets, and axial.json is not one" orbit response.json#1 --animate all.gif
+crosstie=$SRCDIR/notebooks-data/scenes/net-crosstie.yaml
+works "models beside the mesh" compare "$crosstie" --fidelities "condensed 4, condensed 9" --from 1w3 --to 1.03w3 \
+	--json compare.json -q
+python "the larger one is nearer" <<'END'
+import json
+r = json.load(open("compare.json"))
+row = {f["name"]: f for f in r["fidelities"]}
+assert r["reference"] == "mesh" and row["mesh"]["coordinates"] == 303
+four, nine = (row[n]["folds"]["Omega_error"] for n in ("condensed 4", "condensed 9"))
+assert 8e-4 < four < 1.3e-3 and 3e-4 < nine < 0.6*four, (four, nine)
+assert all(row[n]["folds"]["missing"] == row[n]["peaks"]["missing"] == 0 for n in row)
+END
+denies "a form that nets have not" 1 "raw 4: of nets and ropeways, condensed N and multiple-scales N" compare "$crosstie" \
+	--fidelities "raw 4"
+denies "multiple scales alone" 1 "name condensed N too" compare "$crosstie" --fidelities "multiple-scales 4"
+denies "nothing driven and damped" 1 "the load drives no damped mode" compare mms "$crosstie" -n 4 --set damping.ratio=0 \
+	--set cables.tie.axial=0
 denies "a cable that is not there" 1 "passing\[0\].along: there is no cable c9" check passing.yaml \
 	--set "passing=[{along: [c9], $weights}]"
 denies "carriers without a weight" 1 "passing\[0\] needs weight or mass, and not both" check passing.yaml \

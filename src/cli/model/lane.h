@@ -17,6 +17,8 @@ struct cli_lane_choice {
 #define CLI_LANE_OPTIONS \
 	{"keep", 0, "LIST", "ropeways, nets: modes that are kept, such as 1,4,6 (the lowest)", \
 	 CLI_TEXT_FOR(common.lane.keep, CLI_ROPEWAY | CLI_NET)}, \
+	CLI_LANE_FORM_OPTIONS
+#define CLI_LANE_FORM_OPTIONS \
 	{"ripple", 0, "LENGTH", "ropeways: amplitude of the rope at the drive, m", \
 	 CLI_POSITIVE_FOR(common.lane.ripple, CLI_ROPEWAY)}, \
 	{"damping", 0, "RATIO", "ropeways: damping ratio of each mode (0)", \
