@@ -106,7 +106,7 @@ works "a motion at a speed" integrate speed.yaml --until 0.05 --every 0.05 --jso
 works "a response" frf "$SRCDIR/notebooks-data/scenes/net-crosstie.yaml" --from "4.2 rad/s" --to "4.21 rad/s" -n 4 --certificate no \
 	--plot places.gp --json response.json -q
 try "  at both joints" test "$(grep -c "title 'J[12]'" places.gp)" = 2
-works "the motion of all nodes" orbit response.json#1 -n 4 --animate all.gif --frames 9 --tsv orbit.tsv -q
+works "the motion of all nodes" orbit response.json#1 --animate all.gif --frames 9 --tsv orbit.tsv -q
 try "  frames" python3 -S -c 'import sys; d = open("all.gif", "rb").read()
 sys.exit(d[:6] != b"GIF89a" or d.count(bytes([0x21, 0xf9, 4])) != 8)'
 works "a response of a file" frf axial.json --from 1.07w3 --to 1.075w3 --json response.json -q
