@@ -144,6 +144,8 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/motion/film_net.h \
 	%D%/model/exact.c \
 	%D%/model/exact.h \
+	%D%/model/film_ropeway.c \
+	%D%/model/film_ropeway.h \
 	%D%/model/fixed.c \
 	%D%/model/fixed.h \
 	%D%/curves/folds_draw.c \

@@ -110,7 +110,7 @@ works "the motion of all nodes" orbit response.json#1 --animate all.gif --frames
 try "  frames" python3 -S -c 'import sys; d = open("all.gif", "rb").read()
 sys.exit(d[:6] != b"GIF89a" or d.count(bytes([0x21, 0xf9, 4])) != 8)'
 works "a response of a file" frf axial.json --from 1.07w3 --to 1.075w3 --json response.json -q
-denies "the motion of a file" 1 "--animate is for nets, and axial.json is not one" orbit response.json#1 --animate all.gif
+denies "the motion of a file" 1 "--animate is for nets and ropeways, and axial.json is none" orbit response.json#1 --animate all.gif
 crosstie=$SRCDIR/notebooks-data/scenes/net-crosstie.yaml
 works "models beside the mesh" compare "$crosstie" --fidelities "condensed 4, condensed 9" --from 1w3 --to 1.03w3 \
 	--json compare.json -q

@@ -41,9 +41,10 @@ static const struct cli_option options[] = {
 	CLI_LANE_LOAD_OPTION,
 	CLI_LANE_OPTIONS,
 	CLI_HEADING("Pictures and files"),
-	{"animate", 0, "FILE.gif", "nets: write an animation of a period", CLI_TEXT_FOR(animate, CLI_NET)},
-	{"frames", 0, "N", "of the animation, at most (100)", CLI_COUNT_FOR(frames, CLI_NET),
-	 .needs = "animate"},
+	{"animate", 0, "FILE.gif", "nets, ropeways: write an animation of a period",
+	 CLI_TEXT_FOR(animate, CLI_NET | CLI_ROPEWAY)},
+	{"frames", 0, "N", "of the animation, at most (100)",
+	 CLI_COUNT_FOR(frames, CLI_NET | CLI_ROPEWAY), .needs = "animate"},
 	CLI_NO_OPTION,
 };
 
@@ -261,8 +262,9 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (!status)
 		status = cli_exact_as(&model, settings->label, report);
 	if (!status && settings->animate && !(model.made && model.made->by->animate))
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "orbit", "--animate is for nets, and %s is "
-		                      "not one", cli_input_name(&settings->common));
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "orbit",
+		                      "--animate is for nets and ropeways, and %s is none",
+		                      cli_input_name(&settings->common));
 	if (!status)
 		status = cli_label_open(&label, "from-label", settings->label, NULL, &model,
 		                        &settings->common, report);
