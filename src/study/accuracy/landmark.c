@@ -32,6 +32,8 @@ enum { stencil = HAWSER__STENCIL };
 #define PROMINENCE 0.02 /* default: drop of the amplitude on either side of a peak */
 static const double share = 0.05; /* error of Omega of an orbit, relative to the error of the orbit;
                                    * chosen */
+static const double round_off = 1e-9; /* change of a tension, relative, that is none of the motion;
+                                       * chosen */
 
 void hawser_landmark_settle(struct hawser_landmark_options *options)
 {
