@@ -424,7 +424,7 @@ enum hawser_status hawser__landmark_peaks(struct hawser_landmark **peak, int *co
 		struct signal signal = signal_of(frf, &like);
 		double most = largest(&signal);
 
-		if (most > 0.0)
+		if (most > round_off*fabs(like.rest))
 			failed = find_peaks(&list, frf, &like, slope, choice.smallest*most,
 			                    choice.prominence);
 		like.kind = HAWSER_LANDMARK_LEAST_TENSION;
