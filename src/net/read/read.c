@@ -135,22 +135,43 @@ static enum hawser_status cables(struct hawser__reader *reader, struct hawser_ne
 	return status;
 }
 
-static enum hawser_status masses(struct hawser__reader *reader, struct hawser_net *net,
-                                 const struct hawser__tree *tree)
+/* A mapping of nodes, whose values have this key. */
+static enum hawser_status of_nodes(struct hawser__reader *reader, struct hawser_net *net,
+                                   const struct hawser__tree *tree, const char *path,
+                                   const char *example)
 {
+	const char *section = path + strlen("net.");
+	char key[32];
 	enum hawser_status status = HAWSER_OK;
 
 	if (tree->kind != HAWSER__MAPPING)
-		return hawser__reader_fail(reader, &tree->at, "masses must be a mapping of nodes, such as "
-		                           "{J: 12 kg}");
+		return hawser__reader_fail(reader, &tree->at, "%s must be a mapping of nodes, such as %s",
+		                           section, example);
+	snprintf(key, sizeof key, "%s.*", path);
 	for (const struct hawser__tree *one = tree->child; one && !status; one = one->next) {
 		int node;
 
-		status = hawser__net_find_node(reader, &node, net, one, one->name, "masses");
+		status = hawser__net_find_node(reader, &node, net, one, one->name, section);
 		if (!status)
-			status = hawser__tree_value(reader, &net->node[node], one, "masses", "net.masses.*");
+			status = hawser__tree_value(reader, &net->node[node], one, section, key);
+		for (int k = 0; k < 3 && !status; k++)
+			if (net->node[node].damper[k] < 0.0)
+				status = hawser__reader_fail(reader, &one->at, "dampers.%s is negative: dampers take "
+				                             "energy, with 0 or more", one->name);
 	}
 	return status;
+}
+
+static enum hawser_status masses(struct hawser__reader *reader, struct hawser_net *net,
+                                 const struct hawser__tree *tree)
+{
+	return of_nodes(reader, net, tree, "net.masses", "{J: 12 kg}");
+}
+
+static enum hawser_status dampers(struct hawser__reader *reader, struct hawser_net *net,
+                                  const struct hawser__tree *tree)
+{
+	return of_nodes(reader, net, tree, "net.dampers", "{J: [0, 300 N.s/m, 0]}");
 }
 
 static enum hawser_status release(struct hawser__reader *reader, struct hawser_net *net,
@@ -237,7 +258,7 @@ static enum hawser_status rules(struct hawser__reader *reader, const struct haws
 	return status;
 }
 
-enum { DYNAMICS = 6 }; /* the first section below that spans have too */
+enum { DYNAMICS = 7 }; /* the first section below that spans have too */
 
 /* The sections of nets from number `from` on. */
 static enum hawser_status common(struct hawser__reader *reader, struct hawser_net *net,
@@ -249,7 +270,7 @@ static enum hawser_status common(struct hawser__reader *reader, struct hawser_ne
 		                           const struct hawser__tree *);
 		int required;
 	} part[] = {{"nodes", nodes, 1}, {"cables", cables, 1}, {"supports", hawser__net_supports, 1},
-	            {"masses", masses, 0}, {"loads", hawser__net_loads, 0},
+	            {"masses", masses, 0}, {"dampers", dampers, 0}, {"loads", hawser__net_loads, 0},
 	            {"passing", hawser__net_passing, 0}, {"dynamics", dynamics, 0},
 	            {"obstacles", hawser__net_obstacles, 0}, {"contact", hawser__net_contact, 0}};
 	static const char *const plain[] = {"g", "damping", "dynamics", "contact"};
