@@ -7,6 +7,7 @@ EXTRA_DIST += \
 	%D%/hawser/_library.py \
 	%D%/hawser/errors.py \
 	%D%/hawser/models.py \
+	%D%/hawser/pictures.py \
 	%D%/hawser/plots.py \
 	%D%/hawser/py.typed \
 	%D%/hawser/results.py \
@@ -15,4 +16,5 @@ EXTRA_DIST += \
 	%D%/tests/test_documents.py \
 	%D%/tests/test_hawser.py \
 	%D%/tests/test_layout.py \
-	%D%/tests/test_notebooks.py
+	%D%/tests/test_notebooks.py \
+	%D%/tests/test_pictures.py

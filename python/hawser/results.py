@@ -9,6 +9,7 @@ import os
 import pathlib
 import subprocess
 import tempfile
+from fnmatch import fnmatchcase
 from typing import Any, Dict, List, Mapping, Optional, Union
 
 import numpy as np
@@ -16,6 +17,9 @@ import numpy as np
 from . import scenes
 from ._library import program
 from .errors import exit_error
+
+
+_NO_TITLE = {"where", "or", "of", "for", "the", "it", "parameter", "missing", "index", "name"}
 
 
 def _options(given: Mapping[str, Any]) -> List[str]:
@@ -78,6 +82,51 @@ class Result:
     def names(self) -> List[str]:
         """The table's columns."""
         return list(self.table.dtype.names or ())
+
+    @property
+    def columns(self) -> List[Dict[str, str]]:
+        """Of each column of the table its name, key (the name without unit), title, meaning and unit."""
+        known = {column["name"]: column for column in self.json.get("columns", [])}
+        return [known.get(name, {"name": name, "key": name, "title": "", "meaning": "", "unit": ""}) for name in self.names]
+
+    @property
+    def keys(self) -> List[str]:
+        """The names of the columns without their units."""
+        return [column["key"] for column in self.columns]
+
+    def _about(self, name: str) -> Dict[str, str]:
+        return self.columns[self.names.index(name)]
+
+    def key(self, name: str) -> str:
+        """The column's name without its unit."""
+        return self._about(name)["key"]
+
+    def unit(self, name: str) -> str:
+        """The column's unit, "" for none."""
+        return self._about(name)["unit"]
+
+    def title(self, name: str) -> str:
+        """The column's title in pictures, without unit."""
+        about = self._about(name)
+        key = {"Omega": "Ω", "omega": "ω"}.get(about["key"], about["key"].replace("_", " "))
+        words = about["meaning"].split()
+        if about["title"] or not 1 <= len(words) <= 3 or not all(word.isalpha() for word in words) or set(words) & _NO_TITLE:
+            return about["title"] or key
+        meaning = about["meaning"][:1].upper() + about["meaning"][1:]
+        return meaning if key in words or key == about["meaning"] else f"{meaning} {key}"
+
+    def find(self, wanted: str) -> List[str]:
+        """The columns of these names or keys, separated by blanks, or patterns such as "u_*"; "kind+1" is the one behind
+        `kind`, "+1" the first."""
+        found: List[str] = []
+        for word in wanted.split():
+            after, plus, number = word.rpartition("+")
+            if plus and number.isdigit():
+                at = (self.keys.index(after) if after in self.keys else -1 if not after else len(self.keys)) + int(number)
+                found += self.names[at:at + 1]
+            else:
+                found += [n for n, key in zip(self.names, self.keys) if word in (n, key) or fnmatchcase(key, word)]
+        return list(dict.fromkeys(found))
 
     def __repr__(self) -> str:
         names = ", ".join(self.names[:6])
