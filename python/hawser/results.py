@@ -15,6 +15,7 @@ from typing import Any, Dict, List, Mapping, Optional, Union
 import numpy as np
 
 from . import scenes
+from ._interrupts import communicate
 from ._library import program
 from .errors import exit_error
 
@@ -157,29 +158,40 @@ def run(command: str, scene: Union[scenes.SceneLike, None] = None, *more: str,
         set: Optional[Mapping[str, Any]] = None, timeout: Optional[float] = None, **options: Any) -> Result:
     """Run `hawser COMMAND SCENE`. The scene is a file or a nested dict; `set` overrides keys ({"tension.T0": "90 kN"}).
     Options are those of the program, with _ for - and a _ behind Python's own words: run("frf", scene,
-    from_="0.9w1", to="1.1w1", n=5). A failure is a hawser.Error with the program's message."""
+    from_="0.9w1", to="1.1w1", n=5). A failure is a hawser.Error with the program's message; Ctrl-C raises KeyboardInterrupt,
+    whose attribute `partial` is the result so far of commands that have one (frf, folds, integrate, map ...)."""
     words = command.split()
     with tempfile.TemporaryDirectory(prefix="hawser-") as folder, scenes.as_file(scene or "") as path:
         files = [str(pathlib.Path(folder) / name) for name in ("result.json", "result.tsv")]
         arguments = words + ([path] if scene else []) + list(more) + _options(options)
         for change in scenes.overrides(set):
             arguments += ["--set", change]
-        done = subprocess.run([program()] + arguments + ["--quiet", "--json", files[0], "--tsv", files[1]],
-                              stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=timeout,
-                              env={**os.environ, "NO_COLOR": "1"},
-                              encoding="utf-8", errors="replace", check=False)
-        if done.returncode:
-            raise _failure(done)
+        code, _, said, stop = _start(arguments + ["--quiet", "--json", files[0], "--tsv", files[1]], timeout)
+        if code and not (stop and os.path.isfile(files[0])):
+            raise stop or _failure(code, said)
         data = json.loads(pathlib.Path(files[0]).read_text(encoding="utf-8"))
         rows = pathlib.Path(files[1])
         table = rows.read_text(encoding="utf-8") if rows.is_file() else ""
-    return Result(command, data, table, done.stderr.strip())
+    result = Result(command, data, table, said.strip())
+    if stop:
+        stop.partial = result  # type: ignore[attr-defined]
+        raise stop
+    return result
 
 
-def _failure(done: "subprocess.CompletedProcess[str]") -> Exception:
-    lines = done.stderr.strip().split("\n")
+def _start(arguments: List[str], timeout: Optional[float]) -> "tuple[int, str, str, Optional[BaseException]]":
+    """Exit status and output of the program, and KeyboardInterrupt if Ctrl-C ended it."""
+    process = subprocess.Popen([program()] + arguments, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                               text=True, encoding="utf-8", errors="replace", env={**os.environ, "NO_COLOR": "1"},
+                               start_new_session=True)  # for a second signal, from the terminal, would end it without a result
+    out, said, stop = communicate(process, timeout)
+    return process.returncode, out, said, stop
+
+
+def _failure(status: int, said: str) -> Exception:
+    lines = said.strip().split("\n")
     begin = max((i for i, line in enumerate(lines) if line.startswith("hawser: ")), default=0)
     message = " ".join(line.strip() for line in lines[begin:])
     prefix = "hawser: "
-    code = 128 - done.returncode if done.returncode < 0 else done.returncode
+    code = 128 - status if status < 0 else status
     return exit_error(code, message[len(prefix):] if message.startswith(prefix) else message or f"exit status {code}")
