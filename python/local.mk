@@ -13,6 +13,7 @@ EXTRA_DIST += \
 	%D%/hawser/py.typed \
 	%D%/hawser/results.py \
 	%D%/hawser/scenes.py \
+	%D%/hawser/sweeps.py \
 	%D%/tests/conftest.py \
 	%D%/tests/test_documents.py \
 	%D%/tests/test_hawser.py \
