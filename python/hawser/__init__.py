@@ -9,6 +9,7 @@ from ._library import function as _function
 from .errors import ConvergenceError, Error, InputError, Interrupted, NoSolutionError, Status, SystemFailure
 from .models import Model, Modes, Motion, Response, Scene, Statics
 from .results import Result, run
+from .sweeps import sweep
 
 
 def library_version() -> str:
@@ -17,4 +18,4 @@ def library_version() -> str:
 
 
 __all__ = ["ConvergenceError", "Error", "InputError", "Interrupted", "Model", "Modes", "Motion", "NoSolutionError",
-           "Response", "Result", "Scene", "Statics", "Status", "SystemFailure", "library_version", "run"]
+           "Response", "Result", "Scene", "Statics", "Status", "SystemFailure", "library_version", "run", "sweep"]

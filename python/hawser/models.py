@@ -15,6 +15,7 @@ from typing import Any, Callable, Mapping, Optional, Sequence, Union
 import numpy as np
 
 from . import scenes
+from ._interrupts import call_apart, ended
 from ._library import Owner, call, function, layout, record, struct
 from .errors import InputError, Status, error
 
@@ -71,7 +72,7 @@ class Statics:
     def __init__(self, scene: Union[Scene, scenes.SceneLike]) -> None:
         self.scene = scene if isinstance(scene, Scene) else Scene(scene)
         self._owner = Owner("hawser_statics")
-        call("hawser_statics_scene", self._owner, self.scene._owner)
+        call_apart("hawser_statics_scene", self._owner, self.scene._owner)
 
     def __getattr__(self, name: str) -> Any:
         if name.startswith("_"):
@@ -109,7 +110,7 @@ class Modes:
         if self._text:
             options.method = ctypes.cast(ctypes.c_char_p(self._text), ctypes.c_void_p).value
         self._owner = Owner("hawser_modes", "hawser_modes_clear")
-        call("hawser_modes_solve", self._owner, self.statics._owner, ctypes.addressof(options))
+        call_apart("hawser_modes_solve", self._owner, self.statics._owner, options)
 
     @property
     def n(self) -> int:
@@ -151,10 +152,10 @@ class Model:
         if scene._owner.model.energy == layout["constants"]["HAWSER_ENERGY_EXACT"]:
             raise error(Status.ARGUMENT, "model.energy: exact makes a full-order model, which hawser.run makes")
         self._owner = Owner("hawser_rom", "hawser_rom_clear")
-        call("hawser_rom_build", self._owner, modes._owner, scene._owner)
+        call_apart("hawser_rom_build", self._owner, modes._owner, scene._owner)
         top = _ABOVE * float(modes.mode["omega"][-1])
         if self._owner.known.reach < top:
-            call("hawser_rom_know_below", self._owner, modes._owner, scene._owner, top)
+            call_apart("hawser_rom_know_below", self._owner, modes._owner, scene._owner, top)
 
     @classmethod
     def open(cls, path: str) -> "Model":
@@ -219,7 +220,8 @@ class Model:
                 tolerance: float = 0.0, step: float = 0.005, max_points: int = 0,
                 progress: Optional[Callable[[float], bool]] = None) -> "Response":
         """The frequency response from `start` to `end` (rad/s, or "0.9w1"). `progress` is called with the fraction
-        that is done; it returns True to stop, and the points traced until then are the result."""
+        that is done; it returns True to stop, and the points traced until then are the result. Ctrl-C raises
+        KeyboardInterrupt, whose attribute `partial` is that result."""
         return Response(self, _frequency(start, self.omega_si), _frequency(end, self.omega_si), method, tolerance,
                         step, max_points, progress)
 
@@ -242,25 +244,9 @@ class Response:
         text = method.encode() if method else None
         if text:
             options.method = ctypes.cast(ctypes.c_char_p(text), ctypes.c_void_p).value
-        state = struct("hawser_progress_state")
-        raised: "list[BaseException]" = []
-
-        def watch(_: Any, address: int) -> int:
-            try:
-                return int(bool(progress and progress(state.from_address(address).fraction)))
-            except BaseException as failure:  # an exception cannot pass through C
-                raised.append(failure)
-                return 1
-
-        callback = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p, ctypes.c_void_p)(watch)
-        if progress:
-            options.progress.function = ctypes.cast(callback, ctypes.c_void_p).value
         self._owner = Owner("hawser_frf", "hawser_frf_clear")
-        try:
-            call("hawser_frf_trace", self._owner, model._owner, ctypes.addressof(options))
-        finally:
-            if raised:
-                raise raised[0]  # and not the failure to which the stop may have led
+        with ended(options, self, progress):
+            call("hawser_frf_trace", self._owner, model._owner, options)
 
     def _rows(self, member: str, *shape: int) -> "np.ndarray[Any, Any]":
         return self._owner.view(getattr(self._owner.memory, member), (self._owner.points,) + shape)
@@ -338,11 +324,17 @@ class Motion:
                                              "coordinates and their velocities")
             options.initial = begin.ctypes.data
         self._owner = Owner("hawser_trajectory", "hawser_trajectory_clear")
-        call("hawser_integrate", self._owner, model._owner, ctypes.addressof(options))
+        with ended(options, self):
+            call("hawser_integrate", self._owner, model._owner, options)
 
     @property
     def rows(self) -> int:
         return int(self._owner.rows)
+
+    @property
+    def interrupted(self) -> bool:
+        """Whether Ctrl-C ended it before its time."""
+        return bool(self._owner.interrupted)
 
     @property
     def time(self) -> "np.ndarray[Any, Any]":

@@ -266,8 +266,8 @@ static const struct {
 	 "a pure number: give a pure number"},
 	/* units and numbers */
 	{"cable: {EA: 400 kg, rho: 6}\n", NULL,
-	 "s.yaml:1:13: cable.EA: \"400 kg\" has a wrong unit \"kg\", not convertible to N: "
-	 "give a number in N, or with a unit that converts to N"},
+	 "s.yaml:1:13: cable.EA: \"400 kg\" is a mass (\"kg\"); a force is wanted: under standard gravity "
+	 "it belongs to \"3922.66 N\", or \"881.84905 lbf\""},
 	{"cable: {EA: 400 Mn, rho: 6}\n", NULL,
 	 "s.yaml:1:13: cable.EA: \"400 Mn\" has an unknown unit \"Mn\": did you mean "
 	 "MN? give a number in N, "
@@ -397,8 +397,8 @@ static const struct {
 	{WHOLE, "cable.EA=-1",
 	 "--set cable.EA=-1: cable.EA: \"-1\" is out of range: it must be > 0 or .inf, in N"},
 	{WHOLE, "cable.EA=3 kg",
-	 "--set cable.EA=3 kg: cable.EA: \"3 kg\" has a wrong unit \"kg\", not convertible "
-	 "to N: give a number in N, or with a unit that converts to N"},
+	 "--set cable.EA=3 kg: cable.EA: \"3 kg\" is a mass (\"kg\"); a force is wanted: under standard "
+	 "gravity it belongs to \"29.41995 N\", or \"6.6138679 lbf\""},
 	{WHOLE, "cable.EA=[1]",
 	 "--set cable.EA=[1]: cable.EA is a list, but must be a number in N"},
 	{WHOLE, "cable=3",
