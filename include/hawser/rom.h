@@ -296,11 +296,11 @@ enum hawser_status hawser_rom_full_lacks(double *lacks, const struct hawser_stat
 double hawser_rom_full_error(int *worst, const struct hawser_rom *full,
                              const struct hawser_modes *modes, double to);
 
-/* A model of a file in the coordinates of its own modes, which must be real: K becomes diagonal, and the
- * old coordinate j is the sum over i of V[j*n + i] q_i, V [n][n] with V' M V = 1. HAWSER_ERR_ARGUMENT (K
- * is not symmetric, the model has terms, functions, shapes or more than 24 coordinates),
- * HAWSER_ERR_CONVERGENCE (the mass is not positive definite), HAWSER_ERR_MEMORY; the model is then to
- * be cleared. */
+/* A model of a file in the coordinates of its own modes, which must be real: K becomes diagonal, and
+ * the old coordinate j is the sum over i of V[j*n + i] q_i, V [n][n] with V' M V = 1.
+ * HAWSER_ERR_ARGUMENT (K is not symmetric, the model has terms, functions, shapes or more than 24
+ * coordinates), HAWSER_ERR_CONVERGENCE (the mass is not positive definite), HAWSER_ERR_MEMORY; the
+ * model is then to be cleared. */
 enum hawser_status hawser_rom_modal(struct hawser_rom *rom, double *V,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
 

@@ -9,8 +9,8 @@
 #include "core/append.h"
 #include "core/report.h"
 
-/* Besides the kinds (enum cli_kind): of spans, and of paths of a towing point alone. Results come first,
- * and what was modelled last. */
+/* Besides the kinds (enum cli_kind): of spans, and of paths of a towing point alone. Results come
+ * first, and what was modelled last. */
 enum { LOADED = 2*CLI_FORCED, CASES = 2*LOADED, WAYPOINTS = 2*CASES, DAMPED = 2*WAYPOINTS };
 
 static const struct cli_report_part table[] = {

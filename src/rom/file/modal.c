@@ -41,6 +41,22 @@ static enum hawser_status check(const struct hawser_rom *rom, struct hawser_repo
 	                    has ? has : "more than 24 coordinates");
 }
 
+/* The largest part of each mode is positive. */
+static void orient(struct change *change)
+{
+	int n = change->n;
+
+	for (int i = 0; i < n; i++) {
+		double most = 0.0;
+
+		for (int j = 0; j < n; j++)
+			if (fabs(change->V[j*n + i]) > fabs(most)*(1.0 + symmetric))
+				most = change->V[j*n + i];
+		for (int j = 0; most < 0.0 && j < n; j++)
+			change->V[j*n + i] = -change->V[j*n + i];
+	}
+}
+
 /* M K and M, of which the modes follow, into V and work. */
 static enum hawser_status modes(struct change *change, double *value, const struct hawser_rom *rom,
                                 struct hawser_report *report)
@@ -68,6 +84,7 @@ static enum hawser_status modes(struct change *change, double *value, const stru
 	if (LAPACKE_dsygvd(LAPACK_ROW_MAJOR, 1, 'V', 'U', n, A, n, M, n, value))
 		return hawser__fail(report, HAWSER_ERR_CONVERGENCE, "rom", "the modes of the model were not "
 		                    "found: is its mass positive definite?");
+	orient(change);
 	for (int i = 0; i < n; i++)
 		for (int j = 0; j < n; j++) {
 			double sum = 0.0;
