@@ -64,8 +64,8 @@ static enum hawser_status iterate(struct driven_work *w, struct hawser_report *r
 			return status;
 		for (int pass = 0; pass < 2; pass++) {
 			w->by->products(w->by->of, part, w->vector, w->steps, next);
-			cblas_dgemv(CblasRowMajor, CblasTrans, w->steps, width, -1.0, w->vector, width, part, 1, 1.0,
-			            next, 1);
+			cblas_dgemv(CblasRowMajor, CblasTrans, w->steps, width, -1.0, w->vector, width, part, 1,
+			            1.0, next, 1);
 			cblas_daxpy(w->steps, 1.0, part, 1, w->T + i, STEPS);
 		}
 		w->by->products(w->by->of, &w->left, next, 1, next);

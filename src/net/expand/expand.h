@@ -27,8 +27,8 @@ struct hawser__nexpand {
 	struct hawser__hold hold;
 };
 
-/* The elements, and room for n shapes, of which the caller fills `shape`, omega2 and mode. All elements that
- * move are taut. Clear it, on failure too. */
+/* The elements, and room for n shapes, of which the caller fills `shape`, omega2 and mode. All elements
+ * that move are taut. Clear it, on failure too. */
 enum hawser_status hawser__nexpand_open(struct hawser__nexpand *t,
                                         const struct hawser__net_modal *modal, double energy, int n,
                                         int modes, struct hawser_report *report) HAWSER_MUST_CHECK;
