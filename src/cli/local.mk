@@ -72,6 +72,7 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/sweep/sweep_processes.c \
 	%D%/sweep/sweep_ranks.c \
 	%D%/sweep/sweep_result.c \
+	%D%/sweep/sweep_check.c \
 	%D%/sweep/sweep_run.c \
 	%D%/sweep/sweep_run.h \
 	%D%/sweep/sweep_take.c \
