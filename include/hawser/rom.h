@@ -413,6 +413,9 @@ void hawser_rom_acceleration_jacobian(const struct hawser_rom *rom, double *acce
                                       double *by_u, double *by_v, double *by_omega,
                                       const double *u, const double *v, double tau, double omega);
 
+/* 1: nothing in the model depends on time: there is nothing with a harmonic above 0. */
+int hawser_rom_autonomous(const struct hawser_rom *rom);
+
 /* 1: a harmonic has a force that is not zero; parametric terms do not count. */
 int hawser_rom_loaded(const struct hawser_rom *rom);
 
