@@ -178,7 +178,7 @@ static enum hawser_status locate_peaks(struct hawser_landmark **peak, struct cli
 	struct cli_watch watch = {*progress, "frf: locating peaks"};
 	struct hawser_frf_options choice = *as;
 	double wanted = result->model->automatic ? LOCATED*result->model->accuracy.asked
-	                : cli_fixed_tolerance(&result->error);
+	                : cli_fixed_tolerance(&result->error, result->model->exact.functions);
 	enum hawser_status status;
 
 	cut = cut || frf->end == HAWSER_END_MAX_POINTS || cli_interrupted();
