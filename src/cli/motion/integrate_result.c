@@ -171,9 +171,9 @@ int cli_integrate_wind(char *text, size_t size, const struct cli_integrate_resul
 			most = fmax(most, fabs(cli_integrate_signal(result, k, row, 1)));
 	most = hawser__in_unit(most, HAWSER__M_S, &scale);
 	if (most == 0.0 && model->rom.harmonics == 0)
-		snprintf(text, size, "nothing moves: at rest the wind is in equilibrium with the cable, stable or "
-		         "not; give a state to start from (--initial), such as {\"u\": [0.01, ...]} for "
-		         "%d coordinates", model->rom.n);
+		snprintf(text, size, "nothing moves: at rest the wind is in equilibrium with the cable, stable "
+		         "or not; give a state to start from (--initial), such as {\"u\": [0.01, ...]} "
+		         "for %d coordinates", model->rom.n);
 	else if (!model->rom.drag && !wind->wake.present && most > FAST*wind->speed)
 		snprintf(text, size, "the cable moves at %.3g m/s, %.2g of wind.speed, where the force of the "
 		         "wind to the third order (wind.form: cubic) is off by more than 1 %%: "
