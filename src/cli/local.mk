@@ -32,6 +32,7 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/tools/cmd_schema.c \
 	%D%/tools/init_scenes.c \
 	%D%/tools/init_scenes.h \
+	%D%/tools/init_structures.c \
 	%D%/tools/records.c \
 	%D%/frame/input.h \
 	%D%/frame/part.c \
@@ -124,6 +125,8 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/statics/statics_cases.c \
 	%D%/statics/statics_loaded.c \
 	%D%/statics/statics_marks.c \
+	%D%/compare/compare_made.c \
+	%D%/compare/compare_made.h \
 	%D%/compare/compare_mms.c \
 	%D%/compare/compare_motion.c \
 	%D%/statics/statics_fields.c \
@@ -143,6 +146,8 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/motion/film_net.h \
 	%D%/model/exact.c \
 	%D%/model/exact.h \
+	%D%/model/film_ropeway.c \
+	%D%/model/film_ropeway.h \
 	%D%/model/fixed.c \
 	%D%/model/fixed.h \
 	%D%/curves/folds_draw.c \

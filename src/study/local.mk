@@ -17,6 +17,7 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/plan/cost.c \
 	%D%/plan/decide.c \
 	%D%/plan/foresee.c \
+	%D%/plan/gallop.c \
 	%D%/plan/own.c \
 	%D%/accuracy/estimate.c \
 	%D%/map/family.c \

@@ -11,6 +11,7 @@
 #include "cli/curves/frf_over.h"
 #include "cli/curves/frf_tori.h"
 #include "cli/frame/view.h"
+#include "cli/model/made.h"
 #include "cli/model/certificate.h"
 #include "cli/backbone/mms_result.h"
 
@@ -352,6 +353,8 @@ static const struct hawser__field result_field[] = {
 	THROUGH(scales, cli_modulation_field),
 	THROUGH(model, cli_si_field),
 	{"parameters", NULL, "of a model file or library that names some", HAWSER__CALLS(parameters_json)},
+	{"made", NULL, "of nets and ropeways: options by which the model is made again, keep among them",
+	 HAWSER__CALLS(cli_made_json)},
 	{"over", NULL, "with --over", HAWSER__THROUGH(struct cli_frf_result, over, over_field)},
 	{"range", NULL, "of Omega", HAWSER__PAIR_AT(struct cli_frf_result, from, to),
 	 .unit = HAWSER__RAD_S},

@@ -105,6 +105,19 @@ static void list_commands(char *text, size_t size, int index, int forced)
 	}
 }
 
+/* Whether the command takes no spans, and the input is one without a fault. */
+static int is_other_span(const struct cli_command *command, const struct cli_common *common)
+{
+	struct hawser_scene scene;
+	enum hawser_status status;
+
+	if (command->takes & (CLI_SPAN | CLI_MODELS))
+		return 0;
+	status = cli_read_scene(&scene, common, NULL);
+	hawser_scene_clear(&scene);
+	return !status;
+}
+
 static enum hawser_status check_input(const struct cli_command *command,
                                       const struct cli_common *common, struct hawser_report *report)
 {
@@ -112,7 +125,7 @@ static enum hawser_status check_input(const struct cli_command *command,
 	char others[COMMANDS];
 	int number = cli_kind_number(kind, CLI_EVERY);
 
-	if (kind == HAWSER_KIND_SPAN || takes(command, number))
+	if (takes(command, number) || (kind == HAWSER_KIND_SPAN && !is_other_span(command, common)))
 		return HAWSER_OK;
 	list_commands(others, sizeof others, number, -1);
 	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "main",

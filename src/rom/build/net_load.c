@@ -82,6 +82,9 @@ static void add_damping(double *row, const struct hawser__net_source *source, do
 	const struct hawser__mesh *mesh = &source->modal.mesh;
 
 	add_mass(row, mesh, factor*source->net->mass_rate, x);
+	for (int i = 0; i < 3*mesh->nodes; i++)
+		if (mesh->unknown[i/3][i%3] >= 0)
+			row[mesh->unknown[i/3][i%3]] += factor*mesh->damper[i/3][i%3]*x[i/3][i%3];
 	for (int e = 0; e < mesh->elements; e++) {
 		double slope[3];
 
