@@ -27,6 +27,7 @@ answered() {
 }
 
 kinds=$("$HAWSER" init --help | sed -n '1s/^[^[]*\[\([a-z|]*\)\].*/\1/p' | tr '|' ' ')
+kinds=${kinds%% stay*} # structures are of these kinds
 for kind in $kinds model; do
 	case $kind in
 		model) cp "$duffing" scene.yaml ;;
