@@ -40,6 +40,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/torus/circle.c \
 	%D%/torus/circle.h \
 	%D%/branch/climb.c \
+	%D%/cycle/begin.c %D%/cycle/cycle.c %D%/cycle/cycle.h %D%/cycle/equilibrium.c %D%/cycle/hopf.c %D%/cycle/hopf.h %D%/cycle/settle.c \
 	%D%/branch/closure.c \
 	%D%/branch/collide.c \
 	%D%/branch/collide.h \
@@ -144,6 +145,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/branch/record.h \
 	%D%/orbit/shooting.c \
 	%D%/orbit/shooting.h \
+	%D%/orbit/shooting_free.c \
 	%D%/orbit/shooting_guess.c \
 	%D%/orbit/shooting_mesh.c \
 	%D%/branch/slack.c \

@@ -238,6 +238,7 @@ enum hawser_status hawser__station_judge(struct hawser__station *station,
 	memcpy(station->condensed, orbit->condensed, (size_t)m);
 	station->circle = hawser__circle_count(station->bound, station->log_modulus, station->argument, m,
 	                                       orbit->product_error, orbit->multiplier_error);
+	station->trivial = orbit->trivial;
 	station->outside = 0;
 	for (int i = 0; i < m; i++)
 		station->outside += station->log_modulus[i] > 0.0;
