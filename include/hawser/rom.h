@@ -4,7 +4,7 @@
  *     = sum over harmonics of Omega^omega_power * cos|sin(k Omega t)
  *       * (f_j - D_jk u_k' - K_jk u_k - sum Q_jkl u_k u_l - terms)
  *
- * Terms are products of any coordinates and velocities. Models of cables have none.
+ * Terms are products of any coordinates and velocities. Models of cables have them in a wind only.
  *
  * Everything here is scaled (statics.h) unless the name or comment says SI. Tensors are kept as
  * lists of unique nonzero entries in lexicographic order, k <= l (<= m): a listed value is the

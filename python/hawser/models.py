@@ -146,6 +146,36 @@ class Modes:
         return np.array(self.mode["omega"]) / self.time
 
     @property
+    def S_si(self) -> "np.ndarray[Any, Any]":
+        """[points] unstretched arclengths of the shapes, m: between the ends, which are no points."""
+        grid = self._owner.grid
+        whole = function("hawser_statics_actual")(self.statics._owner.address).length0
+        return np.array(self.s * (whole / self._owner.view(grid.edge, (grid.elements + 1,))[-1]))
+
+    def displaced(self, number: int, size: float = 1.0) -> "np.ndarray[Any, Any]":
+        """[points][3] places x, y, z (m) of the cable in mode `number` (from 1), whose largest displacement is `size` (m)."""
+        if not 1 <= number <= self.n:
+            raise error(Status.ARGUMENT, f"mode {number}: there are 1 to {self.n}")
+        at = [function("hawser_statics_actual_at")(self.statics._owner.address, S) for S in self.S_si]
+        P, Q, B = self.shape[number - 1].T
+        slope = np.arctan([point.slope for point in at])
+        moved = np.stack([P * np.cos(slope) - Q * np.sin(slope), P * np.sin(slope) + Q * np.cos(slope), B], axis=1)
+        rest = np.array([[point.x, point.y, 0.0] for point in at])
+        return np.asarray(rest + moved * (size / np.sqrt((moved**2).sum(axis=1)).max()))
+
+    def plot(self, ax: Any = None) -> Any:
+        """The shapes, each by its largest component; see hawser.plots.shapes. Returns the axes."""
+        from . import plots
+
+        return plots.shapes(self, ax)
+
+    def animate(self, number: int, size: Optional[float] = None, frames: int = 40) -> Any:
+        """A mode in motion over a period, as an animation of matplotlib, which notebooks show; see hawser.plots.mode_motion."""
+        from . import plots
+
+        return plots.mode_motion(self, number, size, frames)
+
+    @property
     def s(self) -> "np.ndarray[Any, Any]":
         """View [points] of the scaled arclengths of the shapes."""
         return self._owner.view(self._owner.grid.s, (self._owner.grid.points,))

@@ -2,6 +2,7 @@
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
+import os
 import pickle
 
 import numpy as np
@@ -53,7 +54,7 @@ def test_mistakes_are_seen_before_a_run():
                           ({"mass": 3}, "mass is a key of|unknown key mass")):
         with pytest.raises(hawser.InputError, match=message):
             span(**keys)
-    with pytest.raises(hawser.InputError, match="wrong unit"):
+    with pytest.raises(hawser.InputError, match='tension.T0: "80 kg"'):
         span(tension={"T0": "80 kg"}).check()
 
 
@@ -83,3 +84,20 @@ def test_pickles_and_members():
     assert np.array_equal(pickle.loads(pickle.dumps(response)).state, response.state)
     assert pickle.loads(pickle.dumps(hawser.Scene(scene, set={"cable.rho": 7})))["cable.rho"] == 7.0
     assert {"sag", "H", "profile"} <= set(dir(hawser.Statics(scene)))
+
+
+def test_shapes_of_modes_in_space():
+    modes = hawser.Modes(span(), n=4)
+    rest, moved = modes.displaced(2, 0.0), modes.displaced(2, 0.3)
+    assert np.sqrt(((moved - rest)**2).sum(axis=1)).max() == pytest.approx(0.3, rel=1e-12)
+    assert np.abs((moved - rest)[[0, -1]]).max() < 3e-3 and np.allclose(rest[[0, -1], :2], [[0, 0], [250, 10]], atol=0.5)
+    assert 0 < modes.S_si[0] and modes.S_si[-1] < modes.statics.length0 < modes.S_si[0] + modes.S_si[-1] + 1e-9
+    assert np.abs((modes.displaced(1, 1.0) - rest)[:, 2]).max() == pytest.approx(1.0)  # out of the plane
+    with pytest.raises(hawser.InputError, match="mode 5: there are 1 to 4"):
+        modes.displaced(5)
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    assert len(modes.plot().lines) == 4
+    if os.environ.get("HAWSER_LONG"):
+        assert "<img" in modes.animate(1, frames=3)._repr_html_()
+    matplotlib.pyplot.close("all")

@@ -325,7 +325,7 @@ static enum hawser_status descend(struct hawser__condensation *work,
                                   const struct hawser__variational *system, double limit, double most,
                                   struct hawser_report *report)
 {
-	int along = monodromy->rest && !monodromy->sharper, lowest = along ? LOWEST : 0, tried = 0;
+	int along = monodromy->rest && !monodromy->sharper, lowest = along ? LOWEST : 0, tried = -1;
 	int higher = along && monodromy->stay == 0 && monodromy->expected < HIGHEST;
 	int begin = (int)fmax(lowest, monodromy->expected + higher), level = begin, best = begin;
 	double least = INFINITY;
