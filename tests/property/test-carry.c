@@ -93,47 +93,65 @@ static void compare(struct hawser_rom *rom, const double *map)
 	free(mark);
 }
 
-/* A search that may take so many seconds, as counted. */
-static void search(struct hawser_accuracy *accuracy, double unit, double bearable)
+/* A search up to `to` that may take so many seconds, as counted; `step` of its response. */
+static void search(struct hawser_accuracy *accuracy, double unit, double to, double bearable,
+                   double step)
 {
 	struct hawser_accuracy_options options = {.accuracy = 0.01, .agreed = 1, .partial = 1,
-		.bearable = bearable, .expected = 100, .frf = {.from = 0.87*unit, .to = 1.15*unit}};
+		.bearable = bearable, .expected = 100,
+		.frf = {.from = 0.87*unit, .to = to*unit, .step_max = step}};
 
 	ok(!hawser_accuracy_exact(accuracy, &statics, &scene, &options, &report), "%.3g s: %s", bearable,
 	   report.message);
 }
 
+/* How far `part` is from the curve of `whole`, both below their folds, at mid-span across the plane. */
+static double distance_of(const struct hawser_frf *part, const struct hawser_frf *whole)
+{
+	int step = 3*part->probes;
+	double distance = 0.0;
+
+	for (int i = 0, k = 0; i < part->points; i++) {
+		double w = part->point[i].omega, at, amplitude;
+
+		while (k + 2 < whole->points && whole->point[k + 1].omega < w)
+			k++;
+		at = (w - whole->point[k].omega)/(whole->point[k + 1].omega - whole->point[k].omega);
+		amplitude = (1.0 - at)*whole->probe[(size_t)k*step + 2] +
+		            at*whole->probe[((size_t)k + 1)*step + 2];
+		distance = fmax(distance, fabs(part->probe[(size_t)i*step + 2]/amplitude - 1.0));
+	}
+	return part->points > 0 ? distance : 1.0;
+}
+
 /* The range ends where more of it would take too long; what there is of it is right. */
 static void search_parts(double unit)
 {
-	struct hawser_accuracy whole, part, none;
-	double distance = 1.0;
+	struct hawser_accuracy whole, part, none, dear;
+	double distance;
 
-	search(&whole, unit, 100.0);
-	search(&part, unit, 1.0);
-	search(&none, unit, 0.01);
+	search(&whole, unit, 1.15, 100.0, 0.0);
+	search(&part, unit, 1.15, 1.0, 0.0);
+	search(&none, unit, 1.15, 0.01, 0.0);
+	search(&dear, unit, 0.92, 0.25, 2e-4);
 	ok(whole.reached && isnan(whole.until), "the whole range");
 	ok(part.reached && part.until > 0.9*unit && part.until < 1.14*unit && part.frf.points > 0 &&
 	   fabs(part.frf.point[part.frf.points - 1].omega - part.until) < 1e-9, "a part, to %.3f of %.3f",
 	   part.until/unit, 1.15);
 	ok(!none.reached && none.costly && none.frf.points < 24 && none.foreseen > 0.01,
 	   "none of it: %.2g s are foreseen", none.foreseen);
-	for (int i = 0, k = 0; i < part.frf.points; i++) {
-		double w = part.frf.point[i].omega, at;
-
-		while (k + 2 < whole.frf.points && whole.frf.point[k + 1].omega < w)
-			k++;
-		at = (w - whole.frf.point[k].omega)/(whole.frf.point[k + 1].omega - whole.frf.point[k].omega);
-		distance = i == 0 ? 0.0 : distance;
-		distance = fmax(distance, fabs(part.frf.probe[(size_t)i*3*part.frf.probes + 2] -
-		           (1.0 - at)*whole.frf.probe[(size_t)k*3*part.frf.probes + 2] -
-		           at*whole.frf.probe[((size_t)k + 1)*3*part.frf.probes + 2])/
-		           whole.frf.probe[((size_t)k + 1)*3*part.frf.probes + 2]);
-	}
+	distance = distance_of(&part.frf, &whole.frf);
 	ok(distance < 0.02, "the same response, up to %.1e", distance);
+	ok(dear.reached && dear.until > 0.87*unit && dear.until < 0.92*unit &&
+	   dear.traced.to == dear.until && dear.frf.end == HAWSER_END_RANGE && dear.frf.points > 24,
+	   "a response that takes more than its draft foretold ends with what there is, %d points to "
+	   "%.4f of 0.92", dear.frf.points, dear.until/unit);
+	distance = distance_of(&dear.frf, &whole.frf);
+	ok(distance < 0.02, "which is the same response, up to %.1e", distance);
 	hawser_accuracy_clear(&whole);
 	hawser_accuracy_clear(&part);
 	hawser_accuracy_clear(&none);
+	hawser_accuracy_clear(&dear);
 }
 
 /* Each orbit of a stiff cable is its own counterpart in its own model, also where nothing is known of
