@@ -8,6 +8,7 @@ EXTRA_DIST += \
 	%D%/hawser/_library.py \
 	%D%/hawser/errors.py \
 	%D%/hawser/models.py \
+	%D%/hawser/objects.py \
 	%D%/hawser/pictures.py \
 	%D%/hawser/plots.py \
 	%D%/hawser/py.typed \
@@ -20,4 +21,5 @@ EXTRA_DIST += \
 	%D%/tests/test_interrupts.py \
 	%D%/tests/test_layout.py \
 	%D%/tests/test_notebooks.py \
+	%D%/tests/test_objects.py \
 	%D%/tests/test_pictures.py

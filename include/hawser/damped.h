@@ -55,11 +55,10 @@ void hawser_damped_clear(struct hawser_damped *damped);
 
 /* Damped modes over a key of the scene. */
 struct hawser_damped_sweep_options {
-	const char *key;  /* such as "attach.0.damper[1]" or "attach.0.at" (hawser_scene_set) */
-	double from, to;  /* SI */
-	int points;       /* >= 2 */
-	int logarithmic;  /* 1: points at equal ratios, from and to > 0 */
-	int threads;      /* 0: as many as there are processors */
+	const char *key;     /* such as "attach.0.damper[1]" or "attach.0.at" (hawser_scene_set) */
+	const double *value; /* [points] of the key, SI */
+	int points;          /* >= 1 */
+	int threads;         /* 0: as many as there are processors */
 	struct hawser_damped_options modes;
 };
 /* A value of the key at which the damping of a mode changes its sign. */

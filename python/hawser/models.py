@@ -1,7 +1,7 @@
 """The stages of the library: scene, statics, modes, model, response, motion.
 
 Each object holds the library's own structure. Arrays are views of the library's memory: they are not copied, cannot
-be written, and keep that memory alive. As in the library they are scaled by the model's units, `length` (m) and
+be written, and keep that memory alive. Objects are pickled by their scene: what is unpickled is computed again. As in the library they are scaled by the model's units, `length` (m) and
 `time` (s), where a name is not in SI; the properties that end in `_si` are converted copies.
 
 SPDX-License-Identifier: GPL-3.0-or-later
@@ -44,12 +44,16 @@ class Scene:
     def __init__(self, source: scenes.SceneLike, set: Optional[Mapping[str, Any]] = None) -> None:
         changes = scenes.overrides(set)
         texts = (ctypes.c_char_p * len(changes))(*(c.encode() for c in changes))
+        self._source, self._set = dict(source) if isinstance(source, Mapping) else source, set
         self._owner = Owner("hawser_scene", "hawser_scene_clear")
         with scenes.as_file(source) as path:
             call("hawser_scene_open", self._owner, os.fsencode(path), texts if changes else None, len(changes))
         if self._owner.beam.form != 0:
             raise error(Status.ARGUMENT, "this scene describes a travelling beam or string: use "
                                          "hawser.run(\"beam\", ...)")
+
+    def __reduce__(self) -> Any:
+        return Scene, (self._source, self._set)
 
     def __getitem__(self, key: str) -> Union[float, str]:
         """The value of a key in SI, such as scene["cable.EA"], or its word."""
@@ -74,6 +78,12 @@ class Statics:
         self._owner = Owner("hawser_statics")
         call_apart("hawser_statics_scene", self._owner, self.scene._owner)
 
+    def __reduce__(self) -> Any:
+        return Statics, (self.scene,)
+
+    def __dir__(self) -> "list[str]":
+        return sorted({*super().__dir__(), *(name for name, _, _ in layout["structs"]["hawser_statics"])})
+
     def __getattr__(self, name: str) -> Any:
         if name.startswith("_"):
             raise AttributeError(name)
@@ -96,6 +106,7 @@ class Modes:
     def __init__(self, statics: Union[Statics, Scene, scenes.SceneLike], n: Optional[int] = None, basis: int = 0,
                  tolerance: float = 0.0, method: Optional[str] = None) -> None:
         self.statics = statics if isinstance(statics, Statics) else Statics(statics)
+        self._asked = (n, basis, tolerance, method)
         scene = self.statics.scene
         if n is None:
             function("hawser_modes_settle")(scene._owner.address, self.statics._owner.address)
@@ -111,6 +122,9 @@ class Modes:
             options.method = ctypes.cast(ctypes.c_char_p(self._text), ctypes.c_void_p).value
         self._owner = Owner("hawser_modes", "hawser_modes_clear")
         call_apart("hawser_modes_solve", self._owner, self.statics._owner, options)
+
+    def __reduce__(self) -> Any:
+        return Modes, (self.statics, *self._asked)
 
     @property
     def n(self) -> int:
@@ -132,6 +146,36 @@ class Modes:
         return np.array(self.mode["omega"]) / self.time
 
     @property
+    def S_si(self) -> "np.ndarray[Any, Any]":
+        """[points] unstretched arclengths of the shapes, m: between the ends, which are no points."""
+        grid = self._owner.grid
+        whole = function("hawser_statics_actual")(self.statics._owner.address).length0
+        return np.array(self.s * (whole / self._owner.view(grid.edge, (grid.elements + 1,))[-1]))
+
+    def displaced(self, number: int, size: float = 1.0) -> "np.ndarray[Any, Any]":
+        """[points][3] places x, y, z (m) of the cable in mode `number` (from 1), whose largest displacement is `size` (m)."""
+        if not 1 <= number <= self.n:
+            raise error(Status.ARGUMENT, f"mode {number}: there are 1 to {self.n}")
+        at = [function("hawser_statics_actual_at")(self.statics._owner.address, S) for S in self.S_si]
+        P, Q, B = self.shape[number - 1].T
+        slope = np.arctan([point.slope for point in at])
+        moved = np.stack([P * np.cos(slope) - Q * np.sin(slope), P * np.sin(slope) + Q * np.cos(slope), B], axis=1)
+        rest = np.array([[point.x, point.y, 0.0] for point in at])
+        return np.asarray(rest + moved * (size / np.sqrt((moved**2).sum(axis=1)).max()))
+
+    def plot(self, ax: Any = None) -> Any:
+        """The shapes, each by its largest component; see hawser.plots.shapes. Returns the axes."""
+        from . import plots
+
+        return plots.shapes(self, ax)
+
+    def animate(self, number: int, size: Optional[float] = None, frames: int = 40) -> Any:
+        """A mode in motion over a period, as an animation of matplotlib, which notebooks show; see hawser.plots.mode_motion."""
+        from . import plots
+
+        return plots.mode_motion(self, number, size, frames)
+
+    @property
     def s(self) -> "np.ndarray[Any, Any]":
         """View [points] of the scaled arclengths of the shapes."""
         return self._owner.view(self._owner.grid.s, (self._owner.grid.points,))
@@ -148,6 +192,7 @@ class Model:
     def __init__(self, modes: Union[Modes, Statics, Scene, scenes.SceneLike]) -> None:
         modes = modes if isinstance(modes, Modes) else Modes(modes)
         self.modes: Optional[Modes] = modes
+        self._path = ""  # of the file of a model without modes
         scene = modes.statics.scene
         if scene._owner.model.energy == layout["constants"]["HAWSER_ENERGY_EXACT"]:
             raise error(Status.ARGUMENT, "model.energy: exact makes a full-order model, which hawser.run makes")
@@ -161,10 +206,13 @@ class Model:
     def open(cls, path: str) -> "Model":
         """A model file (hawser-rom(5))."""
         made = cls.__new__(cls)
-        made.modes = None
+        made.modes, made._path = None, path
         made._owner = Owner("hawser_rom", "hawser_rom_clear")
         call("hawser_rom_open", made._owner, os.fsencode(path))
         return made
+
+    def __reduce__(self) -> Any:
+        return (Model.open, (self._path,)) if self.modes is None else (Model, (self.modes,))
 
     def save(self, path: str) -> None:
         call("hawser_rom_save", self._owner, os.fsencode(path))
@@ -238,6 +286,7 @@ class Response:
     def __init__(self, model: Model, start: float, end: float, method: Optional[str], tolerance: float, step: float,
                  max_points: int, progress: Optional[Callable[[float], bool]]) -> None:
         self.model = model
+        self._asked = (start, end, method, tolerance, step, max_points, None)
         options = struct("hawser_frf_options")(tolerance=tolerance, step_max=step, max_points=max_points)
         setattr(options, "from", start * model.time)
         options.to = end * model.time
@@ -247,6 +296,9 @@ class Response:
         self._owner = Owner("hawser_frf", "hawser_frf_clear")
         with ended(options, self, progress):
             call("hawser_frf_trace", self._owner, model._owner, options)
+
+    def __reduce__(self) -> Any:
+        return Response, (self.model, *self._asked)
 
     def _rows(self, member: str, *shape: int) -> "np.ndarray[Any, Any]":
         return self._owner.view(getattr(self._owner.memory, member), (self._owner.points,) + shape)
@@ -315,6 +367,7 @@ class Motion:
     def __init__(self, model: Model, omega: float, until: float, every: float,
                  initial: Optional[Sequence[float]]) -> None:
         self.model = model
+        self._asked = (omega, until, every, initial)
         options = struct("hawser_integrate_options")(omega=omega * model.time, until=until / model.time,
                                                      every=every / model.time)
         if initial is not None:
@@ -326,6 +379,9 @@ class Motion:
         self._owner = Owner("hawser_trajectory", "hawser_trajectory_clear")
         with ended(options, self):
             call("hawser_integrate", self._owner, model._owner, options)
+
+    def __reduce__(self) -> Any:
+        return Motion, (self.model, *self._asked)
 
     @property
     def rows(self) -> int:

@@ -14,7 +14,7 @@ from .errors import Status, error
 from .pictures import PICTURES, Panel, Picture
 
 if TYPE_CHECKING:
-    from .models import Response, Statics
+    from .models import Modes, Response, Statics
     from .results import Result
 
 Array = np.ndarray[Any, Any]
@@ -418,3 +418,56 @@ def response(of: "Response", probe: str = "mid", component: str = "z", ax: Any =
         axes.set_xlabel("Omega (rad/s)")
         axes.set_ylabel(f"amplitude of {component}, {probe} (m)")
     return axes
+
+
+def shapes(of: "Modes", ax: Any = None) -> Any:
+    """The shapes of modes over the unstretched arclength, each by its largest component."""
+    with _drawing(ax) as (axes,):
+        for k in range(of.n):
+            c = int(np.abs(of.shape[k]).max(axis=0).argmax())
+            axes.plot(of.S_si, of.shape[k, :, c], color=COLOURS[k % len(COLOURS)],
+                      label=f"mode {k + 1}, {('axial', 'normal', 'out of plane')[c]}, {of.omega_si[k] / (2 * np.pi):.4g} Hz")
+        axes.set_xlabel("Arclength S (m)")
+        axes.set_ylabel("shape")
+        if of.n <= _LEGEND:
+            axes.legend(fontsize="small")
+    return axes
+
+
+class Animation:
+    """An animation of matplotlib (`animation`), which notebooks show as a player."""
+
+    def __init__(self, animation: Any) -> None:
+        self.animation = animation
+
+    def _repr_html_(self) -> str:
+        return str(self.animation.to_jshtml())
+
+    def save(self, path: str, **keywords: Any) -> None:
+        """Write it to a file, such as one named .gif."""
+        self.animation.save(path, **keywords)
+
+
+def mode_motion(of: "Modes", number: int, size: Optional[float] = None, frames: int = 40) -> Animation:
+    """A mode over a period: height over distance, or seen from above where it moves across the plane. The largest displacement
+    is a twentieth of the length of the chord unless `size` (m) says otherwise."""
+    from matplotlib.animation import FuncAnimation
+
+    rest = of.displaced(number, 0.0)
+    size = size if size is not None else 0.05 * float(np.sqrt(((rest[-1] - rest[0])**2).sum()))
+    moved = of.displaced(number, size) - rest
+    across = 2 if np.abs(moved[:, 2]).max() > np.abs(moved[:, :2]).max() else 1
+    with _drawing(None) as (axes,):
+        axes.plot(rest[:, 0], rest[:, across], color="#8a8a8a", linewidth=0.8)
+        line = axes.plot(rest[:, 0], rest[:, across])[0]
+        axes.set_ylim(rest[:, across].min() - 1.1 * size, rest[:, across].max() + 1.1 * size)
+        axes.set_xlabel("Distance x (m)")
+        axes.set_ylabel("Height y (m)" if across == 1 else "Across the plane z (m)")
+        axes.set_title(f"mode {number}, {of.omega_si[number - 1] / (2 * np.pi):.4g} Hz", fontsize="medium")
+
+    def show(frame: int) -> Any:
+        place = rest + moved * np.cos(2.0 * np.pi * frame / frames)
+        line.set_data(place[:, 0], place[:, across])
+        return (line,)
+
+    return Animation(FuncAnimation(axes.figure, show, frames=frames, interval=50, blit=True))

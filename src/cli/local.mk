@@ -72,6 +72,7 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/sweep/sweep_processes.c \
 	%D%/sweep/sweep_ranks.c \
 	%D%/sweep/sweep_result.c \
+	%D%/sweep/sweep_check.c \
 	%D%/sweep/sweep_run.c \
 	%D%/sweep/sweep_run.h \
 	%D%/sweep/sweep_take.c \
@@ -210,6 +211,7 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/map/map_result.c \
 	%D%/map/map_result.h \
 	%D%/backbone/mms_marks.c \
+	%D%/backbone/modal.c \
 	%D%/backbone/mms_options.c \
 	%D%/backbone/mms_result.c \
 	%D%/backbone/mms_result.h \

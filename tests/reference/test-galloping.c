@@ -65,8 +65,9 @@ static double growth(const struct hawser_rom *rom)
 /* Events of damped modes over the speed, and the first one by the model of four modes. */
 static void critical(const char *const *set, size_t sets, double first, double second, double omega)
 {
+	static const double speed[] = {1.0, 17.0/6.0, 14.0/3.0, 6.5, 25.0/3.0, 61.0/6.0, 12.0};
 	const struct hawser_damped_sweep_options options = {
-		.key = "wind.speed", .from = 1.0, .to = 12.0, .points = 7, .modes = {.n = 4}};
+		.key = "wind.speed", .value = speed, .points = 7, .modes = {.n = 4}};
 	struct hawser_damped_sweep sweep = {.points = 0};
 	struct hawser_scene scene;
 

@@ -235,7 +235,7 @@ enum hawser_status cli_deliver(const struct cli_common *common, const struct haw
 		status = write_some(&drawn, common, 0, table, json, drawing, report);
 	if (!status)
 		status = write_some(&drawn, common, 1, table, json, drawing, report);
-	if (status || taken)
+	if (status || taken || (drawn && any))
 		return status ? status : drawn;
 	cli_writing(0);
 	if (!any && (drawn || !common->plot))
@@ -321,7 +321,8 @@ enum hawser_status cli_show(const struct cli_common *common, const struct cli_sh
 	show_table(&table, showing, result);
 	if (common->json)
 		show_json(&json, showing, result);
-	if (common->json && !taker && table.about && !json.status)
+	if (common->json && !taker && table.about && !json.status &&
+	    !json.members.write) /* a model file has no columns */
 		json.status = json_object_set(json.root, "columns", table.about)
 		              ? hawser__no_memory(&json.report, "json") : HAWSER_OK;
 	status = taker ? hand_over(common, &table, &json, showing, result, report)

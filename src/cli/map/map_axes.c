@@ -32,6 +32,9 @@ static enum hawser_status split(char **copy, const char *part[3], const char *op
 	if (!colon || equals == *copy || colon == equals + 1 || !colon[1])
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
 		                    "--%s %s: write KEY=FROM:TO, such as travel.speed=0:20", option, text);
+	if (strchr(colon + 1, ':'))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map", "--%s %s: values between the ends are "
+		                    "chosen by the command: write KEY=FROM:TO", option, text);
 	*equals = *colon = '\0';
 	part[0] = *copy;
 	part[1] = equals + 1;

@@ -11,44 +11,24 @@
 #include "core/report.h"
 #include "output/drawing/figure.h"
 
-enum { MOST = 2000 }; /* points of a sweep */
-
-static enum hawser_status wrong(const char *over, struct hawser_report *report)
-{
-	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
-	                    "--over %s: write KEY=FROM:TO:POINTS with 2 to %d points, such as "
-	                    "attach.0.at=0.02:0.1:41", over, MOST);
-}
-
-/* Split KEY=FROM:TO:POINTS. */
-static enum hawser_status read_over(struct hawser_damped_sweep_options *options,
-                                    struct cli_damped_result *result, const char *over,
+/* The values of --over, in SI. */
+static enum hawser_status read_over(struct cli_damped_result *result, const char *over,
                                     struct hawser_report *report)
 {
-	char *equals, *first, *second, *end;
+	struct cli_key_sweep *range = &result->range;
 	enum hawser_status status;
-	long points;
+	char text[64];
 
-	result->copy = strdup(over);
-	if (!result->copy)
-		return hawser__no_memory(report, "modes");
-	equals = strchr(result->copy, '=');
-	first = equals ? strchr(equals + 1, ':') : NULL;
-	second = first ? strchr(first + 1, ':') : NULL;
-	if (!second || equals == result->copy || first == equals + 1 || second == first + 1)
-		return wrong(over, report);
-	points = strtol(second + 1, &end, 10);
-	if (end == second + 1 || *end || points < 2 || points > MOST)
-		return wrong(over, report);
-	*equals = *first = *second = '\0';
-	result->key = options->key = result->copy;
-	options->points = (int)points;
-	options->logarithmic = result->logarithmic;
-	status = cli_quantity(&options->from, equals + 1, cli_key_unit(result->key), CLI_ANY, "modes",
-	                      "over", report);
-	if (!status)
-		status = cli_quantity(&options->to, first + 1, cli_key_unit(result->key), CLI_ANY, "modes",
+	range->command = "modes";
+	range->over = over;
+	range->example = "attach.0.at=0.02:0.1:41";
+	status = cli_key_sweep_read(range, report);
+	result->key = range->key;
+	for (int i = 0; i < range->points && !status && *range->si; i++) {
+		snprintf(text, sizeof text, "%.17g %s", range->value[i], range->si);
+		status = cli_quantity(&range->value[i], text, cli_key_unit(range->key), CLI_ANY, "modes",
 		                      "over", report);
+	}
 	return status;
 }
 
@@ -78,7 +58,10 @@ enum hawser_status cli_damped_solve(struct cli_damped_result *result, const char
 
 	if (!over)
 		return solve_one(result, n, report);
-	status = read_over(&options, result, over, report);
+	status = read_over(result, over, report);
+	options.key = result->key;
+	options.value = result->range.value;
+	options.points = result->range.points;
 	return status ? status : hawser_damped_trace(&result->sweep, &result->scene, &options, report);
 }
 
@@ -86,7 +69,7 @@ void cli_damped_free(struct cli_damped_result *result)
 {
 	hawser_damped_sweep_clear(&result->sweep);
 	hawser_scene_clear(&result->scene);
-	free(result->copy);
+	free(result->range.value);
 }
 
 /* --- fields --- */
@@ -321,14 +304,17 @@ static enum hawser_status draw(const char *path, const void *of, struct hawser_r
 	status = hawser__figure_begin(&figure, path, 16.0, panels > 1 ? 16.0 : 11.0, report);
 	if (status)
 		return status;
-	ends[0] = fmin(sweep->value[0], sweep->value[sweep->points - 1]);
-	ends[1] = fmax(sweep->value[0], sweep->value[sweep->points - 1]);
+	ends[0] = ends[1] = sweep->value[0];
+	for (int i = 1; i < sweep->points; i++) {
+		ends[0] = fmin(ends[0], sweep->value[i]);
+		ends[1] = fmax(ends[1], sweep->value[i]);
+	}
 	axis = cli_axis(result->key, unit_of(result), fmax(fabs(ends[0]), fabs(ends[1])));
 	for (int p = 0; p < panels; p++) {
 		const double *at = end + (panels > 1 ? p ? 2 : 4 : 0);
 
 		hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.13, 0.97, at[0], at[1],
-			.x = {&axis, ends[0], ends[1], .tics = 8, .logarithmic = result->logarithmic,
+			.x = {&axis, ends[0], ends[1], .tics = 8, .logarithmic = result->range.logarithmic,
 			      .untitled = p < panels - 1},
 			.y = {&shown[p], .zero = panels == 1, .tics = 7, .room = 0.06}});
 		draw_curves(&figure, sweep, p);

@@ -135,16 +135,6 @@ struct sweep {
 	int same;                           /* 1: all points have the same bases */
 };
 
-static double value_of(const struct hawser_damped_sweep_options *options, int i)
-{
-	double part = (double)i/(options->points - 1);
-
-	if (i == 0 || i == options->points - 1)
-		return i == 0 ? options->from : options->to;
-	return options->logarithmic ? options->from*pow(options->to/options->from, part)
-	                            : options->from + (options->to - options->from)*part;
-}
-
 static enum hawser_status solve_at(struct hawser_damped *state, const struct sweep *sweep, double value,
                                    struct hawser__damped_pair *pair, struct hawser_report *report)
 {
@@ -299,17 +289,14 @@ static enum hawser_status check_sweep(const struct hawser_scene *scene,
 
 	if (status)
 		return status;
-	if (options->points < 2)
+	if (options->points < 1)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
-		                    "a sweep of %d points: give at least 2", options->points);
-	if (!isfinite(options->from) || !isfinite(options->to) || options->from == options->to)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
-		                    "a sweep of %s from %g to %g: give two different finite numbers",
-		                    options->key, options->from, options->to);
-	if (options->logarithmic && !(options->from > 0.0 && options->to > 0.0))
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
-		                    "a logarithmic sweep of %s from %g to %g: give positive numbers",
-		                    options->key, options->from, options->to);
+		                    "a sweep of %d points: give at least one", options->points);
+	for (int i = 0; i < options->points; i++)
+		if (!isfinite(options->value[i]))
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
+			                    "a sweep of %s to %g: give finite numbers", options->key,
+			                    options->value[i]);
 	return HAWSER_OK;
 }
 
@@ -328,7 +315,7 @@ static enum hawser_status trace(struct sweep *sweep, int threads, struct hawser_
 	if (!status) {
 		sweep->to->points = points;
 		for (int i = 0; i < points; i++)
-			sweep->to->value[i] = value_of(sweep->options, i);
+			sweep->to->value[i] = sweep->options->value[i];
 		hawser__share(points, threads, point, sweep);
 		status = verdict(sweep, report);
 		for (int i = 0; !status && sweep->scene->wind.present && i + 1 < points; i++)

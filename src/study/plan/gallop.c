@@ -86,16 +86,19 @@ enum hawser_status hawser__plan_gallop(char text[HAWSER__GALLOPS][HAWSER__GALLOP
                                        struct hawser_report *report)
 {
 	const struct hawser_scene *scene = survey->scene;
+	double speed[POINTS];
 	const struct hawser_damped_sweep_options options = {
-		.key = "wind.speed", .from = LEAST*scene->wind.speed, .to = REACH*scene->wind.speed,
-		.points = POINTS, .threads = 1,
+		.key = "wind.speed", .value = speed, .points = POINTS, .threads = 1,
 		.modes = {.n = scene->model.modes > 0 ? scene->model.modes : FEW}};
 	struct hawser_damped_sweep sweep = {.points = 0};
 	int failed;
 	double *damping = hawser__wind_damping(&failed, &survey->plan->modes, scene);
-	enum hawser_status status = failed ? hawser__no_memory(report, "plan")
-	                                   : hawser_damped_trace(&sweep, scene, &options, report);
+	enum hawser_status status = failed ? hawser__no_memory(report, "plan") : HAWSER_OK;
 
+	for (int i = 0; i < POINTS; i++)
+		speed[i] = (LEAST + (REACH - LEAST)*i/(POINTS - 1))*scene->wind.speed;
+	if (!status)
+		status = hawser_damped_trace(&sweep, scene, &options, report);
 	*count = 0;
 	for (int i = 0; !status && i < sweep.events && *count < HAWSER__GALLOPS; i++, ++*count) {
 		*text[*count] = '\0';
@@ -103,8 +106,8 @@ enum hawser_status hawser__plan_gallop(char text[HAWSER__GALLOPS][HAWSER__GALLOP
 	}
 	if (!status && *count == 0)
 		snprintf(text[(*count)++], HAWSER__GALLOP_TEXT, "none of the %d lowest modes begins or "
-		         "ceases to grow up to %.4g m/s, %g times wind.speed", options.modes.n, options.to,
-		         REACH);
+		         "ceases to grow up to %.4g m/s, %g times wind.speed", options.modes.n,
+		         speed[POINTS - 1], REACH);
 	hawser_damped_sweep_clear(&sweep);
 	free(damping);
 	return status;
