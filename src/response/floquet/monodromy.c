@@ -15,6 +15,9 @@
 #define SMALLEST (-1e5)      /* smallest logarithm of a multiplier; chosen, so that all logarithms
                               * are finite */
 #define IDLE 2               /* raises in a row of the number of steps that may gain nothing; chosen */
+#define TENTATIVE 0.4        /* part of the steps of a strict computation, planned for sums of moduli,
+                              * that is tried first; chosen */
+#define UNSEEN 1e-13         /* error that is hidden by round-off; chosen */
 #define STRETCH 2.0          /* largest logarithm of the norm of a factor; chosen: round-off of a
                               * product grows with it */
 
@@ -31,6 +34,7 @@ enum hawser_status hawser__monodromy_init(struct hawser__monodromy *monodromy, i
 	memset(monodromy, 0, sizeof *monodromy);
 	monodromy->n = n;
 	monodromy->steps = 8;
+	monodromy->allowed = INFINITY;
 	monodromy->follow = HAWSER__FOLLOW;
 	monodromy->expected = HAWSER__EXPECTED;
 	hawser__collocation_make(&monodromy->gauss);
@@ -205,7 +209,8 @@ static double spread(const struct hawser__component *c, const struct hawser__var
 	return most;
 }
 
-/* The multipliers of one component, 2 w of them from log_modulus[0]; adds to the estimated error. */
+/* The multipliers of one component, 2 w of them from log_modulus[0]; adds to the estimated error. There
+ * are none where the error exceeds what is allowed. */
 static enum hawser_status solve_component(struct hawser__monodromy *monodromy, double *log_modulus,
                                           double *argument,
                                           const struct hawser__variational *system,
@@ -226,6 +231,10 @@ static enum hawser_status solve_component(struct hawser__monodromy *monodromy, d
 		if ((status = hawser__monodromy_step(monodromy, &error, system, c, i, report)))
 			return status;
 		hawser__factors_add(monodromy, &factors);
+		if (error > monodromy->allowed) {
+			monodromy->error = error*steps/(i + 1);
+			return HAWSER_OK;
+		}
 	}
 	monodromy->error = fmax(monodromy->error, error);
 	status = hawser__factors_multipliers(monodromy, log_modulus, argument, &factors, report);
@@ -251,7 +260,7 @@ static enum hawser_status solve_all(struct hawser__monodromy *monodromy, double 
 	enum hawser_status status = make_table(monodromy, order, report);
 
 	monodromy->error = monodromy->loss = monodromy->spread = monodromy->round_off = 0.0;
-	while (!status && begin < n) {
+	while (!status && begin < n && !(monodromy->error > monodromy->allowed)) {
 		struct hawser__component c = {.member = monodromy->member + begin, .n = n};
 
 		while (begin + c.w < n && monodromy->part[c.member[c.w]] ==
@@ -264,12 +273,34 @@ static enum hawser_status solve_all(struct hawser__monodromy *monodromy, double 
 	return status;
 }
 
+/* As many of the planned steps as are enough for an error that round-off hides, if not all. */
+static enum hawser_status solve_tentatively(struct hawser__monodromy *monodromy, double *log_modulus,
+                                            double *argument,
+                                            const struct hawser__variational *system,
+                                            struct hawser_report *report)
+{
+	int planned = monodromy->steps;
+	enum hawser_status status;
+
+	monodromy->steps = (int)ceil(TENTATIVE*planned);
+	for (;;) {
+		monodromy->allowed = monodromy->steps < planned ? UNSEEN : INFINITY;
+		if ((status = solve_all(monodromy, log_modulus, argument, system, report)) ||
+		    !(monodromy->error > monodromy->allowed))
+			break;
+		monodromy->steps = (int)fmin(planned, fmax(hawser__monodromy_better(monodromy, UNSEEN),
+		                                           monodromy->steps + 1));
+	}
+	monodromy->allowed = INFINITY;
+	return status;
+}
+
 static enum hawser_status solve_finely(struct hawser__monodromy *monodromy, double *log_modulus,
                                        double *argument, const struct hawser__variational *system,
                                        struct hawser_report *report)
 {
 	int stiff = monodromy->fastest < INFINITY && !monodromy->haste, before = monodromy->steps, steps;
-	int idle = 0;
+	int idle = 0, tentative;
 	double lost = INFINITY;
 	enum hawser_status status;
 
@@ -281,8 +312,13 @@ static enum hawser_status solve_finely(struct hawser__monodromy *monodromy, doub
 		                                system->omega*system->omega));
 	if ((status = hawser__monodromy_plan(monodromy, system, report)))
 		return status;
+	tentative = monodromy->finer == 1 && !monodromy->more && !monodromy->sharper && !stiff &&
+	            !monodromy->rough;
 	for (;;) {
-		if ((status = solve_all(monodromy, log_modulus, argument, system, report)))
+		status = (tentative ? solve_tentatively : solve_all)(monodromy, log_modulus, argument, system,
+		                                                     report);
+		tentative = 0;
+		if (status)
 			return status;
 		/* the phases of some of the kept coordinates do matter */
 		if (stiff && monodromy->resolved &&
@@ -292,7 +328,9 @@ static enum hawser_status solve_finely(struct hawser__monodromy *monodromy, doub
 			monodromy->steps = steps;
 			continue;
 		}
-		steps = stiff || monodromy->rough ? monodromy->steps : hawser__monodromy_better(monodromy);
+		steps = stiff || monodromy->rough
+		        ? monodromy->steps
+		        : hawser__monodromy_better(monodromy, HAWSER__MONODROMY_GOAL);
 		if (stiff || monodromy->error <= HAWSER__MONODROMY_GOAL || steps <= monodromy->steps)
 			break;
 		monodromy->steps = steps;

@@ -92,6 +92,8 @@ struct hawser__monodromy {
 	int more;               /* further increase of the number of steps, in quarters */
 	int sharper;            /* 1: errors at least ten times smaller, for comparison */
 	int most;               /* largest number of steps */
+	double allowed;         /* error from which on a tentative number of steps is given up; infinite
+	                         * without one */
 	int hasty;              /* 1: expensive strict computations may condense coordinates */
 	int haste;              /* 1: the present one may */
 	int rough;              /* 1: multipliers for a search, with errors of 1e-3. Those of the kept
@@ -224,8 +226,8 @@ void hawser__monodromy_afford(struct hawser__monodromy *monodromy, int widest);
 enum hawser_status hawser__monodromy_plan(struct hawser__monodromy *monodromy,
                                           const struct hawser__variational *system,
                                           struct hawser_report *report);
-/* The number of steps with which the error becomes a third of the goal. */
-int hawser__monodromy_better(const struct hawser__monodromy *monodromy);
+/* The number of steps with which the error becomes a third of this goal. */
+int hawser__monodromy_better(const struct hawser__monodromy *monodromy, double goal);
 /* Of a stiff model: the number with which the phases of all kept coordinates may be resolved; the
  * present one, if they are, or cannot be. */
 int hawser__monodromy_raised(const struct hawser__monodromy *monodromy);

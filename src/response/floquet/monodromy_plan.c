@@ -26,9 +26,9 @@
 #define STIFF_LEAST 6.0      /* least frequency, relative to Omega, that is resolved; chosen */
 
 /* Number of steps with which the error becomes a third of the goal; the error falls with h^16. */
-int hawser__monodromy_better(const struct hawser__monodromy *monodromy)
+int hawser__monodromy_better(const struct hawser__monodromy *monodromy, double goal)
 {
-	double ratio = pow(fmax(monodromy->error, 1e-300)/(HAWSER__MONODROMY_GOAL/3.0), 1.0/16.0);
+	double ratio = pow(fmax(monodromy->error, 1e-300)/(goal/3.0), 1.0/16.0);
 
 	return (int)fmin(monodromy->most, fmax(2, ceil(monodromy->steps*fmin(4.0, ratio))));
 }

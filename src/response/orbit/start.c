@@ -157,7 +157,8 @@ static int leap(double *y, double *good, double *load, struct hawser__orbit *orb
 		hawser__load_set(weak, next);
 		memcpy(y, good, (size_t)count*sizeof *y);
 		cblas_dscal(count, factor, y, 1);
-		if (correct_at(y, orbit, correction, omega, tolerance, report))
+		if (correct_at(y, orbit, correction, omega, next < 1.0 ? fmax(tolerance, ON_THE_WAY)
+		                                                       : tolerance, report))
 			continue;
 		for (int i = 0; i < count; i++) {
 			off += pow(y[i] - factor*good[i], 2);

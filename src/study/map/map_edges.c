@@ -36,6 +36,8 @@ enum hawser_status hawser__map_want_on(struct hawser__mapper *mapper, long *inde
 }
 
 enum { MOST_STEPS = 60 };
+#define VAGUE 10.0 /* brackets where the response ends are wider by this factor: a response is followed
+                    * to a thousandth of its excitation only (response/orbit/start.c); chosen */
 
 static enum hawser_status add_bracket(const struct hawser__mapper *mapper,
                                       struct hawser__map_brackets *list, long edge, double ta,
@@ -155,6 +157,16 @@ static double next_place(const struct hawser__mapper *mapper, const struct hawse
 	return x > a && x < b ? x : half;
 }
 
+/* The width of a bracket on an edge, in cells, with which it is done. */
+static double enough(const struct hawser__mapper *mapper, const struct hawser__map_bracket *item)
+{
+	int points = item->edge%2 == 0 ? mapper->nx : mapper->ny;
+	int vague = hawser__map_sample(mapper, item->index[0])->code == HAWSER_MAP_NO_RESPONSE ||
+	            hawser__map_sample(mapper, item->index[1])->code == HAWSER_MAP_NO_RESPONSE;
+
+	return mapper->options->tolerance*(points - 1)*(vague ? VAGUE : 1.0);
+}
+
 static enum hawser_status step(struct hawser__mapper *mapper, struct hawser__map_brackets *list,
                                long *active, struct hawser_report *report)
 {
@@ -165,8 +177,7 @@ static enum hawser_status step(struct hawser__mapper *mapper, struct hawser__map
 		struct hawser__map_bracket *item = &list->item[c];
 		long place = item->edge/2;
 		int along = (int)(item->edge%2);
-		int points = along == 0 ? mapper->nx : mapper->ny;
-		double tolerance = mapper->options->tolerance*(points - 1);
+		double tolerance = enough(mapper, item);
 
 		item->done |= item->t[1] - item->t[0] <= tolerance || item->steps >= MOST_STEPS;
 		if (item->done)
