@@ -382,7 +382,7 @@ static const struct hawser__field result_field[] = {
 	THROUGH(model, cli_naturals_field),
 	THROUGH(model, cli_choice_field),
 	{"", NULL, "", HAWSER__PART_OF(struct cli_frf_result, error, cli_fixed_field)},
-	{"certified", NULL, "of nets: folds and peaks corrected in the mesh",
+	{"certified", NULL, "of nets and spans: folds and peaks corrected in the mesh",
 	 HAWSER__THROUGH(struct cli_frf_result, certificate, cli_certificate_field),
 	 .given = is_certified},
 	THROUGH(frf, curve_field),

@@ -12,32 +12,55 @@
 
 static const double bearable = 10.0; /* s of processor time that nobody asked for; chosen */
 
+/* What a mesh does not have is a warning: the response is there. */
+static enum hawser_status certify_span(struct cli_certificate *certificate,
+                                       const struct cli_frf_result *result,
+                                       struct hawser_report *report)
+{
+	static const struct hawser_modes none; /* of modes that were chosen, or of exact energy */
+	const struct cli_model *model = result->model;
+	enum hawser_status status =
+		hawser_span_certify(&certificate->own, &model->scene, model->automatic ? &none : &model->modes,
+		                    certificate->rom, result->frf, result->peak, result->peaks, 0.0, report);
+	char text[CLI_WARNING_SIZE];
+
+	for (int k = 0; k < certificate->own.count; k++)
+		certificate->cable[k] = "A-B";
+	if (status != HAWSER_ERR_SCENE && status != HAWSER_ERR_ARGUMENT)
+		return status;
+	snprintf(text, sizeof text, "folds and peaks are not corrected in a mesh: %.400s",
+	         report->message);
+	if (result->frf->branch <= 1)
+		cli_warn(text);
+	return HAWSER_OK;
+}
+
+/* Of further branches, which result->certificate has only if the first one has no landmarks. */
 enum hawser_status cli_certify(struct cli_frf_result *result, struct hawser_report *report)
 {
 	const struct cli_made *made = result->model->made;
-	struct cli_certificate *certificate = result->certificate;
+	struct cli_certificate *shown = result->certificate, own;
 	struct cli_model_error *error = &result->error;
-	int asked = certificate && strcmp(certificate->how, "yes") == 0;
+	int asked = shown && strcmp(shown->how, "yes") == 0;
 	enum hawser_status status;
 
-	if (!certificate || !result->located || strcmp(certificate->how, "no") == 0 ||
+	if (!shown || !result->located || strcmp(shown->how, "no") == 0 ||
 	    !(made ? made->by->certify != NULL : result->model->has_scene && asked) || cli_interrupted())
 		return HAWSER_OK;
-	certificate->rom = &result->model->rom;
-	status = made ? made->by->certify(certificate, result, asked ? 0.0 : bearable, report)
-	         : hawser_span_certify(&certificate->own, &result->model->scene, &result->model->modes,
-	                               certificate->rom, result->frf, result->peak, result->peaks, 0.0,
-	                               report);
-	for (int k = 0; k < certificate->own.count && !made; k++)
-		certificate->cable[k] = "A-B";
+	own = *shown;
+	own.rom = &result->model->rom;
+	status = made ? made->by->certify(&own, result, asked ? 0.0 : bearable, report)
+	         : certify_span(&own, result, report);
 	if (result->common->reproducible)
-		certificate->own.seconds = NAN;
-	if (status || !isfinite(certificate->own.distance))
+		own.own.seconds = NAN;
+	if (result->frf->branch <= 1 || shown->own.count == 0)
+		*shown = own;
+	if (status || !isfinite(own.own.distance))
 		return status;
 	error->corrected = 1;
 	error->before = error->fixed.estimated;
-	error->fixed.estimated = fmin(certificate->own.error, 1.0);
-	if (certificate->own.refused > 0)
+	error->fixed.estimated = fmin(own.own.error, 1.0);
+	if (own.own.refused > 0)
 		error->fixed.estimated = fmax(error->before, error->fixed.estimated);
 	return HAWSER_OK;
 }

@@ -203,7 +203,7 @@ void cli_fixed_comments(struct hawser__table *table, const struct cli_model_erro
 		return;
 	}
 	if (error->corrected)
-		hawser__table_comment(table, "error of the model: %.2g of %s, corrected in the mesh",
+		hawser__table_comment(table, "%serror of the model: %.2g of %s, corrected in the mesh", branch,
 		                      fixed->estimated, error->about);
 	if (error->corrected && !isfinite(error->before))
 		return;
