@@ -52,6 +52,7 @@ tests_response_SOURCES = tests/cases.c \
 	tests/property/test-travel-motion.c \
 	tests/property/test-undamped.c \
 	tests/property/test-whirling.c \
+	tests/reference/test-autonomous.c \
 	tests/reference/test-feigenbaum.c \
 	tests/reference/test-folds.c \
 	tests/reference/test-galloping.c \
@@ -79,6 +80,8 @@ tests_response_SOURCES = tests/cases.c \
 nodist_tests_response_SOURCES = tests/response-cases.c
 tests_response_LDADD = $(UPTO_RESPONSE) $(GSL_LIBS)
 noinst_HEADERS += tests/folds-duffing.h
+EXTRA_DIST += tests/reference/autonomous/adaptx.json tests/reference/autonomous/bautin.json tests/reference/autonomous/belt.json tests/reference/autonomous/brusselator.json tests/reference/autonomous/lorenz.json \
+	tests/reference/autonomous/parkinson.json tests/reference/autonomous/two.json tests/reference/autonomous/vdp.json tests/reference/autonomous/wake.json tests/reference/autonomous/ziegler.json
 EXTRA_DIST += tests/reference/absorber.json tests/reference/frf-cases.txt tests/reference/duffing-nlvib-01.json \
 	tests/reference/pair-2to1.json tests/reference/springs-nlvib-06-f1e-3.json \
 	tests/reference/springs-nlvib-06-f3e-3.json tests/reference/pair-quintic.json tests/reference/one-to-three.json tests/reference/two-masses-nes.json tests/reference/beam-1to3.json tests/reference/torus-as-doubling.json

@@ -21,9 +21,11 @@ enum hawser_event_kind {
 	HAWSER_UNEXPLAINED, /* the number of unstable multipliers changes, and no located event explains
 	                     * it */
 	HAWSER_SLACK,       /* the least tension becomes zero (end_at_slack) */
-	HAWSER_RESONANCE    /* the motion lags its load by 90 degrees: only in locus.h */
+	HAWSER_RESONANCE,   /* the motion lags its load by 90 degrees: only in locus.h */
+	HAWSER_HOPF         /* a pair of eigenvalues of an equilibrium crosses the imaginary axis: limit
+	                     * cycles begin or end there */
 };
-/* "fold", "period-doubling", "torus", "branch-point", "unexplained", "slack", "resonance" */
+/* "fold", "period-doubling", "torus", "branch-point", "unexplained", "slack", "resonance", "hopf" */
 const char *hawser_event_name(enum hawser_event_kind kind);
 
 enum hawser_frf_end {
@@ -40,7 +42,9 @@ enum hawser_frf_end {
 	                         * method; `lost` says why */
 	HAWSER_END_MEETS,       /* a branch of branches.h meets another one, in the last event: what follows
 	                         * is its own image, shifted in time or reflected */
-	HAWSER_END_WORK         /* it took `most_work` */
+	HAWSER_END_WORK,        /* it took `most_work` */
+	HAWSER_END_HOPF,        /* cycles shrink to the Hopf point that is the last event */
+	HAWSER_END_HOMOCLINIC   /* cycles whose period grows without a limit */
 };
 const char *hawser_frf_end_name(enum hawser_frf_end end);
 
@@ -70,6 +74,17 @@ struct hawser_frf_point {
 	int sheave;       /* on which: index in rom->contacts; -1: none */
 };
 
+/* The normal form of a Hopf point. */
+struct hawser_hopf {
+	double omega;   /* frequency, scaled */
+	double l1;      /* first Lyapunov coefficient (Kuznetsov), in the norm of the state (u, u'); of
+	                 * equations of first order, of u: below 0, the cycles are stable where the
+	                 * equilibrium is not (supercritical). NAN: not known */
+	double growth;  /* derivative of the growth rate by the parameter */
+	double swing;   /* derivative of the square of the cycles' amplitude by the parameter, of the */
+	int coordinate; /* coordinate that moves most */
+};
+
 struct hawser_frf_event {
 	enum hawser_event_kind kind;
 	double omega;    /* scaled, located by bracketing; of an unexplained event the middle of the
@@ -88,6 +103,7 @@ struct hawser_frf_event {
 	                    * curve */
 	int unstable[2]; /* multipliers outside the unit circle at these two orbits */
 	int label;       /* hawser_frf_label; 0: none */
+	struct hawser_hopf hopf; /* of such a point */
 	int turns;       /* 1: a branch point at which the parameter turns, as on a branch that meets
 	                  * another one */
 };
@@ -101,16 +117,21 @@ struct hawser_frf {
 	struct hawser_frf_point *point; /* [points] */
 	double *coordinate;             /* [points][n] max over the period of |u_j|, scaled */
 	double *probe;                  /* [points][shape points][3] max |x|, |y|, |z|, scaled */
+	double *swing;                  /* [points][n] half of the largest less the smallest u_j over the
+	                                 * period, of equilibria and cycles, scaled; else NULL */
+	double *trivial;                /* [points] of a cycle, distance from 1 of its multiplier that is 1,
+	                                 * as computed; NULL with `swing` */
 	double *tension;                /* [points][2] smallest and largest tension over the period, N
 	                                 * (SI), anywhere on the cable (at the points of
 	                                 * hawser_rom_tensions); NULL if the model has no tensions */
-	double *multiplier;             /* [points][2n][2] log modulus, argument */
+	double *multiplier;             /* [points][2n][2] log modulus, argument; of equilibria growth
+	                                 * rate, frequency (of the first model's time); NAN: none */
 	double *state;                  /* [points][2n] u then du/dt at tau = 0, scaled */
 	int probes;
 	int period;                     /* number of periods of the load in one of the motion: 1, or more
 	                                 * on a branch of branches.h */
 	int parent;                     /* the branch from an event of which this one begins; 0: none */
-	double born;                    /* scaled Omega of that event */
+	double born, born_at;           /* scaled Omega of that event, and its parameter */
 	int branch;                     /* 1; hawser_cover_trace numbers further branches from 2 */
 	int events, event_capacity;
 	struct hawser_frf_event *event; /* [events] in order along the branch */
@@ -144,7 +165,12 @@ struct hawser_frf_options {
 	const char *method;    /* name of a method; NULL or "auto": the method that suits the model */
 	const struct hawser_rom_family *family; /* NULL: the parameter is Omega. Otherwise the branch is
 	                        * followed in the parameter of the family, which takes the place of
-	                        * Omega in the members below; by harmonic balance */
+	                        * Omega in the members below; by harmonic balance. If its frequency is 0
+	                        * (of autonomous models): equilibria, or with `omega` limit cycles */
+	double omega;          /* scaled frequency of the first cycle, about; 0: equilibria; HAWSER_NONE:
+	                        * of the cycle to which `start` leads, or equilibria if that is one */
+	const double *turn;    /* [2n] or NULL: the coordinates of the first cycle are about those of
+	                        * `start` + `along` cos + `turn` sin; else `start` is a state of it */
 	double from, to;       /* scaled Omega, from != to: the range, and the initial direction */
 	double begin;          /* scaled Omega of the first orbit, in the range; 0: from */
 	int direction;         /* initial direction: 1: Omega increases, -1: it decreases; 0: towards
@@ -159,7 +185,8 @@ struct hawser_frf_options {
 	int skip_events;       /* 1: do not locate events */
 	int unjudged;          /* 1: no multipliers and longer steps, where only the shape of the curve
 	                        * matters: every point counts as stable, and the only events are folds and
-	                        * slackness */
+	                        * slackness; 2: of models with exact energy no errors of orbits either,
+	                        * but for those of their harmonics */
 	int end_at_slack;      /* 1: end the branch where the least tension becomes zero: a cable bears no
 	                        * compression, so the model's motion beyond is not the cable's */
 	int most_unstable;     /* end the branch at the first point with more unstable multipliers: such

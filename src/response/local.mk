@@ -30,6 +30,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/orbit/balance_jacobian.c \
 	%D%/orbit/balance_sample.c \
 	%D%/orbit/balance_solve.c \
+	%D%/orbit/balance_state.c \
 	%D%/orbit/balance_substitute.c \
 	%D%/time/beam_model.c \
 	%D%/time/beam_motion.c \
@@ -39,6 +40,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/torus/circle.c \
 	%D%/torus/circle.h \
 	%D%/branch/climb.c \
+	%D%/cycle/begin.c %D%/cycle/cycle.c %D%/cycle/cycle.h %D%/cycle/equilibrium.c %D%/cycle/hopf.c %D%/cycle/hopf.h %D%/cycle/settle.c \
 	%D%/branch/closure.c \
 	%D%/branch/collide.c \
 	%D%/branch/collide.h \
@@ -143,6 +145,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/branch/record.h \
 	%D%/orbit/shooting.c \
 	%D%/orbit/shooting.h \
+	%D%/orbit/shooting_free.c \
 	%D%/orbit/shooting_guess.c \
 	%D%/orbit/shooting_mesh.c \
 	%D%/branch/slack.c \

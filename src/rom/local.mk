@@ -29,6 +29,7 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/file/formula.c \
 	%D%/file/formula.h \
 	%D%/file/export.c \
+	%D%/file/modal.c \
 	%D%/file/parse.c \
 	%D%/file/plug.c \
 	%D%/file/plug.h \

@@ -156,7 +156,7 @@ static struct coefficients coefficients(const struct hawser__section *section, c
 void hawser__section_force(double f[2], double (*by_v)[2], const struct hawser__section *section,
                            double speed, const double v[2])
 {
-	const double p[2] = {speed - v[0], -v[1]}, norm = hypot(p[0], p[1]);
+	const double p[2] = {speed - v[0], -v[1]}, norm = sqrt(p[0]*p[0] + p[1]*p[1]);
 	struct coefficients is;
 
 	f[0] = f[1] = 0.0;
@@ -167,15 +167,19 @@ void hawser__section_force(double f[2], double (*by_v)[2], const struct hawser__
 	is = coefficients(section, p, norm);
 	f[0] = section->half*norm*(is.drag*p[0] - is.lift*p[1]);
 	f[1] = section->half*norm*(is.drag*p[1] + is.lift*p[0]);
-	for (int c = 0; by_v && c < 2; c++) {
-		double unit = p[c]/norm, turn = (c ? p[0] : -p[1])/(norm*norm);
-		double drag = is.drag_angle*turn + is.drag_speed*unit, lift = is.lift_angle*turn;
+	if (!by_v)
+		return;
+	for (int c = 0; c < 2; c++) {
+		double unit = p[c]/norm, part = unit/norm;
 
-		for (int i = 0; i < 2; i++) {
-			double along = i == c ? is.drag : i ? is.lift : -is.lift;
-			double change = drag*p[i] + lift*(i ? p[0] : -p[1]) + along;
+		by_v[0][c] = -f[0]*part - section->half*norm*(c ? -is.lift : is.drag);
+		by_v[1][c] = -f[1]*part - section->half*norm*(c ? is.drag : is.lift);
+		if (section->turns) {
+			double turn = (c ? p[0] : -p[1])/(norm*norm), lift = is.lift_angle*turn;
+			double drag = is.drag_angle*turn + is.drag_speed*unit;
 
-			by_v[i][c] = -f[i]*unit/norm - section->half*norm*change;
+			by_v[0][c] -= section->half*norm*(drag*p[0] - lift*p[1]);
+			by_v[1][c] -= section->half*norm*(drag*p[1] + lift*p[0]);
 		}
 	}
 }

@@ -150,6 +150,7 @@ static const struct row {
 	ROW(hawser_cover),
 	ROW(hawser_frf),
 	ROW(hawser_frf_event),
+	ROW(hawser_hopf),
 	ROW(hawser_frf_method),
 	ROW(hawser_frf_options),
 	ROW(hawser_frf_point),

@@ -151,6 +151,24 @@ four, nine = (row[n]["folds"]["Omega_error"] for n in ("condensed 4", "condensed
 assert 8e-4 < four < 1.3e-3 and 3e-4 < nine < 0.6*four, (four, nine)
 assert all(row[n]["folds"]["missing"] == row[n]["peaks"]["missing"] == 0 for n in row)
 END
+# A span as nets have it in tests/reference: the folds of the mesh there.
+cat >certified.yaml <<'END'
+cable: {EA: 1e8, rho: 5.56}
+span: {d: 300, h: 15}
+tension: {length0: 300.657021107}
+damping: {alpha: 0.2}
+load: {frame: global, per_length: [0.8, 0.8, 0.8]}
+END
+works "a span in its mesh" frf certified.yaml -n 6 --from 1.165 --to 1.195 --certificate yes --json certified.json -q
+denies "  not with attachments" 1 "a span with attachments is corrected as a net" frf span.yaml -n 2 --from 1.05w1 --to 1.051w1 \
+	--certificate yes --set damping.alpha=0.1 --set "load={frame: global, per_length: [0, 0, 1]}"
+python "  has the folds of a net" <<'END'
+import json
+r = json.load(open("certified.json"))
+folds = sorted(l["Omega_mesh"] for l in r["certified"]["landmarks"] if l["kind"] == "fold")
+assert abs(folds[0]/1.169214179 - 1) < 1e-6 and abs(folds[1]/1.190553850 - 1) < 1e-6, folds
+assert r["certified"]["refused"] == 0 and 1e-2 < r["model_error"]["estimated"] < 3e-2
+END
 denies "a form that nets have not" 1 "raw 4: of nets and ropeways, condensed N and multiple-scales N" compare "$crosstie" \
 	--fidelities "raw 4"
 denies "multiple scales alone" 1 "name condensed N too" compare "$crosstie" --fidelities "multiple-scales 4"

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "cli/model/label.h"
+#include "cli/backbone/backbone.h"
 #include "cli/backbone/mms_result.h"
 #include "cli/frame/progress.h"
 #include "core/report.h"
@@ -65,7 +66,7 @@ static enum hawser_status range(struct cli_mms_result *result, const struct sett
 static enum hawser_status load_model(struct cli_model *model, const struct settings *settings,
                                      struct hawser_report *report)
 {
-	enum hawser_status status = cli_model_load(model, &settings->common, settings->n, report);
+	enum hawser_status status = cli_model_load_modal(model, &settings->common, settings->n, report);
 	double from = 0.0, to = 0.0;
 
 	if (status || !model->automatic)

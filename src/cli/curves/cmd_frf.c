@@ -64,8 +64,9 @@ static const struct cli_option options[] = {
 	{"tori", 0, "", "follow quasi-periodic motions from torus points too", CLI_FLAG(tori)},
 	{"over", 0, "KEY=FROM:TO", "follow the motion in a parameter instead, at the frequency --Omega",
 	 CLI_TEXT(over),
-	 .excludes = "from, to, at, sweep, continue, backbone, beside, branches, switch, period, tori"},
-	{"Omega", 0, "FREQUENCY", "frequency of the load with --over", CLI_TEXT(omega),
+	 .excludes = "from, to, at, sweep, continue, backbone, beside, period, tori"},
+	{"Omega", 0, "FREQUENCY", "frequency of the load with --over; of a limit cycle, about",
+	 CLI_TEXT(omega),
 	 .needs = "over"},
 	CLI_TEXT_WITH(sweep, "WHICH", "add a slow sweep, integrated in time: up, down or both",
 	              .words = "up|down|both"),
@@ -77,8 +78,9 @@ static const struct cli_option options[] = {
 	 .needs = "backbone"},
 	CLI_HEADING("Model, steps and ends"),
 	CLI_LIBRARY_OPTION,
-	{"certificate", 0, "WHICH", "nets: correct folds and peaks in the mesh: auto (if it takes some "
-	 "seconds), yes or no (auto)", CLI_TEXT_FOR(certificate, CLI_NET), .words = "auto|yes|no"},
+	{"certificate", 0, "WHICH", "nets, spans: correct folds and peaks in the mesh: auto (nets, if it "
+	 "takes some seconds), yes or no (auto)", CLI_TEXT_FOR(certificate, CLI_NET | CLI_CABLE),
+	 .words = "auto|yes|no"},
 	CLI_STEP_OPTION,
 	CLI_POINTS_OPTION("end after this many points (20000)"),
 	{"segments", 0, "N", "shooting segments (as many as needed)", CLI_INTEGER(segments)},
@@ -176,7 +178,7 @@ static enum hawser_status locate_peaks(struct hawser_landmark **peak, struct cli
 	struct cli_watch watch = {*progress, "frf: locating peaks"};
 	struct hawser_frf_options choice = *as;
 	double wanted = result->model->automatic ? LOCATED*result->model->accuracy.asked
-	                : cli_fixed_tolerance(&result->error);
+	                : cli_fixed_tolerance(&result->error, result->model->exact.functions);
 	enum hawser_status status;
 
 	cut = cut || frf->end == HAWSER_END_MAX_POINTS || cli_interrupted();
@@ -276,6 +278,9 @@ static enum hawser_status trace(struct hawser_frf *frf, struct hawser_landmark *
 	else if (!automatic && !model->rom.exact)
 		choice.most_work = result->allowed;
 	status = choose_start(&choice, &last, settings, model, report);
+	if (choice.start && result->over && result->over->omega == 0.0)
+		choice.omega = result->over->guess > 0.0 ? result->over->guess/cli_per_omega(model)
+		                                         : HAWSER_NONE;
 	choice.progress = (struct hawser_progress){cli_watch, &watch};
 	if (!status && automatic) {
 		status = cli_choice_trace(frf, model, &choice, report);
@@ -386,6 +391,16 @@ static enum hawser_status open_label(struct cli_label *label, struct cli_over *o
 	return HAWSER_OK;
 }
 
+static enum hawser_status check_over(const struct settings *settings, const struct cli_over *over,
+                                     struct hawser_report *report)
+{
+	if (over->omega == 0.0 || (!settings->branches && !settings->switched))
+		return HAWSER_OK;
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
+	                    "--over: branches are followed over the frequency, or of a model that nothing "
+	                    "excites: leave out --%s", settings->branches ? "branches" : "switch");
+}
+
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
 	const struct settings *settings = context;
@@ -423,6 +438,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		status = cli_over_open(&over, settings->over, settings->omega, &model, report);
 		result.over = &over;
 	}
+	if (!status && settings->over)
+		status = check_over(settings, &over, report);
 	if (!status && settings->over)
 		result.from = result.to = over.omega/cli_per_omega(&model);
 	else if (!status)

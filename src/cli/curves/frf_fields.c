@@ -17,7 +17,7 @@
 
 /* Options of a result. */
 enum { TENSION = 1, MULTIPLIERS = 2, SWEEPS = 4, BACKBONE = 8, SAMPLE = 16, PEAKS = 32,
-	UNDECIDED = 64, BRANCHES = 128, OVER = 256, TORI = 512, CONTACT = 1024 };
+	UNDECIDED = 64, BRANCHES = 128, OVER = 256, TORI = 512, CONTACT = 1024, OWN = 2048 };
 
 HAWSER__LABELS(event_name, hawser_event_name, enum hawser_event_kind)
 HAWSER__LABELS(end_name, hawser_frf_end_name, enum hawser_frf_end)
@@ -52,6 +52,8 @@ static const struct hawser__field point_field[] = {
 	{NULL, "T_min", "least tension over a period", TENSION_OF(0)},
 	{NULL, "T_max", "greatest tension over a period", TENSION_OF(1)},
 	CLI_COORDINATES(HAWSER__VECTOR_ALONG, struct hawser_frf, coordinate),
+	{"swing", "A_", "half of the largest less the smallest u_j over a period, without an excitation",
+	 HAWSER__VECTOR_ALONG(struct hawser_frf, swing, cli_coordinates), .unit = HAWSER__M, .when = OWN},
 	{"tension.min", NULL, "least tension over a period", TENSION_OF(0)},
 	{"tension.max", NULL, "greatest tension over a period", TENSION_OF(1)},
 	{"contact.least", "contact", "smallest angle of contact of a sheave over a period, relative to "
@@ -75,6 +77,8 @@ static const struct hawser__field point_field[] = {
 	 .when = BACKBONE},
 	{NULL, "energy", "of rows of a backbone: its energy", HAWSER__CONSTANT_IS(HAWSER__NO_INTEGER),
 	 .unit = HAWSER__J, .when = BACKBONE},
+	{"trivial", "trivial", "of a limit cycle: distance of the multiplier that is 1 from 1",
+	 HAWSER__ALONG(struct hawser_frf, trivial), .when = OWN},
 	{"truncation", NULL, "the same as mesh", OF(mesh)},
 	{"arc", NULL, "arclength along the curve, in the metric of the continuation", OF(arc)},
 	{"iterations", NULL, "of the corrector", OF(iterations)},
@@ -170,6 +174,12 @@ static int over_parameter(const void *row, const void *parent)
 	return !over_omega(row, parent);
 }
 
+static int is_hopf(const void *row, const void *parent)
+{
+	(void)parent;
+	return ((const struct hawser_frf_event *)row)->kind == HAWSER_HOPF;
+}
+
 static int has_state(const void *row, const void *parent)
 {
 	const struct hawser_frf *frf = parent;
@@ -180,7 +190,7 @@ static int has_state(const void *row, const void *parent)
 
 #define OF(member) HAWSER__AT(struct hawser_frf_event, member)
 static const struct hawser__field event_field[] = {
-	{"kind", NULL, "fold, period-doubling, torus, branch-point or unexplained",
+	{"kind", NULL, "fold, period-doubling, torus, branch-point, hopf or unexplained",
 	 HAWSER__LABEL_AT(struct hawser_frf_event, kind, event_name)},
 	{"Omega", NULL, "where it is", OF(omega), .unit = HAWSER__RAD_S},
 	{"parameter", NULL, "the same with --over", OF(parameter), .when = OVER},
@@ -198,6 +208,14 @@ static const struct hawser__field event_field[] = {
 	{"unstable_before", NULL, "unstable multipliers at the first of them", OF(unstable[0])},
 	{"unstable_after", NULL, "unstable multipliers at the second", OF(unstable[1])},
 	{"label", NULL, "number of this event, by which a run can begin here", OF(label)},
+	{"l1", NULL, "of a Hopf point: first Lyapunov coefficient", OF(hopf.l1), .given = is_hopf,
+	 .flags = HAWSER__NULL},
+	{"growth_slope", NULL, "change of its growth rate by the parameter", OF(hopf.growth),
+	 .given = is_hopf},
+	{"coordinate", NULL, "that moves most in its cycles, from 1", OF(hopf.coordinate),
+	 .flags = HAWSER__FROM_1, .given = is_hopf},
+	{"swing_slope", NULL, "change of the square of its amplitude by the parameter", OF(hopf.swing),
+	 .given = is_hopf, .flags = HAWSER__NULL},
 	{"state", NULL, "u and u' of its motion at the start of a period, if it has one",
 	 HAWSER__VECTOR_ALONG(struct hawser_frf, event_state, cli_states), .unit = HAWSER__M,
 	 .given = has_state},
@@ -290,6 +308,8 @@ static const struct hawser__field born_field[] = {
 	 HAWSER__AT(struct hawser_frf, parent)},
 	{"born", NULL, "Omega of that event", HAWSER__AT(struct hawser_frf, born),
 	 .unit = HAWSER__RAD_S},
+	{"born_at", NULL, "parameter of that event, with --over", HAWSER__AT(struct hawser_frf, born_at),
+	 .when = OVER},
 	HAWSER__END,
 };
 
@@ -409,6 +429,7 @@ static struct cli_head head(const void *of)
 		(frf->sampled > 0 ? SAMPLE : 0u) | (result->located ? PEAKS : 0u) |
 		(frf->undecided > 0 ? UNDECIDED : 0u) |
 		(result->others + result->gaps > 0 ? BRANCHES : 0u) | (result->over ? OVER : 0u) |
+		(frf->swing ? OWN : 0u) |
 		(result->tori ? TORI : 0u) | (result->model->rom.contacts.count > 0 ? CONTACT : 0u));
 
 	head.rows = frf;

@@ -59,7 +59,7 @@ enum hawser_status cli_over_open(struct cli_over *over, const char *text, const 
 {
 	enum hawser_status status;
 
-	if (!frequency && !(over->omega > 0.0))
+	if (!frequency && !(over->omega > 0.0) && !hawser_rom_autonomous(&model->rom))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
 		                    "--over %s follows the motion at one frequency: give it with --Omega",
 		                    text);
@@ -69,7 +69,8 @@ enum hawser_status cli_over_open(struct cli_over *over, const char *text, const 
 		                    "number of modes with -n");
 	status = cli_map_axis(&over->axis, "over", text, model, report);
 	if (!status && frequency)
-		status = cli_map_frequency(&over->omega, frequency, "Omega", model, report);
+		status = cli_map_frequency(hawser_rom_autonomous(&model->rom) ? &over->guess : &over->omega,
+		                           frequency, "Omega", model, report);
 	if (status)
 		return status;
 	over->from = over->axis.backwards ? over->axis.to : over->axis.from;

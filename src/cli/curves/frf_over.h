@@ -11,6 +11,7 @@ struct cli_over {
 	struct cli_map_axis axis; /* in SI */
 	double from, to;          /* in the order of the curve */
 	double omega;             /* rad/s, or the model's own unit; set before it is opened: the default */
+	double guess;             /* of a cycle's frequency, in the same unit; 0: none */
 	double at;                /* the value at which the modes are those of the scene; NAN: from */
 	int scene, file, open;    /* 1: the family is that of a scene; of a file; 1: it is open */
 	struct hawser_rom_family family;

@@ -47,6 +47,8 @@ static const char *sentence(enum hawser_frf_end end)
 	case HAWSER_END_LOST: return "unstable motions that could not be followed further";
 	case HAWSER_END_WORK: return "it took the most work that is done unasked; --max-points N goes on";
 	case HAWSER_END_MEETS: return "the branch meets another one; beyond, it repeats itself in reverse";
+	case HAWSER_END_HOPF: return "the cycles shrink to the equilibrium of a Hopf point";
+	case HAWSER_END_HOMOCLINIC: return "the period grows without a limit";
 	case HAWSER_END_FAILED: return "the corrector failed; the curve is incomplete";
 	}
 	return "";
@@ -79,9 +81,22 @@ static const char *branch_name(char text[24], const struct cli_frf_result *resul
 	return text;
 }
 
+/* ", frequency 1 rad/s, l1 = -0.5 (supercritical)": of a Hopf point. */
+static const char *tell_hopf(char *text, size_t size, const struct cli_frf_result *result,
+                             const struct hawser_frf_event *event)
+{
+	*text = '\0';
+	if (event->kind == HAWSER_HOPF)
+		snprintf(text, size, ", frequency %.12g%s, l1 = %.9g (%s), d(A_%d^2) = %.6g",
+		         event->hopf.omega*cli_per_omega(result->model), cli_unit(result->model, " rad/s"),
+		         event->hopf.l1, event->hopf.l1 < 0.0 ? "supercritical" : event->hopf.l1 > 0.0
+		         ? "subcritical" : "undecided", event->hopf.coordinate + 1, event->hopf.swing);
+	return text;
+}
+
 static void comment_event(struct hawser__table *table, const struct cli_frf_result *result, int k)
 {
-	char of[24];
+	char of[24], more[160];
 	const struct hawser_frf_event *event = &result->frf->event[k];
 	double per_omega = cli_per_omega(result->model);
 
@@ -93,31 +108,37 @@ static void comment_event(struct hawser__table *table, const struct cli_frf_resu
 		                      event->bracket[1]*(result->over ? 1.0 : per_omega),
 		                      event->unstable[0], event->unstable[1], event->label);
 	else
-		hawser__table_comment(table, "%sevent%s: %s at %s%s (relative error %.1e), label %d",
+		hawser__table_comment(table, "%sevent%s: %s at %s%s (relative error %.1e)%s, label %d",
 		                      branch_name(of, result),
 		                      event->located ? "" : " not located",
 		                      hawser_event_name(event->kind),
 		                      cli_frf_place(result, event->omega, event->parameter).text,
 		                      event->suspected ? " (suspected)" : "", event->error,
-		                      event->label);
+		                      tell_hopf(more, sizeof more, result, event), event->label);
 }
 
 /* A further branch. */
 static void comment_branch(struct hawser__table *table, const struct cli_frf_result *result)
 {
 	const struct hawser_frf *frf = result->frf;
+	const struct hawser_frf_point *last = &frf->point[frf->points - 1];
 	double per_omega = cli_per_omega(result->model);
 
-	hawser__table_comment(table, "branch %d: from Omega = %.12g to %.12g%s, %d points, "
-	                      "end: %s - %s%s%s", frf->branch, frf->point[0].omega*per_omega,
-	                      frf->point[frf->points - 1].omega*per_omega,
-	                      cli_unit(result->model, " rad/s"), frf->points,
+	hawser__table_comment(table, "branch %d: from %s to %.12g%s, %d points, "
+	                      "end: %s - %s%s%s", frf->branch,
+	                      cli_frf_place(result, frf->point[0].omega, frf->point[0].parameter).text,
+	                      result->over ? last->parameter : last->omega*per_omega,
+	                      result->over ? "" : cli_unit(result->model, " rad/s"), frf->points,
 	                      hawser_frf_end_name(frf->end), sentence(frf->end), *frf->lost ? ": " : "",
 	                      frf->lost);
-	if (frf->parent > 0)
-		hawser__table_comment(table, "branch %d: of period %d, from branch %d at Omega = %.12g%s",
-		                      frf->branch, frf->period, frf->parent, frf->born*per_omega,
-		                      cli_unit(result->model, " rad/s"));
+	if (frf->parent > 0 && frf->swing)
+		hawser__table_comment(table, "branch %d: %s, from branch %d at %s", frf->branch,
+		                      last->omega > 0.0 ? "limit cycles" : "equilibria", frf->parent,
+		                      cli_frf_place(result, frf->born, frf->born_at).text);
+	else if (frf->parent > 0)
+		hawser__table_comment(table, "branch %d: of period %d, from branch %d at %s", frf->branch,
+		                      frf->period, frf->parent,
+		                      cli_frf_place(result, frf->born, frf->born_at).text);
 	cli_fixed_comments(table, &result->error, result->frf->branch);
 	for (int k = 0; k < frf->events; k++)
 		comment_event(table, result, k);
@@ -133,7 +154,11 @@ void cli_frf_comments(struct hawser__table *table, const void *of)
 	const char *rad_s = cli_unit(result->model, " rad/s");
 	int k, note;
 
-	if (result->over)
+	if (result->over && result->over->omega == 0.0)
+		hawser__table_comment(table, "range: %s to %.12g, nothing excites the model",
+		                      cli_frf_place(result, 0.0, result->over->from).text,
+		                      result->over->to);
+	else if (result->over)
 		hawser__table_comment(table, "range: %s to %.12g, at Omega = %.12g%s",
 		                      cli_frf_place(result, 0.0, result->over->from).text,
 		                      result->over->to, result->over->omega, rad_s);

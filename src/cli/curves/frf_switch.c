@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "cli/curves/frf_cover.h"
+#include "cli/curves/frf_over.h"
 #include "cli/frame/view.h"
 #include "core/grow.h"
 #include "core/report.h"
@@ -42,18 +43,32 @@ static struct event_text name_of(const struct cli_frf_result *result,
 {
 	struct event_text name;
 
-	snprintf(name.text, sizeof name.text, "%s at Omega = %.9g%s", hawser_event_name(event->kind),
-	         event->omega*cli_per_omega(result->model), cli_unit(result->model, " rad/s"));
+	snprintf(name.text, sizeof name.text, "%s at %.90s", hawser_event_name(event->kind),
+	         cli_frf_place(result, event->omega, event->parameter).text);
 	return name;
 }
 
 /* --- which events --- */
 
-static int has_event(const struct hawser_frf *frf, double omega)
+static int has_event(const struct hawser_frf *frf, const struct hawser_frf_event *event)
 {
 	for (int e = 0; e < frf->events; e++)
-		if (fabs(frf->event[e].omega/omega - 1.0) < SAME)
+		if (fabs(frf->event[e].parameter - event->parameter) < SAME*fabs(event->parameter))
 			return 1;
+	return 0;
+}
+
+/* Whether cycles end there that one of the branches has followed. */
+static int is_end(const struct cli_cover *cover, const struct hawser_frf_event *event)
+{
+	for (int k = 0; k < cover->borns; k++) {
+		const struct hawser_frf *born = cover->born[k];
+
+		if (born->end == HAWSER_END_HOPF &&
+		    fabs(born->event[born->events - 1].parameter - event->parameter) <=
+		    SAME*fabs(event->parameter))
+			return 1;
+	}
 	return 0;
 }
 
@@ -80,6 +95,11 @@ static int begins(const struct cli_cover *cover, const struct cli_frf_result *re
 {
 	const struct hawser_frf_event *event = &frf->event[e];
 
+	if (event->kind == HAWSER_HOPF)
+		return frf->end != HAWSER_END_HOPF && !is_end(cover, event);
+	if (frf->swing && event->kind != (frf->point[0].omega > 0.0 ? HAWSER_PERIOD_DOUBLING
+	                                                            : HAWSER_BRANCH_POINT))
+		return 0;
 	if (event->kind == HAWSER_PERIOD_DOUBLING) { /* where a branch may have come back to this one */
 		for (int k = 0; k < cover->borns; k++)
 			if (cover->born[k]->parent == frf->branch && meets(cover->born[k], event->omega))
@@ -89,11 +109,11 @@ static int begins(const struct cli_cover *cover, const struct cli_frf_result *re
 	if (event->kind != HAWSER_BRANCH_POINT)
 		return 0;
 	for (int k = 0; k < cover->borns; k++)
-		if (fabs(cover->born[k]->born/event->omega - 1.0) < SAME ||
-		    (cover->born[k] != frf && has_event(cover->born[k], event->omega)))
+		if (fabs(cover->born[k]->born_at - event->parameter) < SAME*fabs(event->parameter) ||
+		    (cover->born[k] != frf && has_event(cover->born[k], event)))
 			return 0;
 	/* a branch comes back to its own parent */
-	return frf->parent == 0 || !has_event(branch_of(result, frf->parent), event->omega);
+	return frf->parent == 0 || !has_event(branch_of(result, frf->parent), event);
 }
 
 /* --- follow them --- */
@@ -159,7 +179,7 @@ static enum hawser_status follow(struct cli_cover *cover, struct cli_frf_result 
 	if (status && miss(cover, "branch %d, from the %s, is incomplete: %s", frf->branch, at.text,
 	                   why.message))
 		return hawser__no_memory(report, "frf");
-	status = !cli_label_plain(frf, result->model) ? HAWSER_OK
+	status = !cli_label_plain(frf, result->model) || result->over ? HAWSER_OK
 	         : peaks(&peak, one, progress, options, status || frf->end == HAWSER_END_FAILED, report);
 	one->peak = peak;
 	return status;
@@ -201,6 +221,7 @@ static enum hawser_status find_label(int *label, const char *switched, struct cl
 
 		for (int e = 0; e < frf->events; e++)
 			if (frf->event[e].label == *label && (frf->event[e].kind == HAWSER_PERIOD_DOUBLING ||
+			                                      frf->event[e].kind == HAWSER_HOPF ||
 			                                      frf->event[e].kind == HAWSER_BRANCH_POINT))
 				return HAWSER_OK;
 	}
@@ -219,12 +240,12 @@ enum hawser_status cli_cover_switch(struct cli_cover *cover, struct cli_frf_resu
 	int level[MOST_BORN + 1] = {0}, left = 0, label;
 	enum hawser_status status;
 
-	if (result->over)
+	if (result->over && result->over->omega > 0.0)
 		return HAWSER_OK;
 	if ((status = find_label(&label, switched, result, report)))
 		return status;
 	if (depth == 0)
-		depth = label ? 1 : own_depth(result);
+		depth = label ? 1 : result->over ? 0 : own_depth(result);
 	choice.progress = (struct hawser_progress){cli_watch, &watch};
 	for (int k = 0; depth > 0 && k <= result->others; k++) {
 		int born = k - 1 - cover->of.branches, before;

@@ -235,7 +235,7 @@ enum hawser_status cli_deliver(const struct cli_common *common, const struct haw
 		status = write_some(&drawn, common, 0, table, json, drawing, report);
 	if (!status)
 		status = write_some(&drawn, common, 1, table, json, drawing, report);
-	if (status || taken)
+	if (status || taken || (drawn && any))
 		return status ? status : drawn;
 	cli_writing(0);
 	if (!any && (drawn || !common->plot))

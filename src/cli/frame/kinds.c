@@ -124,13 +124,15 @@ static enum hawser_status check_input(const struct cli_command *command,
 	enum hawser_kind kind = cli_kind(common);
 	char others[COMMANDS];
 	int number = cli_kind_number(kind, CLI_EVERY);
+	const char *unmade = command->takes & CLI_MODELS ? records[number]->unmade : NULL;
 
 	if (takes(command, number) || (kind == HAWSER_KIND_SPAN && !is_other_span(command, common)))
 		return HAWSER_OK;
 	list_commands(others, sizeof others, number, -1);
 	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "main",
-	                    "%s is %s, which hawser %s does not take; these commands do: %s",
-	                    cli_input_name(common), records[number]->one, command->name, others);
+	                    "%s is %s, which hawser %s does not take; these commands do: %s%s%s",
+	                    cli_input_name(common), records[number]->one, command->name, others,
+	                    unmade ? ". " : "", unmade ? unmade : "");
 }
 
 enum hawser_status cli_kind_check(const struct cli_command *command, const struct cli_common *common,

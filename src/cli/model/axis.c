@@ -145,7 +145,10 @@ const char *cli_key_unit(const char *key)
 {
 	const struct hawser_scene_key *row;
 	size_t length = strcspn(key, "[");
+	const char *leaf = strrchr(key, '.');
 
+	if (leaf && leaf[1] && !leaf[1 + strspn(leaf + 1, "0123456789")])
+		length = (size_t)(leaf - key); /* an element of a list: attach.0.damper.1 */
 	for (int k = 0; (row = hawser_scene_key(k)); k++)
 		if (is_of(row->path, key, length))
 			return row->unit;

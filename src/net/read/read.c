@@ -332,24 +332,7 @@ static enum hawser_status interpret(struct hawser__reader *reader, void *scene,
 	return status ? status : rules(reader, net, hawser__tree_find(root, "cables"));
 }
 
-static void clear(void *scene)
-{
-	hawser_net_clear(scene);
-}
-
-static const struct hawser__tree_form form = {
-	{"net", "a scene of kind net is a mapping with at least nodes, cables and supports (see "
-	"hawser-scene(5))", "cables.c1.EA=100 MN", 'c'},
-	sizeof(struct hawser_net), offsetof(struct hawser_net, name), interpret, clear};
-
-enum hawser_status hawser_net_of(struct hawser_net *net, const struct hawser_document *from,
-                                 const char *const *set, size_t nset, struct hawser_report *report)
-{
-	return hawser__tree_scene(net, &form, from, set, nset, report);
-}
-
-enum hawser_status hawser_net_open(struct hawser_net *net, const char *path,
-                                   const char *const *set, size_t nset, struct hawser_report *report)
-{
-	return hawser__tree_scene_open(net, &form, path, set, nset, report);
-}
+HAWSER__TREE_SCENES(net, "net",
+	"a scene of kind net is a mapping with at least nodes, cables and supports (see "
+	"hawser-scene(5))",
+	"cables.c1.EA=100 MN", 'c')

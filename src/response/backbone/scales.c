@@ -321,7 +321,7 @@ static void state(const struct hawser__orbit *orbit, double *x, const double *y)
 
 static const struct hawser__orbit_ops ops = {
 	metric, defects, factor, solve, error, multipliers, as_it_is, relax, enrich,
-	sharpen, add_wave, from_state, state, clear, NULL, NULL,
+	sharpen, add_wave, from_state, state, clear, NULL, NULL, NULL, NULL,
 };
 
 static double direct_size(const struct hawser_modulation *m)

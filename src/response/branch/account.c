@@ -92,6 +92,8 @@ static enum hawser_status add_event(struct hawser__account *account, const struc
 	    hawser__more(&account->state, account->events, m*sizeof *account->state))
 		return hawser__no_memory(report, "frf");
 	account->event[account->events] = *event;
+	account->event[account->events].parameter = y && orbit->own == HAWSER__CYCLES /* until recorded */
+	                                            ? hawser__orbit_omega(orbit, y)/orbit->rom->time : 0.0;
 	account->event[account->events].after = y ? account->events : -1;
 	if (y)
 		orbit->ops->state(orbit, account->state + (size_t)account->events*m, y);
@@ -202,10 +204,12 @@ static enum hawser_status beside(const struct hawser__station **station, struct 
 }
 
 /* Whether Omega is known as well as an event's in all of the part, where tests may be round-off. */
-static int flat(const struct hawser__account *account, const struct hawser__station *a,
-                const struct hawser__station *b, int last)
+static int flat(const struct hawser__account *account, const struct hawser__orbit *orbit,
+                const struct hawser__station *a, const struct hawser__station *b)
 {
-	return fabs(b->y[last] - a->y[last]) <= account->event_tolerance*fabs(a->y[last]);
+	int last = orbit->size - 1;
+
+	return fabs(b->y[last] - a->y[last]) <= account->event_tolerance*hawser__orbit_extent(orbit, a->y);
 }
 
 /* On a branch that begins at another one (a pitchfork), Omega turns where the two cross: a fold and a
@@ -242,7 +246,7 @@ static enum hawser_status meet(struct hawser__account *account, int *done, struc
 	}
 	account->events = events + *done;
 	account->gaps = gaps;
-	if (!status && !*done && flat(account, a, b, orbit->size - 1)) {
+	if (!status && !*done && flat(account, orbit, a, b)) {
 		double from = a->y[orbit->size - 1], to = b->y[orbit->size - 1];
 		struct hawser_frf_event event = {.kind = HAWSER_BRANCH_POINT, .turns = 1,
 			.arc = 0.5*(a->arc + b->arc),
@@ -374,7 +378,7 @@ static enum hawser_status judge(struct hawser__account *account, const struct ha
 		return HAWSER_OK;
 	return add_event(account, orbit, &(struct hawser_frf_event){
 		.kind = HAWSER_UNEXPLAINED, .omega = middle, .arc = 0.5*(a->arc[0] + b->arc[1]),
-		.residual = 1.0, .error = 0.5*fabs(b->omega[1] - a->omega[0])/middle,
+		.residual = 1.0, .error = 0.5*fabs(b->omega[1] - a->omega[0])/fmax(fabs(middle), orbit->floor),
 		.bracket = {a->omega[0], b->omega[1]},
 		.unstable = {before->unstable, after->unstable}}, NULL, report);
 }

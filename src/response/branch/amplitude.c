@@ -251,6 +251,29 @@ int hawser__amplitude_find(struct hawser__amplitude *amplitude, double *coordina
 	return 0;
 }
 
+/* The largest moduli of what is shifted so far that all of it is on one side. */
+int hawser__amplitude_swing(struct hawser__amplitude *amplitude, double *swing, const double *samples,
+                            int rows)
+{
+	int n = amplitude->rom->n;
+
+	if (prepare(amplitude, rows))
+		return 1;
+	for (int j = 0; j < n; j++) {
+		double shift = 0.0, sum = 0.0;
+
+		for (int i = 0; i < rows; i++)
+			shift = fmax(shift, 2.0*fabs(samples[(size_t)i*n + j]));
+		for (int side = -1; side <= 1; side += 2) {
+			for (int i = 0; i < rows; i++)
+				amplitude->signal[i] = samples[(size_t)i*n + j] + side*shift;
+			sum += largest(amplitude);
+		}
+		swing[j] = 0.5*sum - shift;
+	}
+	return 0;
+}
+
 /* --- tension --- */
 
 /* A candidate for an extreme: the row, the point of the cable, and the extreme of its parabola. */

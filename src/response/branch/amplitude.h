@@ -24,6 +24,11 @@ void hawser__amplitude_free(struct hawser__amplitude *amplitude);
 int hawser__amplitude_find(struct hawser__amplitude *amplitude, double *coordinate, double *probe,
                            const double *samples, int rows, double omega);
 
+/* swing [n]: half the difference between the largest and the smallest value over the period, from the
+ * same samples. Returns 0, or 1 when out of memory. */
+int hawser__amplitude_swing(struct hawser__amplitude *amplitude, double *swing, const double *samples,
+                            int rows);
+
 /* extreme [2]: smallest and largest tension over the period anywhere on the cable, N (SI), from the
  * same samples. Returns 0; 1 when out of memory; -1 if the model has no tension. */
 int hawser__amplitude_tension(struct hawser__amplitude *amplitude, double extreme[2],

@@ -209,7 +209,7 @@ static enum hawser_status pass_failure(struct hawser__bracket *bracket, int *don
 	enum hawser_status status;
 
 	bracket->failures++;
-	bracket->uncertain = fabs(omega/bracket->before - 1.0);
+	bracket->uncertain = fabs(omega - bracket->before)/fmax(fabs(omega), bracket->orbit->floor);
 	bracket->before = omega;
 	*done = near && fabs(near->f) < NEARBY && (bracket->uncertain <= tolerance ||
 	                                           bracket->failures == HAWSER__MOST_FAILURES);
@@ -254,7 +254,7 @@ static int reached(const struct hawser__bracket *bracket, double near)
 enum hawser_status hawser__bracket_zero(struct hawser__bracket *bracket, double *s, double *f,
                                         double tolerance, struct hawser_report *report)
 {
-	double share = ASIDE, omega;
+	double share = ASIDE, omega, near;
 	int last = bracket->orbit->size - 1, failed, done;
 
 	bracket->in.fa = hawser__bracket_value(bracket, bracket->a);
@@ -276,11 +276,11 @@ enum hawser_status hawser__bracket_zero(struct hawser__bracket *bracket, double 
 			continue;
 		}
 		omega = bracket->at->y[last];
+		near = 0.1*tolerance*hawser__orbit_extent(bracket->orbit, bracket->at->y);
 		bracket->uncertain = 0.0;
 		bracket->several = has_more(bracket);
 		if (*f == 0.0 || bracket->several || bracket->in.b - bracket->in.a < 1e-14 ||
-		    (fabs(omega - bracket->before) <= 0.1*tolerance*omega && fabs(*f) < SMALL) ||
-		    reached(bracket, 0.1*tolerance*omega))
+		    (fabs(omega - bracket->before) <= near && fabs(*f) < SMALL) || reached(bracket, near))
 			return HAWSER_OK;
 		bracket->before = omega;
 		hawser__false_position_take(&bracket->in, *s, *f);

@@ -25,6 +25,7 @@
 #include "response/orbit/load.h"
 #include "response/orbit/shooting.h"
 #include "response/branch/trace.h"
+#include "response/cycle/cycle.h"
 
 #define SHORT 0.01 /* of the step to a branch point that is left out; chosen */
 #define OFF 1e-4 /* least distance of the new orbit from the old branch, relative; chosen */
@@ -116,6 +117,24 @@ static enum hawser_status period_map(double *x, double *A, const struct hawser_r
 		hawser__flow_map(&flow, x, NULL, &period, omega);
 	hawser__flow_clear(&flow);
 	free(by_omega);
+	return status;
+}
+
+enum hawser_status hawser__branch_direction(double *v, const struct hawser_rom *rom, const double *x,
+                                            double omega, double target,
+                                            struct hawser_report *report)
+{
+	size_t m = 2*(size_t)rom->n;
+	double *A = malloc((m + 1)*m*sizeof *A), *end = A + m*m;
+	enum hawser_status status = A ? HAWSER_OK : hawser__no_memory(report, "frf");
+
+	if (!status) {
+		memcpy(end, x, m*sizeof *x);
+		status = period_map(end, A, rom, omega, report);
+	}
+	if (!status)
+		status = eigenvector(v, A, (int)m, target, report);
+	free(A);
 	return status;
 }
 
@@ -293,7 +312,11 @@ enum hawser_status hawser_branch_switch(struct hawser_frf *branch, const struct 
 	struct slower old = {.known = NULL}, new = {.known = NULL};
 	struct search search = {.options = &range, .report = report};
 	double *memory, omega;
-	enum hawser_status status = check(from, event, options, report);
+	enum hawser_status status;
+
+	if (event >= 0 && event < from->events && options->family && options->family->omega == 0.0)
+		return hawser__own_switch(branch, rom, from, event, options, report);
+	status = check(from, event, options, report);
 
 	*branch = (struct hawser_frf){.n = rom->n};
 	if (status)
@@ -330,7 +353,7 @@ enum hawser_status hawser_branch_switch(struct hawser_frf *branch, const struct 
 	if (!status)
 		status = follow(branch, &search, P*b, omega*P, at->omega, options, report);
 	branch->parent = from->branch;
-	branch->born = at->omega;
+	branch->born = branch->born_at = at->omega;
 	close_slower(&old);
 	close_slower(&new);
 	free(memory);

@@ -53,6 +53,12 @@ struct slope {
 	double omega; /* relative derivative of Omega by g */
 };
 
+/* Change of Omega from `omega`, relative. */
+static double part(const struct hawser__bracket *bracket, double at, double omega)
+{
+	return (at - omega)/fmax(fabs(omega), bracket->orbit->floor);
+}
+
 static void take(struct slope *slope, double ds, double df, double domega)
 {
 	slope->s = fmax(slope->s, fabs(ds/df));
@@ -77,10 +83,10 @@ static struct slope slope_at(const struct hawser__bracket *bracket, double s, do
 				best = trial;
 		}
 		if (best)
-			take(&slope, best->s - s, best->f - f, best->omega/omega - 1.0);
+			take(&slope, best->s - s, best->f - f, part(bracket, best->omega, omega));
 		else
 			take(&slope, side - s, hawser__bracket_value(bracket, end) - f,
-			     end->y[last]/omega - 1.0);
+			     part(bracket, end->y[last], omega));
 	}
 	return slope;
 }
@@ -137,7 +143,7 @@ static double slowness(const struct hawser__bracket *bracket, double s, double o
 		if (change < ENOUGH || fabs(trial->s - s) >= near[side])
 			continue;
 		near[side] = fabs(trial->s - s);
-		slow[side] = fabs(trial->omega/omega - 1.0)/change;
+		slow[side] = fabs(part(bracket, trial->omega, omega))/change;
 	}
 	return fmax(slow[0], slow[1]);
 }
@@ -154,7 +160,7 @@ static double end_slowness(const struct hawser__bracket *bracket, double omega, 
 			.argument = end[i]->argument};
 		int k = nearest(&trial, argument, bracket->orbit->m);
 
-		slow = fmax(slow, fabs(end[i]->y[last]/omega - 1.0)/
+		slow = fmax(slow, fabs(part(bracket, end[i]->y[last], omega))/
 		                  fmax(fabs(end[i]->log_modulus[k]), ENOUGH));
 	}
 	return slow;
@@ -266,11 +272,11 @@ static double beyond_collision(const struct hawser__bracket *bracket, double ome
 	for (int i = 0; i < bracket->trials; i++) {
 		const struct hawser__bracket_trial *at = &bracket->trial[i];
 
-		prefer(&best, fabs(at->omega/omega - 1.0),
+		prefer(&best, fabs(part(bracket, at->omega, omega)),
 		       growth(at->log_modulus, at->argument, m, bracket->kind), e);
 	}
 	for (int i = 0; i < 2; i++)
-		prefer(&best, fabs(end[i]->y[bracket->orbit->size - 1]/omega - 1.0),
+		prefer(&best, fabs(part(bracket, end[i]->y[bracket->orbit->size - 1], omega)),
 		       growth(end[i]->log_modulus, end[i]->argument, m, bracket->kind), e);
 	return best.growth > 0.0 ? best.omega*e*e/fmax(best.growth*best.growth - e*e, 0.25*e*e) : 0.0;
 }
@@ -390,7 +396,8 @@ static enum hawser_status compare(struct place *difference, int *found,
 	if (status)
 		return status == HAWSER_ERR_CONVERGENCE ? HAWSER_OK : status;
 	status = point(&finer, found, bracket, here.s, at, report);
-	*difference = (struct place){s, fabs(finer.f - here.f), fabs(finer.omega/here.omega - 1.0)};
+	*difference = (struct place){s, fabs(finer.f - here.f),
+	                             fabs(part(bracket, finer.omega, here.omega))};
 	back = orbit->ops->sharpen(orbit, 0, report);
 	return status ? status : back;
 }
@@ -405,7 +412,8 @@ static double estimate(const struct hawser__bracket *bracket, double s, double f
 	double left_out;
 
 	if (bracket->kind == HAWSER_FOLD) {
-		double arc = bracket->b->arc - bracket->a->arc, rate = at->t[bracket->orbit->size - 1]/omega;
+		double arc = bracket->b->arc - bracket->a->arc;
+		double rate = part(bracket, omega + at->t[bracket->orbit->size - 1], omega);
 
 		return SAFETY*difference->omega + round_off + 0.5*fabs(rate*arc*f)*slope.s;
 	}

@@ -11,6 +11,7 @@
 #include "response/orbit/certify.h"
 #include "response/orbit/shooting.h"
 #include "response/branch/trace.h"
+#include "response/cycle/cycle.h"
 #include "rom/terms/terms.h"
 
 /* Relative error of Omega above which an event does not count as located: a step is at most 0.01 of
@@ -47,12 +48,22 @@ static enum hawser_status record_events(struct hawser__trace *trace)
 		struct hawser_frf_event *event = &account->event[i];
 		const double *state = event->after < 0 ? NULL
 		                      : account->state + (size_t)event->after*(size_t)trace->orbit->m;
+		double frequency = event->parameter;
 		enum hawser_status status;
 
 		event->after = trace->frf->points - 2; /* next has already been stored */
 		event->parameter = event->omega;
 		if (trace->options.family)
-			event->omega = trace->options.family->omega*trace->rom->time;
+			event->omega = (trace->orbit->own ? frequency : trace->options.family->omega)*
+			               trace->rom->time;
+		if (trace->orbit->own == HAWSER__RESTS && event->kind == HAWSER_TORUS &&
+		    (status = hawser__trace_hopf(trace, event, state)))
+			return status;
+		if (trace->orbit->own == HAWSER__RESTS && event->kind == HAWSER_UNEXPLAINED) {
+			if ((status = hawser__trace_together(trace, event, trace->together)))
+				return status;
+			state = event->kind == HAWSER_HOPF ? trace->together : NULL;
+		}
 		event->located = event->kind != HAWSER_UNEXPLAINED && event->error <= WORST_LOCATED;
 		status = hawser__record_event(trace->frf, event, state, trace->orbit->rom, trace->report);
 		if (status)
@@ -197,6 +208,8 @@ static enum hawser_status prepare(void *owner, int *ended)
 	if ((status = hawser__trace_climbs(trace)))
 		return status;
 	trace->orbit->ops->metric(trace->orbit, trace->here.y);
+	if (trace->orbit->own)
+		return hawser__own_ends(trace, ended);
 	return hawser__trace_vanish(trace, ended);
 }
 
@@ -299,6 +312,8 @@ static enum hawser_status open_orbit(struct hawser__trace *trace, struct hawser_
 	const struct hawser__orbit_method *method = &hawser__balance_method;
 	enum hawser_status status = HAWSER_OK;
 
+	if (options.family && options.family->omega == 0.0)
+		return hawser__own_open(trace, report);
 	if (options.family)
 		options.from = options.to = options.begin = options.family->omega*trace->rom->time;
 	if (!options.family || trace->rom->drag || hawser__rom_more(trace->rom) || options.method)
@@ -339,8 +354,9 @@ static enum hawser_status open_trace(struct hawser__trace *trace, struct hawser_
 	trace->direction = hawser__hold(&trace->hold, (size_t)orbit->size, sizeof(double));
 	trace->side = hawser__hold(&trace->hold, (size_t)orbit->size, sizeof(double));
 	trace->start_y = hawser__hold(&trace->hold, (size_t)orbit->size, sizeof(double));
-	trace->mark_y = hawser__hold(&trace->hold, (size_t)orbit->size, sizeof(double));
+	trace->mark_y = hawser__hold(&trace->hold, (size_t)orbit->size + (size_t)orbit->m, sizeof(double));
 	trace->mark_t = hawser__hold(&trace->hold, (size_t)orbit->size, sizeof(double));
+	trace->together = hawser__hold(&trace->hold, (size_t)orbit->m, sizeof(double));
 	trace->pairs = hawser__hold(&trace->hold, 6*(size_t)orbit->n, sizeof *trace->pairs);
 	trace->amplitude = hawser__amplitude_new(rom);
 	if (trace->hold.short_of_memory || !trace->amplitude)
@@ -406,6 +422,11 @@ static enum hawser_status end_lost(struct hawser_frf *frf, enum hawser_status st
 	return HAWSER_OK;
 }
 
+static int is_own(const struct hawser_frf_options *options)
+{
+	return options->family && options->family->omega == 0.0;
+}
+
 /* At the frequency of the model, which is that of the load but for `periods`. */
 static enum hawser_status trace_own(struct hawser_frf *frf, const struct hawser_rom *rom,
                                     const struct hawser_frf_options *options,
@@ -433,7 +454,7 @@ static enum hawser_status trace_own(struct hawser_frf *frf, const struct hawser_
 	status = end_lost(frf, status, &settled, &local);
 	for (int i = 0; i < frf->points; i++)
 		frf->undecided += frf->point[i].undecided > 0;
-	if (!status && frf->end != HAWSER_END_INTERRUPTED && settled.samples > 0 &&
+	if (!status && frf->end != HAWSER_END_INTERRUPTED && settled.samples > 0 && !is_own(&settled) &&
 	    strcmp(frf->method, hawser__shooting_method.about.name) != 0)
 		status = hawser__certify(frf, rom, &settled, &local);
 	if (status)

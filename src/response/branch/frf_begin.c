@@ -70,8 +70,17 @@ static enum hawser_status first_orbit(struct hawser__trace *trace)
 	char tried[HAWSER__WAYS][80] = {"", ""};
 	struct hawser__raised raised = {.x = trace->start_y};
 	double *x = trace->mark_y;
-	enum hawser_status status = start(trace, trace->options.start, &raised);
+	enum hawser_status status;
 
+	if (trace->orbit->own) {
+		if ((status = hawser__own_equilibrium(trace, trace->next.y)))
+			return status;
+		memcpy(trace->here.y, trace->next.y, (size_t)trace->orbit->n*sizeof(double));
+		trace->here.y[trace->orbit->n] = trace->options.begin;
+		trace->orbit->ops->metric(trace->orbit, trace->here.y);
+		return HAWSER_OK;
+	}
+	status = start(trace, trace->options.start, &raised);
 	if (status != HAWSER_ERR_CONVERGENCE || raised.load < 0.0)
 		return status;
 	for (int way = 0; way < ways; way++) {
@@ -163,7 +172,10 @@ enum hawser_status hawser__trace_begin(struct hawser__trace *trace)
 	int failed;
 	enum hawser_status status;
 
-	if (trace->options.along) {
+	if (orbit->own == HAWSER__CYCLES) {
+		failed = 0;
+		status = hawser__own_cycle(trace, heading(&trace->options));
+	} else if (trace->options.along) {
 		status = first_along(trace, &failed);
 	} else {
 		if ((status = first_orbit(trace)))
@@ -192,5 +204,6 @@ enum hawser_status hawser__trace_begin(struct hawser__trace *trace)
 	trace->curve.ds = fmin(FIRST_STEP, hawser__trace_longest(trace));
 	status = hawser__record_point(trace->frf, trace->amplitude, &trace->here, orbit,
 	                              trace->report);
-	return status || trace->options.begin == trace->options.from ? status : mark_start(trace);
+	return status || trace->options.begin == trace->options.from || orbit->own ? status
+	       : mark_start(trace);
 }

@@ -8,6 +8,7 @@
 #include "core/report.h"
 #include "response/orbit/shooting.h"
 #include "response/branch/trace.h"
+#include "response/cycle/cycle.h"
 #include "rom/file/entries.h"
 
 /* Whether any excitation of the model is not zero. */
@@ -50,7 +51,7 @@ static enum hawser_status check_family(const struct hawser_rom *rom,
 {
 	const char *method = options->method;
 
-	if (!(options->family->omega > 0.0) || options->from == options->to ||
+	if (!(options->family->omega > 0.0 || hawser_rom_autonomous(rom)) || options->from == options->to ||
 	    !isfinite(options->from) || !isfinite(options->to))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
 		                    "parameter from %.9g to %.9g at Omega %.9g%s: both ends must be finite "
@@ -91,6 +92,7 @@ enum hawser_status hawser__frf_check(const struct hawser_rom *rom,
                                      const struct hawser_frf_options *options,
                                      struct hawser_report *report)
 {
+	int free = options->family && options->family->omega == 0.0; /* equilibria and limit cycles */
 	enum hawser_status status;
 
 	if (rom->ramp)
@@ -98,12 +100,12 @@ enum hawser_status hawser__frf_check(const struct hawser_rom *rom,
 		                    "the speed of this cable changes once and for all (travel.braking), "
 		                    "so nothing repeats itself: integrate it in time, or set "
 		                    "travel.braking=0");
-	if (rom->harmonics == 0)
+	if (rom->harmonics == 0 && !free)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
 		                    "the model has no forcing: give the scene a load (a net: with "
 		                    "harmonic.multiple), a moving support or a travel.fluctuation, or the "
 		                    "model file a harmonic");
-	if (!driven(rom))
+	if (!free && !driven(rom))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
 		                    "the model has no forcing: the load does no work on any of the %d "
 		                    "modes kept; give it another direction or extent, or keep more "

@@ -8,6 +8,7 @@
 
 #include "core/report.h"
 #include "response/branch/record.h"
+#include "response/cycle/cycle.h"
 
 #define ONE_ARC 0.05 /* largest arclength between a fold and a branch point that are one; chosen */
 #define ERRORS 5.0   /* and of their parameters, in errors; chosen */
@@ -23,7 +24,7 @@ static int resize(double **array, int rows, int width)
 	return 0;
 }
 
-static enum hawser_status grow(struct hawser_frf *frf, struct hawser_report *report)
+static enum hawser_status grow(struct hawser_frf *frf, int own, struct hawser_report *report)
 {
 	int rows = frf->capacity ? 2*frf->capacity : 256, m = 2*frf->n;
 	struct hawser_frf_point *point = realloc(frf->point, (size_t)rows*sizeof *point);
@@ -33,6 +34,7 @@ static enum hawser_status grow(struct hawser_frf *frf, struct hawser_report *rep
 	if (!point || resize(&frf->coordinate, rows, frf->n) ||
 	    resize(&frf->probe, rows, 3*frf->probes) ||
 	    ((!frf->capacity || frf->tension) && resize(&frf->tension, rows, 2)) ||
+	    (own && (resize(&frf->swing, rows, frf->n) || resize(&frf->trivial, rows, 1))) ||
 	    resize(&frf->multiplier, rows, 2*m) ||
 	    resize(&frf->state, rows, m))
 		return hawser__no_memory(report, "frf");
@@ -74,17 +76,20 @@ enum hawser_status hawser__record_point(struct hawser_frf *frf, struct hawser__a
 	double length = orbit->rom->length/frf->length, contact;
 	int sheave;
 
-	if (p == frf->capacity && (status = grow(frf, report)))
+	if (p == frf->capacity && (status = grow(frf, orbit->own != HAWSER__FORCED, report)))
 		return status;
 	hawser__amplitude_take(amplitude, orbit->rom);
 	if (hawser__amplitude_find(amplitude, frf->coordinate + (size_t)p*frf->n,
 	                           frf->probe + (size_t)p*3*frf->probes, orbit->samples,
 	                           orbit->rows, omega) ||
 	    hawser__amplitude_contact(amplitude, &contact, &sheave, orbit->samples, orbit->rows) ||
-	    (frf->tension && find_tension(frf, amplitude, orbit, omega)))
+	    (frf->tension && find_tension(frf, amplitude, orbit, omega)) ||
+	    (frf->swing && hawser__amplitude_swing(amplitude, frf->swing + (size_t)p*frf->n, orbit->samples,
+	                                           orbit->rows)))
 		return hawser__no_memory(report, "frf");
 	frf->point[p] = (struct hawser_frf_point){
-		.omega = orbit->family ? orbit->family->omega*frf->time : omega,
+		.omega = orbit->own == HAWSER__CYCLES ? omega/orbit->rom->time*frf->time
+		         : orbit->family ? orbit->family->omega*frf->time : omega,
 		.parameter = station->y[orbit->size - 1],
 		.arc = station->arc,
 		.unstable = station->circle.unstable,
@@ -103,11 +108,20 @@ enum hawser_status hawser__record_point(struct hawser_frf *frf, struct hawser__a
 	for (int i = 0; i < m; i++) {
 		multiplier[2*i] = station->log_modulus[i];
 		multiplier[2*i + 1] = station->argument[i];
+		if (i >= m - orbit->idle)
+			multiplier[2*i] = NAN;
+		else if (orbit->own == HAWSER__RESTS)
+			hawser__equilibrium_value(&multiplier[2*i], &multiplier[2*i + 1], orbit,
+			                          station->log_modulus[i], station->argument[i]);
 	}
 	orbit->ops->state(orbit, frf->state + (size_t)p*m, station->y);
 	convert(frf->state + (size_t)p*m, frf, orbit->rom);
 	for (int j = 0; j < frf->n; j++)
 		frf->coordinate[(size_t)p*frf->n + j] *= length;
+	for (int j = 0; frf->swing && j < frf->n; j++)
+		frf->swing[(size_t)p*frf->n + j] *= length;
+	if (frf->trivial)
+		frf->trivial[p] = station->trivial;
 	for (int j = 0; j < 3*frf->probes; j++)
 		frf->probe[(size_t)p*3*frf->probes + j] *= length;
 	frf->points++;
@@ -236,6 +250,8 @@ void hawser_frf_clear(struct hawser_frf *frf)
 	free(frf->probe);
 	free(frf->tension);
 	free(frf->multiplier);
+	free(frf->swing);
+	free(frf->trivial);
 	free(frf->state);
 	free(frf->event);
 	free(frf->event_state);
@@ -245,7 +261,7 @@ void hawser_frf_clear(struct hawser_frf *frf)
 const char *hawser_event_name(enum hawser_event_kind kind)
 {
 	static const char *const name[] = {"fold", "period-doubling", "torus", "branch-point",
-		"unexplained", "slack", "resonance"};
+		"unexplained", "slack", "resonance", "hopf"};
 
 	return (unsigned)kind < sizeof name/sizeof *name ? name[kind] : "unknown";
 }
@@ -254,7 +270,7 @@ const char *hawser_frf_end_name(enum hawser_frf_end end)
 {
 	static const char *const name[] = {"end of the range", "returned", "curve closed",
 		"max-points", "interrupted", "failed", "at rest", "slack", "unstable",
-		"lost", "meets a branch", "most work"};
+		"lost", "meets a branch", "most work", "hopf", "homoclinic"};
 
 	return (unsigned)end < sizeof name/sizeof *name ? name[end] : "unknown";
 }

@@ -220,7 +220,7 @@ static enum hawser_status count_as_stable(struct hawser__orbit *orbit)
 
 int hawser__station_draft(const struct hawser__orbit *orbit)
 {
-	return orbit->unjudged && orbit->rom->exact;
+	return orbit->unjudged > 1 && orbit->rom->exact;
 }
 
 enum hawser_status hawser__station_judge(struct hawser__station *station,
@@ -238,6 +238,7 @@ enum hawser_status hawser__station_judge(struct hawser__station *station,
 	memcpy(station->condensed, orbit->condensed, (size_t)m);
 	station->circle = hawser__circle_count(station->bound, station->log_modulus, station->argument, m,
 	                                       orbit->product_error, orbit->multiplier_error);
+	station->trivial = orbit->trivial;
 	station->outside = 0;
 	for (int i = 0; i < m; i++)
 		station->outside += station->log_modulus[i] > 0.0;

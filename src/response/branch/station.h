@@ -48,6 +48,7 @@ struct hawser__station {
 	int outside;         /* number of multipliers outside, by the sign of their logarithm only */
 	int complex_nearest; /* 1: of all pairs, the one with product nearest to 1 is complex */
 	struct hawser__tally tally, sure_tally; /* of the torus test, and of the sure one */
+	double trivial;   /* of a cycle, see method.h */
 	double liouville, mesh, error; /* certificate, see frf.h */
 	/* of the multipliers and of the orbit, see method.h */
 	double product_error, product_round_off, multiplier_error, round_off;

@@ -126,7 +126,8 @@ double hawser__trace_longest(void *owner)
 	double extent = hawser__orbit_extent(orbit, trace->here.y);
 	int coarse = (trace->watch && trace->watch->coarse) || trace->options.unjudged;
 	double part = coarse ? COARSE_TURN : trace->rom->exact ? EXACT_TURN : LARGEST_TURN;
-	double turn = fmin(part*extent, trace->options.step_max*(trace->hi - trace->lo));
+	double turn = fmin(orbit->own ? INFINITY : part*extent,
+	                   trace->options.step_max*(trace->hi - trace->lo));
 	/* Omega changes by |t_Omega| ds; if the branch is steep, only the change of the orbit limits
 	 * the step */
 	double share = fabs(trace->here.t[orbit->size - 1]);

@@ -50,9 +50,10 @@ struct hawser__trace {
 	int retries;                    /* repetitions of this step because events did not explain the
 	                                 * count */
 	double *direction, *side; /* [size] */
+	double *together;       /* [m] state of an equilibrium at which several pairs cross the axis */
 	double complex *pairs;  /* [5 m/2] workspace of hawser__collide */
 	double *start_y;        /* [size] first point, to detect a closed curve */
-	double *mark_y, *mark_t; /* [size] a later point and its tangent, to detect a jump */
+	double *mark_y, *mark_t; /* [size + m], [size] a later point and its tangent, to detect a jump */
 	int marked;             /* index of that point; 0: none */
 	int jumped;             /* 1: the curve returned to that point */
 	struct hawser__curve curve;
@@ -62,6 +63,7 @@ struct hawser__trace {
 	int enriched;           /* number of finer discretisations already used in this step */
 	double undetermined;    /* error of the orbit before the last of them */
 	struct hawser__shrinking shrinking;
+	int slow;               /* number of the last cycles that near a homoclinic orbit */
 	int slack;              /* 1: the curve ends at next, where the cable goes slack */
 	int known; /* number of stations before `here`, and `here` itself */
 	struct hawser_report *report;
@@ -156,6 +158,21 @@ struct hawser__raised;
  * orbit where the trace begins; 0: `tried` says what became of it. */
 enum hawser_status hawser__detour(double *x, int *found, char tried[80], struct hawser__trace *trace,
                                   int way, const struct hawser__raised *raised);
+
+/* cycle/begin.c: the method for equilibria or, with options.omega, for cycles; u [n]: the equilibrium
+ * at the parameter `begin`; the first cycle, in `here`, which is judged. */
+enum hawser_status hawser__own_open(struct hawser__trace *trace, struct hawser_report *report);
+enum hawser_status hawser__own_equilibrium(struct hawser__trace *trace, double *u);
+enum hawser_status hawser__own_cycle(struct hawser__trace *trace, double side);
+/* cycle/begin.c: whether cycles end at `here`. */
+enum hawser_status hawser__own_ends(struct hawser__trace *trace, int *ended);
+/* cycle/begin.c: an event of an equilibrium, of the state [m], becomes a Hopf point. */
+enum hawser_status hawser__trace_hopf(struct hawser__trace *trace, struct hawser_frf_event *event,
+                                      const double *state);
+/* cycle/begin.c: a change of the count that no event explains becomes one where several pairs cross the
+ * axis together, if there they do; state [m] of the equilibrium. */
+enum hawser_status hawser__trace_together(struct hawser__trace *trace, struct hawser_frf_event *event,
+                                          double *state);
 
 /* frf_begin.c: the first orbit, which is recorded. */
 enum hawser_status hawser__trace_begin(struct hawser__trace *trace);

@@ -328,7 +328,7 @@ static const struct hawser__orbit_ops ops = {
 	metric, defects, hawser__balance_factor, hawser__balance_solve,
 	hawser__balance_error, multipliers, hawser__balance_refine, hawser__balance_relax,
 	hawser__balance_enrich, hawser__balance_sharpen, add_wave, hawser__balance_from_state, state,
-	clear, NULL, NULL,
+	clear, NULL, NULL, NULL, NULL,
 };
 
 static enum hawser_status open_method(struct hawser__orbit **orbit, const struct hawser_rom *rom,

@@ -25,6 +25,17 @@
 
 struct hawser__orbit_ops;
 
+/* What an orbit is. Those of autonomous models, the last two, are in response/cycle; y of a cycle ends
+ * with its frequency and the parameter of the family. */
+enum hawser__motion {
+	HAWSER__FORCED = 0,
+	HAWSER__RESTS,
+	HAWSER__CYCLES
+};
+
+/* Size of the logarithm of a multiplier that is none (hawser__orbit_idle); its square is a double. */
+#define HAWSER__MOST_GROWTH 300.0
+
 /* Default tolerance of a model with quadratic drag, which has no second derivative where the velocity
  * changes its sign: the error of an orbit decreases with the cube of the steps, no faster. */
 #define HAWSER__DRAG_TOLERANCE 1e-6
@@ -47,6 +58,9 @@ struct hawser__orbit {
 	                       * parameter of the family, and rom is the model at the last defects */
 	double placed;        /* value of the parameter that `rom` has */
 	double floor;         /* least size of the parameter in the metric */
+	enum hawser__motion own;
+	int freely;           /* 1: the orbit is a cycle's: sizes are those of its deviation from its
+	                       * mean, and the multiplier that is 1 is left out */
 	int n, m;             /* number of coordinates; of states, 2n */
 	int size;             /* unknowns, Omega the last */
 	double X, W;          /* metric: size of the orbit (its state), natural width in Omega */
@@ -57,6 +71,8 @@ struct hawser__orbit {
 	int rows;
 	int resolution;       /* steps per period, or real coefficients per coordinate */
 	double *log_modulus, *argument; /* [m] of the last multipliers */
+	int idle;             /* how many of them, the last, are none: such as that of a cycle which is 1 */
+	double trivial;       /* of a cycle: distance of that one from 1, as computed */
 	unsigned char *condensed; /* [m] 1: the multiplier belongs to the free motion of a coordinate that
 	                           * was condensed. It decays, and takes no part in any event */
 	/* Of the last multipliers, without the error of the orbit: the error of the matrix whose
@@ -71,7 +87,7 @@ struct hawser__orbit {
 	double patience;      /* contraction that the corrector bears; 0: its own limit (newton.c) */
 	double goal;          /* largest relative residual of the next solutions, where the method solves by
 	                       * iteration; 0: what a step of the corrector needs */
-	int unjudged;         /* 1: no multipliers are wanted: each orbit counts as stable */
+	int unjudged;         /* not 0: no multipliers are wanted: each orbit counts as stable */
 	double rate;          /* factor by which a step with a guessed Jacobian reduces the defects */
 	double *step, *spare; /* [size] workspace of the corrector and of the metric */
 	struct hawser_orbit_cost cost;
@@ -134,6 +150,12 @@ struct hawser__orbit_ops {
 	 * if that is not possible. */
 	void (*keep)(struct hawser__orbit *orbit, const double *y);
 	int (*guess)(struct hawser__orbit *orbit, const double *y, const double *row);
+
+	/* A method that takes autonomous models has both. parts: where the defects are for solve, and the
+	 * derivative by the parameter for factor; returns how many of each. shift: dy [size] becomes the
+	 * derivative of y by the phase. */
+	int (*parts)(struct hawser__orbit *orbit, double **defect, double **column);
+	void (*shift)(struct hawser__orbit *orbit, double *dy, const double *y);
 };
 
 /* Allocate and free the arrays of the base (but not the samples), for the open and clear of a
@@ -145,13 +167,18 @@ void hawser__orbit_free(struct hawser__orbit *orbit);
 /* The scaled forcing frequency at the parameter p of the family; NaN if there is no model. */
 double hawser__orbit_frequency(const struct hawser__orbit *orbit, double p);
 
-/* The forcing frequency of an orbit y. */
+/* The forcing frequency of an orbit y; of a cycle its own, of an equilibrium 1. */
 static inline double hawser__orbit_omega(const struct hawser__orbit *orbit, const double *y)
 {
 	double p = y[orbit->size - 1];
 
+	if (orbit->own)
+		return orbit->own == HAWSER__CYCLES ? y[orbit->size - 2] : 1.0;
 	return orbit->family ? hawser__orbit_frequency(orbit, p) : p;
 }
+
+/* The multipliers from index `from` on are none: they are far inside the unit circle. */
+void hawser__orbit_idle(struct hawser__orbit *orbit, int from);
 
 /* Make orbit->rom the model at the parameter p of the family, if there is one. Returns 1 if there is
  * no such model. */

@@ -68,6 +68,15 @@ int hawser__orbit_place(struct hawser__orbit *orbit, double p)
 	return failed;
 }
 
+void hawser__orbit_idle(struct hawser__orbit *orbit, int from)
+{
+	orbit->idle = orbit->m - from;
+	for (int i = from; i < orbit->m; i++) {
+		orbit->log_modulus[i] = -HAWSER__MOST_GROWTH;
+		orbit->argument[i] = 0.0;
+	}
+}
+
 double hawser__orbit_frequency(const struct hawser__orbit *orbit, double p)
 {
 	const struct hawser_rom_family *family = orbit->family;
@@ -105,12 +114,16 @@ double hawser__orbit_liouville(const struct hawser__orbit *orbit, double omega)
 	const struct hawser_rom *rom = orbit->rom;
 	double trace = 0.0, sum = 0.0;
 
+	if (orbit->own == HAWSER__RESTS)
+		return orbit->drained; /* the sum of the eigenvalues less the trace of their matrix */
 	for (int j = 0; j < rom->n; j++)
 		trace += rom->D[j*rom->n + j];
 	for (int p = 0; p < rom->harmonics; p++)
 		for (int j = 0; rom->harmonic[p].D && rom->harmonic[p].k == 0 && j < rom->n; j++)
 			trace += pow(omega, rom->harmonic[p].omega_power)*rom->harmonic[p].D[j*rom->n + j];
-	for (int i = 0; i < orbit->m; i++)
+	if (orbit->freely && rom->first) /* without the relaxation's */
+		trace -= rom->n*(rom->D[0] - rom->first->K[0]);
+	for (int i = 0; i < orbit->m - orbit->idle; i++)
 		sum += orbit->log_modulus[i];
 	return fabs(sum + trace*2.0*M_PI/omega + orbit->drained);
 }

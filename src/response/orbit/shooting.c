@@ -71,6 +71,9 @@ enum hawser_status hawser__shooting_init(struct hawser__shooting *shooting,
 	shooting->estimate = hawser__hold(&shooting->hold, 4*size, sizeof(double));
 	shooting->estimate_int = hawser__hold(&shooting->hold, size, sizeof(int));
 	shooting->schur = hawser__hold(&shooting->hold, S*m*m, sizeof(double));
+	shooting->rates = hawser__hold(&shooting->hold, S*m, sizeof(double));
+	shooting->node = hawser__hold(&shooting->hold, S*m, sizeof(double));
+	shooting->reduced = hawser__hold(&shooting->hold, 3*m*m + 4*m, sizeof(double));
 	shooting->floquet_work = hawser__hold(&shooting->hold, hawser__floquet_work(segments, (int)m),
 	                                      sizeof(double));
 	if (shooting->hold.short_of_memory)
@@ -111,10 +114,12 @@ static void metric(struct hawser__orbit *orbit, const double *y)
 	double sum = 0.0;
 
 	for (int j = 0; j < m; j++) {
-		double part = 0.0;
+		double part = 0.0, mean = 0.0;
 
+		for (int i = 0; orbit->freely && i < S; i++)
+			mean += y[i*m + j]/S;
 		for (int i = 0; i < S; i++)
-			part += y[i*m + j]*y[i*m + j];
+			part += (y[i*m + j] - mean)*(y[i*m + j] - mean);
 		shooting->scale[j] = sqrt(part/S);
 		sum += part;
 	}
@@ -183,6 +188,30 @@ static void differentiate_family(struct hawser__shooting *shooting, const double
 		(void)hawser__flow_place(&shooting->flow, orbit->rom);
 }
 
+/* The derivative of the nodes by the phase, of an autonomous model; of y, Omega stays. */
+static void shift(struct hawser__orbit *orbit, double *dy, const double *y)
+{
+	int n = orbit->n, m = orbit->m, nodes = orbit->size - 1;
+	double omega = hawser__orbit_omega(orbit, y);
+
+	for (int i = 0; i < nodes; i += m) {
+		hawser_rom_acceleration(orbit->rom, dy + i + n, y + i, y + i + n, 0.0, omega);
+		for (int j = 0; j < n; j++) {
+			dy[i + j] = y[i + n + j]/omega;
+			dy[i + n + j] /= omega;
+		}
+	}
+}
+
+static int parts(struct hawser__orbit *orbit, double **defect, double **column)
+{
+	struct hawser__shooting *shooting = (struct hawser__shooting *)orbit;
+
+	*defect = shooting->defect;
+	*column = shooting->b;
+	return orbit->size - 1;
+}
+
 static double defects(struct hawser__orbit *orbit, const double *y, int derive)
 {
 	struct hawser__shooting *shooting = (struct hawser__shooting *)orbit;
@@ -209,6 +238,10 @@ static double defects(struct hawser__orbit *orbit, const double *y, int derive)
 		orbit->mesh = fmax(orbit->mesh, halved_steps(shooting, y, omega));
 	if (derive && orbit->family)
 		differentiate_family(shooting, y, &stretch);
+	if (derive && orbit->freely) {
+		memcpy(shooting->node, y, (size_t)S*m*sizeof *y);
+		shift(orbit, shooting->rates, y);
+	}
 	for (int i = 0; i < S; i++) {
 		const double *next = y + ((i + 1)%S)*m;
 		double sum = 0.0;
@@ -313,9 +346,9 @@ static void solve(struct hawser__orbit *orbit, double *dy, int homogeneous, doub
 }
 
 /* Multiply neighbouring transition matrices, so that `count` factors become (count + 1)/2. */
-static int pair_up(struct hawser__shooting *shooting, int count)
+static int pair_up(struct hawser__shooting *shooting, int count, int m)
 {
-	int m = shooting->base.m, kept = 0;
+	int kept = 0;
 	size_t block = (size_t)m*m;
 	double *A = shooting->schur, *product = shooting->flow.U; /* free between flows */
 
@@ -355,18 +388,21 @@ static enum hawser_status product_multipliers(struct hawser__orbit *orbit,
                                               struct hawser_report *report)
 {
 	struct hawser__shooting *shooting = (struct hawser__shooting *)orbit;
-	size_t block = (size_t)shooting->base.m*shooting->base.m;
+	int order = orbit->m;
 	enum hawser_status status;
 
 	for (int tries = harmless(shooting);; tries++) {
 		int count = shooting->segments;
 
-		memcpy(shooting->schur, shooting->A, (size_t)count*block*sizeof(double));
+		if (orbit->freely)
+			order = hawser__shooting_reduce(shooting);
+		else
+			memcpy(shooting->schur, shooting->A, (size_t)count*order*order*sizeof(double));
 		for (int i = 0; i < tries; i++)
-			count = pair_up(shooting, count);
-		status = hawser__floquet(shooting->base.log_modulus, shooting->base.argument,
-		                         shooting->schur, count, shooting->base.m,
+			count = pair_up(shooting, count, order);
+		status = hawser__floquet(orbit->log_modulus, orbit->argument, shooting->schur, count, order,
 		                         shooting->floquet_work, report);
+		hawser__orbit_idle(orbit, order);
 		if (status != HAWSER_ERR_CONVERGENCE || count == 1)
 			return status;
 	}
@@ -429,7 +465,7 @@ static const struct hawser__orbit_ops ops = {
 	metric, defects, factor, solve, error, multipliers, hawser__shooting_refine,
 	hawser__shooting_relax, hawser__shooting_enrich, hawser__shooting_sharpen, add_wave,
 	from_state, state, clear,
-	hawser__shooting_keep, hawser__shooting_guess,
+	hawser__shooting_keep, hawser__shooting_guess, parts, shift,
 };
 
 static enum hawser_status open_method(struct hawser__orbit **orbit, const struct hawser_rom *rom,

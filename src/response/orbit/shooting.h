@@ -36,6 +36,8 @@ struct hawser__shooting {
 	double *matrix;            /* [size][size] bordered matrix, column-major, or its LU */
 	int *pivot;                /* [size] */
 	double *schur, *floquet_work; /* scratch */
+	double *rates, *node;      /* [S][m] of a cycle: change of the nodes with the phase; the nodes */
+	double *reduced;           /* [3 m m + 4 m] scratch */
 	double factor_flops;       /* of all factorisations so far */
 	double norm;               /* 1-norm of the bordered matrix */
 	double *estimate;          /* [4 size] and int [size]: workspace of the condition estimate */
@@ -67,6 +69,10 @@ enum hawser_status hawser__shooting_enrich(struct hawser__orbit *orbit, int most
                                            struct hawser_report *report);
 enum hawser_status hawser__shooting_sharpen(struct hawser__orbit *orbit, int on,
                                             struct hawser_report *report);
+
+/* shooting_free.c: the factors [order][order] of the product whose eigenvalues are a cycle's
+ * multipliers, without the one that is 1, in shooting->schur; returns their order. */
+int hawser__shooting_reduce(struct hawser__shooting *shooting);
 
 /* shooting_guess.c: see keep and guess in method.h. _init returns 1 when out of memory. */
 int hawser__shooting_guess_init(struct hawser__shooting *shooting);

@@ -127,6 +127,14 @@ void hawser_rom_tangent(const struct hawser_rom *rom, double *restoring, double 
 		differentiate(rom, restoring, tangent, u);
 }
 
+int hawser_rom_autonomous(const struct hawser_rom *rom)
+{
+	for (int h = 0; h < rom->harmonics; h++)
+		if (rom->harmonic[h].k > 0)
+			return 0;
+	return !rom->ramp && !rom->history && !rom->plug;
+}
+
 int hawser_rom_loaded(const struct hawser_rom *rom)
 {
 	for (int h = 0; h < rom->harmonics; h++)

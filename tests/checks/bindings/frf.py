@@ -53,7 +53,8 @@ class Progress(c.Structure):
 
 
 class FrfOptions(c.Structure):
-    _fields_ = [("method", c.c_char_p), ("family", c.c_void_p), ("from_", c.c_double), ("to", c.c_double), ("begin", c.c_double),
+    _fields_ = [("method", c.c_char_p), ("family", c.c_void_p), ("omega", c.c_double),
+                ("turn", c.c_void_p), ("from_", c.c_double), ("to", c.c_double), ("begin", c.c_double),
                 ("direction", c.c_int), ("tolerance", c.c_double), ("event_tolerance", c.c_double),
                 ("segments", c.c_int), ("max_points", c.c_int), ("step_max", c.c_double),
                 ("skip_events", c.c_int), ("unjudged", c.c_int), ("end_at_slack", c.c_int),
