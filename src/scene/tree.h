@@ -45,12 +45,12 @@ enum hawser_status hawser__tree_scene_open(void *scene, const struct hawser__tre
 /* hawser_NAME_of and hawser_NAME_open of struct hawser_NAME, which has a `name`, by the function
  * `interpret` of the file and these words (struct hawser__tree_words). */
 #define HAWSER__TREE_SCENES(kind, ...) \
-	static void clear(void *scene) \
+	static void clear_##kind(void *scene) \
 	{ \
 		hawser_##kind##_clear(scene); \
 	} \
 	static const struct hawser__tree_form form = {{__VA_ARGS__}, sizeof(struct hawser_##kind), \
-		offsetof(struct hawser_##kind, name), interpret, clear}; \
+		offsetof(struct hawser_##kind, name), interpret, clear_##kind}; \
 	enum hawser_status hawser_##kind##_of(struct hawser_##kind *to, \
 	                                      const struct hawser_document *from, \
 	                                      const char *const *set, size_t nset, \
