@@ -76,7 +76,7 @@ class Statics:
     def __init__(self, scene: Union[Scene, scenes.SceneLike]) -> None:
         self.scene = scene if isinstance(scene, Scene) else Scene(scene)
         self._owner = Owner("hawser_statics")
-        call_apart("hawser_statics_scene", self._owner, self.scene._owner)
+        call("hawser_statics_scene", self._owner, self.scene._owner)
 
     def __reduce__(self) -> Any:
         return Statics, (self.scene,)
