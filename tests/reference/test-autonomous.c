@@ -236,6 +236,23 @@ static void check_ziegler(void)
 	end(&own);
 }
 
+/* Two equal oscillators, whose pairs cross the axis together. */
+static void check_together(void)
+{
+	struct own own;
+
+	begin(&own, "o2", -0.1, 0.5);
+	trace(&own, "mu");
+	ok(own.frf.events == 2, "two Hopf points, %d events", own.frf.events);
+	for (int k = 0; k < 2; k++) {
+		const struct hawser_frf_event *found = event(&own.frf, HAWSER_HOPF, k);
+
+		ok(fabs(found->parameter) < DIGITS && !found->suspected, "at %.1e", found->parameter);
+		close_to(found->hopf.omega, 1.0, DIGITS, "frequency");
+	}
+	end(&own);
+}
+
 static void check_two(void)
 {
 	static const double row[][2] = {{1.0, 118.69191844}, {1.005, 111.26818391}, {1.02, 57.58242139},
@@ -293,6 +310,7 @@ CASE(reference_autonomous)
 	check_parkinson();
 	check_belt();
 	check_ziegler();
+	check_together();
 	check_two();
 	check_start();
 	if (getenv("HAWSER_LONG")) {

@@ -104,7 +104,8 @@ enum hawser_status hawser__frf_check(const struct hawser_rom *rom,
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
 		                    "the model has no forcing: give the scene a load (a net: with "
 		                    "harmonic.multiple), a moving support or a travel.fluctuation, or the "
-		                    "model file a harmonic");
+		                    "model file a harmonic; what moves by itself is followed with --over "
+		                    "KEY=FROM:TO");
 	if (!free && !driven(rom))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
 		                    "the model has no forcing: the load does no work on any of the %d "
