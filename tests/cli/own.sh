@@ -51,6 +51,7 @@ assert branch["points"][-1]["trivial"] < 1e-8 and branch["born_at"] == event["pa
 END
 echo '{"state": [1, 0]}' >state.json
 works "a limit cycle from a state" frf "$cycles/vdp.json" --over mu=1:1.1 --start state.json --json vdp.json -q
+refuses 1 "limit cycles are followed by shooting: leave out --method" frf "$cycles/vdp.json" --over mu=-1:1 --method balance
 refuses_like 1 "the model has no forcing: .* with --over KEY=FROM:TO" frf "$cycles/vdp.json"
 
 refuses 1 "--set ep=1: named.json has these parameters: eps, F" frf named.json --set ep=1

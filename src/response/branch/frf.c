@@ -419,6 +419,7 @@ static enum hawser_status end_lost(struct hawser_frf *frf, enum hawser_status st
 	return HAWSER_OK;
 }
 
+/* Equilibria and limit cycles. */
 static int is_own(const struct hawser_frf_options *options)
 {
 	return options->family && options->family->omega == 0.0;
@@ -471,7 +472,7 @@ enum hawser_status hawser__frf_trace(struct hawser_frf *frf, const struct hawser
 	int periods = hawser__rom_periods(rom);
 	enum hawser_status status;
 
-	if (periods == 1)
+	if (periods == 1 || is_own(options))
 		return trace_own(frf, rom, options, watch, report);
 	if (options->family) {
 		family = *options->family;
