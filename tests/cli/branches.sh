@@ -66,7 +66,7 @@ for a, b in zip(one["branches"][0]["events"], whirl["events"]):
     assert a["kind"] == b["kind"] and abs(a["Omega"]/b["Omega"] - 1) < 1e-8, (a, b)
 assert max(p["coordinates"][1] for p in whirl["points"]) > 0.5
 END
-refuses 1 "--switch 16: no branch begins there: give the label of a period doubling or a branch point of this response, \
+refuses 1 "--switch 16: no branch begins there: give the label of a period doubling, a branch point or a Hopf point of this response, \
 which its table's head lists" frf string.json --from 0.9 --to 1.4 --switch 16 -q
 refuses 1 "--switch plain.json#16: no branch begins there: give the label of a period doubling or a branch point of a \
 response over the frequency" frf string.json --from 0.9 --to 1.4 --switch plain.json#16

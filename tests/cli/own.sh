@@ -37,6 +37,23 @@ assert min(abs(w/1.2 - 1) for k, w in events("there.json", "Omega")) < 1e-8
 assert json.load(open("written.json"))["harmonics"][0]["f"] == [0.3]
 PY
 
+# --- nothing excites it ---
+
+cycles=$SRCDIR/tests/reference/autonomous
+works "equilibria and limit cycles" frf "$cycles/adaptx.json" --over a=1.1:0.9 --branches 1 --json cycles.json -q
+python "the Hopf point, its cycles, and where they end" <<'END'
+import json, math
+result = json.load(open("cycles.json"))
+event, branch = result["events"][0], result["branches"][0]
+assert event["kind"] == "hopf" and abs(event["parameter"] - 1) < 1e-9 and abs(event["l1"] + 0.3) < 1e-9, event
+assert abs(2*math.pi/branch["points"][-1]["Omega"] - 6.306235057458) < 1e-7, branch["points"][-1]
+assert branch["points"][-1]["trivial"] < 1e-8 and branch["born_at"] == event["parameter"]
+END
+echo '{"state": [1, 0]}' >state.json
+works "a limit cycle from a state" frf "$cycles/vdp.json" --over mu=1:1.1 --start state.json --json vdp.json -q
+refuses 1 "limit cycles are followed by shooting: leave out --method" frf "$cycles/vdp.json" --over mu=-1:1 --method balance
+refuses_like 1 "the model has no forcing: .* with --over KEY=FROM:TO" frf "$cycles/vdp.json"
+
 refuses 1 "--set ep=1: named.json has these parameters: eps, F" frf named.json --set ep=1
 refuses 1 "--set eps=1 kg: write NAME=NUMBER for a parameter of a model file" frf named.json --set "eps=1 kg"
 refuses 1 "named.json has no parameter ep; its parameters are: eps, F" frf named.json --over ep=1:2 --Omega 1

@@ -391,14 +391,15 @@ static enum hawser_status open_label(struct cli_label *label, struct cli_over *o
 	return HAWSER_OK;
 }
 
+/* Branches are followed over the frequency, or of a model that nothing excites. */
 static enum hawser_status check_over(const struct settings *settings, const struct cli_over *over,
                                      struct hawser_report *report)
 {
 	if (over->omega == 0.0 || (!settings->branches && !settings->switched))
 		return HAWSER_OK;
 	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
-	                    "--over: branches are followed over the frequency, or of a model that nothing "
-	                    "excites: leave out --%s", settings->branches ? "branches" : "switch");
+	                    "--over does not go with --%s: leave out one of them",
+	                    settings->branches ? "branches" : "switch");
 }
 
 static enum hawser_status run(void *context, struct hawser_report *report)

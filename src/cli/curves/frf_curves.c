@@ -146,10 +146,13 @@ static void draw_events(struct cli_frf_picture *of, int c)
 		[HAWSER_BRANCH_POINT] = {"branch point", "pt 12 ps 0.65"},
 		[HAWSER_UNEXPLAINED] = {"unexplained", "pt 3 ps 0.6"},
 		[HAWSER_SLACK] = {"slack", "pt 2 ps 0.7"},
+		[HAWSER_HOPF] = {"Hopf point", "pt 14 ps 0.65"},
 	};
 	const struct hawser_frf *frf = of->result->frf;
 
 	for (int k = 0; k < (int)(sizeof kind/sizeof *kind); k++) {
+		if (!kind[k].title)
+			continue;
 		for (int e = 0; e < frf->events; e++)
 			if ((int)frf->event[e].kind == k)
 				put_event(of, c, &frf->event[e]);

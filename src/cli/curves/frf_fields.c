@@ -215,7 +215,7 @@ static const struct hawser__field event_field[] = {
 	{"coordinate", NULL, "that moves most in its cycles, from 1", OF(hopf.coordinate),
 	 .flags = HAWSER__FROM_1, .given = is_hopf},
 	{"swing_slope", NULL, "change of the square of its amplitude by the parameter", OF(hopf.swing),
-	 .given = is_hopf, .flags = HAWSER__NULL},
+	 .given = is_hopf, .flags = HAWSER__NULL | HAWSER__INFINITE},
 	{"state", NULL, "u and u' of its motion at the start of a period, if it has one",
 	 HAWSER__VECTOR_ALONG(struct hawser_frf, event_state, cli_states), .unit = HAWSER__M,
 	 .given = has_state},

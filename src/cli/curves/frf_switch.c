@@ -43,8 +43,13 @@ static struct event_text name_of(const struct cli_frf_result *result,
 {
 	struct event_text name;
 
-	snprintf(name.text, sizeof name.text, "%s at %.90s", hawser_event_name(event->kind),
-	         cli_frf_place(result, event->omega, event->parameter).text);
+	if (result->over)
+		snprintf(name.text, sizeof name.text, "%s at %.90s", hawser_event_name(event->kind),
+		         cli_frf_place(result, event->omega, event->parameter).text);
+	else
+		snprintf(name.text, sizeof name.text, "%s at Omega = %.9g%s",
+		         hawser_event_name(event->kind), event->omega*cli_per_omega(result->model),
+		         cli_unit(result->model, " rad/s"));
 	return name;
 }
 
@@ -226,8 +231,9 @@ static enum hawser_status find_label(int *label, const char *switched, struct cl
 				return HAWSER_OK;
 	}
 	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
-	                    "--switch %s: no branch begins there: give the label of a period doubling or a "
-	                    "branch point of this response, which its table's head lists", switched);
+	                    "--switch %s: no branch begins there: give the label of a period doubling, a "
+	                    "branch point or a Hopf point of this response, which its table's head lists",
+	                    switched);
 }
 
 enum hawser_status cli_cover_switch(struct cli_cover *cover, struct cli_frf_result *result,

@@ -43,6 +43,7 @@ void hawser_frf_settle(struct hawser_frf_options *options)
 static enum hawser_status record_events(struct hawser__trace *trace)
 {
 	struct hawser__account *account = &trace->account;
+	int together = 0;
 
 	for (int i = 0; i < account->events; i++) {
 		struct hawser_frf_event *event = &account->event[i];
@@ -56,13 +57,10 @@ static enum hawser_status record_events(struct hawser__trace *trace)
 		if (trace->options.family)
 			event->omega = (trace->orbit->own ? frequency : trace->options.family->omega)*
 			               trace->rom->time;
-		if (trace->orbit->own == HAWSER__RESTS && event->kind == HAWSER_TORUS &&
-		    (status = hawser__trace_hopf(trace, event, state)))
-			return status;
-		if (trace->orbit->own == HAWSER__RESTS && event->kind == HAWSER_UNEXPLAINED) {
-			if ((status = hawser__trace_together(trace, event, trace->together)))
+		if (trace->orbit->own == HAWSER__RESTS) {
+			status = hawser__trace_hopf(trace, event, state, &together);
+			if (status || together)
 				return status;
-			state = event->kind == HAWSER_HOPF ? trace->together : NULL;
 		}
 		event->located = event->kind != HAWSER_UNEXPLAINED && event->error <= WORST_LOCATED;
 		status = hawser__record_event(trace->frf, event, state, trace->orbit->rom, trace->report);
@@ -356,7 +354,6 @@ static enum hawser_status open_trace(struct hawser__trace *trace, struct hawser_
 	trace->start_y = hawser__hold(&trace->hold, (size_t)orbit->size, sizeof(double));
 	trace->mark_y = hawser__hold(&trace->hold, (size_t)orbit->size + (size_t)orbit->m, sizeof(double));
 	trace->mark_t = hawser__hold(&trace->hold, (size_t)orbit->size, sizeof(double));
-	trace->together = hawser__hold(&trace->hold, (size_t)orbit->m, sizeof(double));
 	trace->pairs = hawser__hold(&trace->hold, 6*(size_t)orbit->n, sizeof *trace->pairs);
 	trace->amplitude = hawser__amplitude_new(rom);
 	if (trace->hold.short_of_memory || !trace->amplitude)
@@ -422,6 +419,7 @@ static enum hawser_status end_lost(struct hawser_frf *frf, enum hawser_status st
 	return HAWSER_OK;
 }
 
+/* Equilibria and limit cycles. */
 static int is_own(const struct hawser_frf_options *options)
 {
 	return options->family && options->family->omega == 0.0;
@@ -474,7 +472,7 @@ enum hawser_status hawser__frf_trace(struct hawser_frf *frf, const struct hawser
 	int periods = hawser__rom_periods(rom);
 	enum hawser_status status;
 
-	if (periods == 1)
+	if (periods == 1 || is_own(options))
 		return trace_own(frf, rom, options, watch, report);
 	if (options->family) {
 		family = *options->family;

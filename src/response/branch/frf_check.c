@@ -57,6 +57,10 @@ static enum hawser_status check_family(const struct hawser_rom *rom,
 		                    "parameter from %.9g to %.9g at Omega %.9g%s: both ends must be finite "
 		                    "and different, and Omega positive", options->from, options->to,
 		                    HAWSER_SHOWN(rom, options->family->omega));
+	if (method && options->family->omega == 0.0 &&
+	    strcmp(method, hawser__shooting_method.about.name) != 0)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
+		                    "limit cycles are followed by shooting: leave out --method");
 	if (method && strcmp(method, hawser__scales_method.about.name) == 0)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
 		                    "motions are followed in a parameter by harmonic balance, or by "
@@ -104,7 +108,8 @@ enum hawser_status hawser__frf_check(const struct hawser_rom *rom,
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
 		                    "the model has no forcing: give the scene a load (a net: with "
 		                    "harmonic.multiple), a moving support or a travel.fluctuation, or the "
-		                    "model file a harmonic");
+		                    "model file a harmonic; what moves by itself is followed with --over "
+		                    "KEY=FROM:TO");
 	if (!free && !driven(rom))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
 		                    "the model has no forcing: the load does no work on any of the %d "

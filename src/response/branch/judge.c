@@ -48,7 +48,8 @@ static int hides_crossings(double s0, double g0, double s1, double g1, double s2
 	return (g1 + 0.5*slope*at < 0.0) != (g1 < 0.0);
 }
 
-/* The same of g less a fraction of its smaller value at b and c, by which the parabola may be wrong. */
+/* The same of g less a fraction of its smaller value at b and c, by which the parabola may be
+ * wrong. */
 static int approaches_zero(const struct hawser__station *a, const struct hawser__station *b,
                            const struct hawser__station *c, const double g[3], double fraction)
 {
@@ -58,8 +59,8 @@ static int approaches_zero(const struct hawser__station *a, const struct hawser_
 	       hides_crossings(a->arc, g[0] - below, b->arc, g[1] - below, c->arc, g[2] - below);
 }
 
-/* For modulus i, which counts as outside only if it exceeds its error. If it does not at the ends of
- * the step, the parabola would be round-off, and nothing is concluded. */
+/* For modulus i, which counts as outside only if it exceeds its error. If it does not at the ends
+ * of the step, the parabola would be round-off, and nothing is concluded. */
 static int hides_modulus(const struct hawser__station *a, const struct hawser__station *b,
                          const struct hawser__station *c, int i)
 {
@@ -68,6 +69,40 @@ static int hides_modulus(const struct hawser__station *a, const struct hawser__s
 
 	return (fabs(b->log_modulus[i]) > bound || fabs(c->log_modulus[i]) > bound) &&
 	       approaches_zero(a, b, c, g, UNSURE);
+}
+
+/* Index of the multiplier nearest to the i-th of another station. */
+static int matching(const struct hawser__station *station, const struct hawser__station *to, int i,
+                    int m)
+{
+	double least = INFINITY;
+	int best = 0;
+
+	for (int k = 0; k < m; k++) {
+		double gap = hypot(station->log_modulus[k] - to->log_modulus[i],
+		                   station->argument[k] - to->argument[i]);
+
+		if (gap < least) {
+			least = gap;
+			best = k;
+		}
+	}
+	return best;
+}
+
+/* Whether more than one eigenvalue, or pair, of an equilibrium crosses the axis between b and c:
+ * one may leave the half plane while another enters it, so that neither the count nor the test
+ * function tells. They may pass each other in rank, but are apart in the plane. */
+static int exchanges(const struct hawser__station *b, const struct hawser__station *c, int m)
+{
+	int crossings = 0;
+
+	for (int i = 0; i < m; i++) {
+		double before = b->log_modulus[matching(b, c, i, m)], after = c->log_modulus[i];
+
+		crossings += c->argument[i] >= 0.0 && (before < 0.0) != (after < 0.0);
+	}
+	return crossings > 1;
 }
 
 static int is_near(const struct hawser__station *station, int i, double c)
@@ -99,10 +134,11 @@ static int product_near(double *product, const struct hawser__station *station, 
 	return count;
 }
 
-/* The same of (1 - mu nu) over all couples of multipliers near c, which is zero at a torus point and
- * as smooth. Two pairs that collide beside c, of which one has just met on the real axis, may leave
- * the unit circle and return; there, collide.c has not the same pairs at all stations. Couples of
- * which one is real are complex, and so are some of two pairs: each comes with its conjugate. */
+/* The same of (1 - mu nu) over all couples of multipliers near c, which is zero at a torus point
+ * and as smooth. Two pairs that collide beside c, of which one has just met on the real axis, may
+ * leave the unit circle and return; there, collide.c has not the same pairs at all stations.
+ * Couples of which one is real are complex, and so are some of two pairs: each comes with its
+ * conjugate. */
 static int product_couples(double *product, const struct hawser__station *station, int m, double c)
 {
 	double complex all = 1.0;
@@ -126,8 +162,8 @@ static int product_couples(double *product, const struct hawser__station *statio
  * parabola is reliable. Multipliers of high modes rotate past `centre` from station to station;
  * they are different ones each time and are not considered.
  * followed: collide.c has followed each pair, and excludes this. It is believed where many
- * pass the centre together, as those of a string at its frequency: their product has a minimum that no
- * parabola foresees. */
+ * pass the centre together, as those of a string at its frequency: their product has a minimum that
+ * no parabola foresees. */
 static int hides_excursion(const struct hawser__station *a, const struct hawser__station *b,
                            const struct hawser__station *c, int m, double centre, int followed,
                            int product(double *, const struct hawser__station *, int, double))
@@ -149,6 +185,8 @@ static int hides(const struct hawser__trace *trace, const struct hawser__station
 	for (int i = 0; i < m; i++)
 		if (hides_modulus(a, b, c, i))
 			return 1;
+	if (trace->orbit->own == HAWSER__RESTS && exchanges(b, c, m))
+		return 1;
 	followed = followed && !a->circle.undecided && !b->circle.undecided && !c->circle.undecided;
 	for (int centre = -1; centre <= 1; centre += 2)
 		if (hides_excursion(a, b, c, m, centre, followed, product_near) ||
@@ -173,8 +211,8 @@ int hawser__trace_hides(const struct hawser__trace *trace)
 	                            hides(trace, &trace->prev, &trace->here, &trace->next, followed));
 }
 
-/* What lies between two stations looks different from either side: an interval in which the motion is
- * unstable may be long before a curve of small slope, and short behind it. The step to `here` is
+/* What lies between two stations looks different from either side: an interval in which the motion
+ * is unstable may be long before a curve of small slope, and short behind it. The step to `here` is
  * therefore judged again when `next` is known. */
 int hawser__trace_hid(const struct hawser__trace *trace)
 {

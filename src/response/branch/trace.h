@@ -50,7 +50,6 @@ struct hawser__trace {
 	int retries;                    /* repetitions of this step because events did not explain the
 	                                 * count */
 	double *direction, *side; /* [size] */
-	double *together;       /* [m] state of an equilibrium at which several pairs cross the axis */
 	double complex *pairs;  /* [5 m/2] workspace of hawser__collide */
 	double *start_y;        /* [size] first point, to detect a closed curve */
 	double *mark_y, *mark_t; /* [size + m], [size] a later point and its tangent, to detect a jump */
@@ -166,13 +165,10 @@ enum hawser_status hawser__own_equilibrium(struct hawser__trace *trace, double *
 enum hawser_status hawser__own_cycle(struct hawser__trace *trace, double side);
 /* cycle/begin.c: whether cycles end at `here`. */
 enum hawser_status hawser__own_ends(struct hawser__trace *trace, int *ended);
-/* cycle/begin.c: an event of an equilibrium, of the state [m], becomes a Hopf point. */
+/* cycle/begin.c: an event of an equilibrium, of the state [m], becomes a Hopf point if it is one.
+ * *together: 1: several pairs cross the axis there; all of the step's events are recorded then. */
 enum hawser_status hawser__trace_hopf(struct hawser__trace *trace, struct hawser_frf_event *event,
-                                      const double *state);
-/* cycle/begin.c: a change of the count that no event explains becomes one where several pairs cross the
- * axis together, if there they do; state [m] of the equilibrium. */
-enum hawser_status hawser__trace_together(struct hawser__trace *trace, struct hawser_frf_event *event,
-                                          double *state);
+                                      const double *state, int *together);
 
 /* frf_begin.c: the first orbit, which is recorded. */
 enum hawser_status hawser__trace_begin(struct hawser__trace *trace);

@@ -1,33 +1,24 @@
 /* response/cycle/begin.c - what equilibria and limit cycles have beside the continuation of orbits:
  * how they begin, Hopf points, and where cycles end.
  *
- *    e    first cycle's amplitude, of the coordinate that moves most: by the normal form the
- *         parameter is START of its range from the Hopf point
- *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <cblas.h>
-#include <lapacke.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-#include <hawser/branches.h>
 
 #include "core/report.h"
 #include "response/branch/trace.h"
 #include "response/cycle/cycle.h"
 #include "response/cycle/hopf.h"
 
-#define APART_BY 1e-3  /* distance of a first orbit from the other branch, relative to it; chosen */
-#define START 1e-4   /* see above; chosen */
-#define PLAIN 1e-3   /* amplitude, where the normal form says nothing; chosen */
 #define SMALL 0.02   /* of the largest size: a cycle that is smaller may be near a Hopf point; chosen */
 #define AGREES 0.1   /* largest distance of that point from where the square of the size becomes 0,
                       * relative to the length of the extrapolation, */
 #define NEAREST 1e-7 /* and relative to the parameter; chosen */
-#define TOGETHER 1e-5 /* of a Hopf point from where the count shows it, relative; chosen */
+#define TOGETHER 1e-5 /* of Hopf points from each other, and from where the count shows them; chosen */
 /* A cycle that is slower than this part of the first one nears a homoclinic orbit where a change of
  * its period is worth less than this change of the parameter, both relative; chosen. */
 #define SLOW 0.6
@@ -209,15 +200,17 @@ static double extent_at(const struct hawser__trace *trace, double p)
 	return fmax(fabs(p), trace->orbit->floor);
 }
 
-enum hawser_status hawser__trace_hopf(struct hawser__trace *trace, struct hawser_frf_event *event,
-                                      const double *state)
+/* The event becomes the Hopf point of the pair near i guess (0: that nearest to the axis). */
+static enum hawser_status take_hopf(struct hawser__trace *trace, struct hawser_frf_event *event,
+                                    const double *state, double guess)
 {
 	double *wave = malloc((size_t)trace->orbit->m*sizeof *wave), rate;
 	enum hawser_status status = wave ? HAWSER_OK : hawser__no_memory(trace->report, "frf");
 
 	if (!status)
-		status = hawser__hopf(&event->hopf, &rate, wave, trace->options.family, state, event->parameter,
-		                      0.0, extent_at(trace, event->parameter), trace->report);
+		status = hawser__hopf(&event->hopf, &rate, wave, trace->options.family, state,
+		                      event->parameter, guess, extent_at(trace, event->parameter),
+		                      trace->report);
 	free(wave);
 	if (status)
 		return status == HAWSER_ERR_MEMORY ? status : HAWSER_OK;
@@ -227,31 +220,77 @@ enum hawser_status hawser__trace_hopf(struct hawser__trace *trace, struct hawser
 	return HAWSER_OK;
 }
 
-/* Several pairs may cross the axis together: the count changes, and no test function does. */
-enum hawser_status hawser__trace_together(struct hawser__trace *trace, struct hawser_frf_event *event,
-                                          double *state)
+/* The Hopf points at the equilibrium x [m], *p near the event: as many as the count of unstable
+ * eigenvalues says, which are those nearest to the axis. *found: 0: they are not all on it. */
+static enum hawser_status record_together(int *found, struct hawser__trace *trace,
+                                          const struct hawser_frf_event *event, double *x, double p)
 {
-	int n = trace->orbit->n, pairs = abs(event->unstable[1] - event->unstable[0])/2;
-	double at = event->parameter, extent = extent_at(trace, at);
-	double *wave = malloc(2*(size_t)n*sizeof *wave);
-	struct hawser_hopf hopf;
-	enum hawser_status status = wave ? HAWSER_OK : hawser__no_memory(trace->report, "frf");
+	struct hawser__orbit *orbit = trace->orbit;
+	int pairs = abs(event->unstable[1] - event->unstable[0])/2, m = orbit->m;
+	double growth, turn, *y = trace->scratch.y;
+	enum hawser_status status;
 
-	memset(state, 0, 2*(size_t)n*sizeof *state);
-	memcpy(state, trace->here.y, (size_t)n*sizeof *state);
-	if (!status)
-		status = hawser__hopf_near(&hopf, wave, state, &at, trace->options.family, 0.0, extent, NULL);
-	free(wave);
-	if (status || pairs < 1 || fabs(at - event->parameter) > TOGETHER*extent)
-		return status == HAWSER_ERR_MEMORY ? status : HAWSER_OK;
-	event->hopf = hopf;
-	convert(&event->hopf, trace);
-	event->kind = HAWSER_HOPF;
-	event->omega = event->hopf.omega;
-	event->parameter = at;
-	event->error = fmin(event->error, TOGETHER*TOGETHER);
-	event->residual = 0.0;
-	return HAWSER_OK;
+	memcpy(y, x, (size_t)orbit->n*sizeof *y);
+	y[orbit->n] = p;
+	(void)orbit->ops->defects(orbit, y, 1);
+	if ((status = orbit->ops->multipliers(orbit, trace->report)))
+		return status;
+	*found = 0;
+	for (int i = 0; i < m; i++)
+		*found += fabs(orbit->log_modulus[i]) < TOGETHER && orbit->argument[i] > 0.0;
+	if (!(*found = *found == pairs && pairs > 1))
+		return HAWSER_OK;
+	for (int i = 0; i < m && !status; i++) {
+		struct hawser_frf_event one = *event;
+
+		if (!(fabs(orbit->log_modulus[i]) < TOGETHER && orbit->argument[i] > 0.0))
+			continue;
+		hawser__equilibrium_value(&growth, &turn, orbit, orbit->log_modulus[i], orbit->argument[i]);
+		one.parameter = p;
+		one.error = fmin(event->error, TOGETHER*TOGETHER);
+		one.residual = fabs(orbit->log_modulus[i]);
+		one.suspected = 0;
+		one.located = 1;
+		one.after = trace->frf->points - 2;
+		status = take_hopf(trace, &one, x, turn);
+		if (!status)
+			status = hawser__record_event(trace->frf, &one, x, orbit->rom, trace->report);
+	}
+	return status;
+}
+
+/* Several pairs may cross the axis together: the count changes by more than the tests can tell. */
+static enum hawser_status cross_together(int *found, struct hawser__trace *trace,
+                                         const struct hawser_frf_event *event)
+{
+	int m = trace->orbit->m;
+	double *x = calloc(2*(size_t)m, sizeof *x), p = event->parameter, extent = extent_at(trace, p);
+	struct hawser_hopf hopf;
+	enum hawser_status status = x ? HAWSER_OK : hawser__no_memory(trace->report, "frf");
+
+	if (!status) {
+		memcpy(x, trace->here.y, (size_t)trace->orbit->n*sizeof *x);
+		status = hawser__hopf_near(&hopf, x + m, x, &p, trace->options.family, 0.0, extent, NULL);
+	}
+	if (!status && fabs(p - event->parameter) <= TOGETHER*extent)
+		status = record_together(found, trace, event, x, p);
+	free(x);
+	return status == HAWSER_ERR_CONVERGENCE ? HAWSER_OK : status;
+}
+
+enum hawser_status hawser__trace_hopf(struct hawser__trace *trace, struct hawser_frf_event *event,
+                                      const double *state, int *together)
+{
+	int more = event->kind == HAWSER_UNEXPLAINED ||
+	           (event->kind == HAWSER_TORUS && event->suspected);
+	enum hawser_status status = HAWSER_OK;
+
+	*together = 0;
+	if (more)
+		status = cross_together(together, trace, event);
+	if (!status && !*together && event->kind == HAWSER_TORUS)
+		status = take_hopf(trace, event, state, 0.0);
+	return status;
 }
 
 /* --- where cycles end --- */
@@ -338,134 +377,5 @@ enum hawser_status hawser__own_ends(struct hawser__trace *trace, int *ended)
 		status = hawser__record_event(frf, &event, state, orbit->rom, trace->report);
 	}
 	free(state);
-	return status;
-}
-
-/* --- branches --- */
-
-/* The eigenvector v [n] of the eigenvalue 0 of the forces' derivative at the equilibrium u [n]. */
-static enum hawser_status null_vector(double *v, const struct hawser_rom *rom, const double *u,
-                                      struct hawser_report *report)
-{
-	size_t n = (size_t)rom->n;
-	double *memory = calloc(4*n*n + 6*n, sizeof *memory), *J = memory, *by_v = J + n*n;
-	double *right = by_v + n*n, *re = right + n*n, *im = re + n, *f = im + n, *rest = f + 2*n, unused;
-	const struct hawser_rom *of = rom->first ? rom->first : rom;
-	int best = 0, info;
-
-	if (!memory)
-		return hawser__no_memory(report, "frf");
-	hawser_rom_acceleration_jacobian(of, f, J, by_v, f + n, u, rest, 0.0, 1.0);
-	info = LAPACKE_dgeev(LAPACK_ROW_MAJOR, 'N', 'V', (int)n, J, (int)n, re, im, &unused, (int)n, right,
-	                     (int)n);
-	for (int i = 1; i < (int)n; i++)
-		if (hypot(re[i], im[i]) < hypot(re[best], im[best]))
-			best = i;
-	for (size_t j = 0; j < n; j++)
-		v[j] = right[j*n + (size_t)best];
-	free(memory);
-	return !info ? HAWSER_OK : hawser__lapack_starved(info) ? hawser__no_memory(report, "frf")
-	       : hawser__fail(report, HAWSER_ERR_CONVERGENCE, "frf", "no direction of a branch was found");
-}
-
-/* The other branch of equilibria at a branch point. */
-static enum hawser_status switch_equilibria(struct hawser_frf *branch, const struct hawser_rom *rom,
-                                            const struct hawser_rom *there, const double *state,
-                                            struct hawser_frf_options *options,
-                                            struct hawser_report *report)
-{
-	int n = rom->n;
-	double *along = calloc(2*(size_t)n, sizeof *along), size = cblas_dnrm2(n, state, 1);
-	enum hawser_status status = along ? null_vector(along, there, state, report)
-	                                  : hawser__no_memory(report, "frf");
-
-	cblas_dscal(along ? n : 0, APART_BY*(size > 0.0 ? size : 1.0), along, 1);
-	options->along = along;
-	if (!status)
-		status = hawser_frf_trace(branch, rom, options, report);
-	free(along);
-	return status;
-}
-
-/* The cycles of twice the period at a period doubling. */
-static enum hawser_status switch_doubled(struct hawser_frf *branch, const struct hawser_rom *rom,
-                                         const struct hawser_rom *there, const double *state,
-                                         struct hawser_frf_options *options,
-                                         struct hawser_report *report)
-{
-	int m = 2*rom->n;
-	double *along = calloc((size_t)m, sizeof *along);
-	enum hawser_status status = along ? hawser__branch_direction(along, there, state, options->omega,
-	                                                             -1.0, report)
-	                                  : hawser__no_memory(report, "frf");
-
-	cblas_dscal(along ? m : 0, APART_BY*cblas_dnrm2(m, state, 1), along, 1);
-	options->along = along;
-	options->omega *= 0.5;
-	if (!status)
-		status = hawser_frf_trace(branch, rom, options, report);
-	free(along);
-	return status;
-}
-
-/* The cycles at a Hopf point. */
-static enum hawser_status switch_cycles(struct hawser_frf *branch, const struct hawser_rom *rom,
-                                        const struct hawser_frf_event *event,
-                                        struct hawser_frf_options *options,
-                                        struct hawser_report *report)
-{
-	int n = rom->n;
-	double range = fabs(options->to - options->from), extent = fmax(fabs(event->parameter), range);
-	double *wave = malloc(4*(size_t)n*sizeof *wave), size, rate;
-	struct hawser_hopf hopf;
-	enum hawser_status status = wave ? hawser__hopf(&hopf, &rate, wave, options->family, options->start,
-	                                                event->parameter, event->hopf.omega, extent, report)
-	                                 : hawser__no_memory(report, "frf");
-
-	if (!status) {
-		size = sqrt(fabs(hopf.swing)*START*range);
-		size = (isfinite(size) && size > 0.0 ? size : PLAIN)/
-		       hypot(wave[hopf.coordinate], wave[n + hopf.coordinate]);
-		cblas_dscal(2*n, size, wave, 1);
-		options->along = wave;
-		options->turn = wave + n;
-		status = hawser_frf_trace(branch, rom, options, report);
-	}
-	free(wave);
-	return status;
-}
-
-enum hawser_status hawser__own_switch(struct hawser_frf *branch, const struct hawser_rom *rom,
-                                      const struct hawser_frf *from, int e,
-                                      const struct hawser_frf_options *as,
-                                      struct hawser_report *report)
-{
-	const struct hawser_frf_event *event = &from->event[e];
-	const struct hawser_rom *there;
-	const double *state = from->event_state + 2*(size_t)from->n*(size_t)e;
-	struct hawser_frf_options options = *as;
-	int rests = from->point[0].omega == 0.0;
-	enum hawser_status status = as->family->model(as->family->context, &there, event->parameter,
-	                                              report);
-
-	*branch = (struct hawser_frf){.n = rom->n};
-	options.start = state;
-	options.begin = event->parameter;
-	options.omega = event->omega;
-	if (status)
-		return status;
-	if (event->kind == HAWSER_HOPF && event->located)
-		status = switch_cycles(branch, rom, event, &options, report);
-	else if (event->kind == HAWSER_PERIOD_DOUBLING && event->located)
-		status = switch_doubled(branch, rom, there, state, &options, report);
-	else if (event->kind == HAWSER_BRANCH_POINT && event->located && rests)
-		status = switch_equilibria(branch, rom, there, state, &options, report);
-	else
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
-		                      "no branch is followed from a %s of %s", hawser_event_name(event->kind),
-		                      rests ? "equilibria" : "limit cycles");
-	branch->parent = from->branch;
-	branch->born = event->omega;
-	branch->born_at = event->parameter;
 	return status;
 }

@@ -3,11 +3,13 @@
 #include "config.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 #include <hawser/family.h>
 
 #include "core/report.h"
 #include "response/orbit/load.h"
+#include "rom/energy/kernel.h"
 #include "rom/terms/terms.h"
 
 #define MODELS 6 /* kept at the same time: those of the last calls */
@@ -19,6 +21,7 @@ struct factor {
 	double value[MODELS];
 	struct hawser__load load[MODELS]; /* .rom is the model; its D is replaced for the damping */
 	double *D[MODELS];                /* [n][n], or NULL */
+	struct hawser_rom_kernel kernel[MODELS]; /* with its own d_val, where there is a D */
 };
 
 const char *hawser_factor_name(enum hawser_factor factor)
@@ -48,6 +51,27 @@ static enum hawser_status model(void *context, const struct hawser_rom **rom, do
 		hawser__load_set(&factor->load[i], p);
 	for (size_t k = 0; factor->D[i] && k < n*n; k++)
 		factor->D[i][k] = p*factor->rom->D[k];
+	for (int k = 0; factor->D[i] && k < factor->rom->kernel->d_entries; k++)
+		factor->kernel[i].d_val[k] = p*factor->rom->kernel->d_val[k];
+	return HAWSER_OK;
+}
+
+/* Model i has a damping of its own, and a compiled form with it. */
+static enum hawser_status own_damping(struct factor *factor, int i, struct hawser_report *report)
+{
+	const struct hawser_rom *rom = factor->rom;
+	size_t n2 = (size_t)rom->n*(size_t)rom->n, entries = (size_t)rom->kernel->d_entries;
+	double *D = malloc((n2 + 1)*sizeof *D), *value = malloc((entries + 1)*sizeof *value);
+
+	factor->D[i] = D;
+	factor->kernel[i] = *rom->kernel;
+	factor->kernel[i].d_val = value;
+	if (!D || !value)
+		return hawser__no_memory(report, "frf");
+	memcpy(D, rom->D, n2*sizeof *D);
+	memcpy(value, rom->kernel->d_val, entries*sizeof *value);
+	factor->load[i].rom.D = D;
+	factor->load[i].rom.kernel = &factor->kernel[i];
 	return HAWSER_OK;
 }
 
@@ -58,6 +82,7 @@ void hawser_factor_close(struct hawser_rom_family *family)
 	for (int i = 0; factor && i < MODELS; i++) {
 		hawser__load_clear(&factor->load[i]);
 		free(factor->D[i]);
+		free(factor->kernel[i].d_val);
 	}
 	free(factor);
 	*family = (struct hawser_rom_family){0.0, NULL, NULL};
@@ -68,7 +93,6 @@ enum hawser_status hawser_factor_open(struct hawser_rom_family *family, const st
                                       struct hawser_report *report)
 {
 	struct factor *factor = calloc(1, sizeof *factor);
-	size_t n = (size_t)rom->n;
 	enum hawser_status status = HAWSER_OK;
 
 	if (rom->plug) {
@@ -91,11 +115,7 @@ enum hawser_status hawser_factor_open(struct hawser_rom_family *family, const st
 		status = hawser__load_open(&factor->load[i], rom, report);
 		if (status || which != HAWSER_FACTOR_DAMPING)
 			continue;
-		if (!(factor->D[i] = malloc((n*n + 1)*sizeof(double))))
-			status = hawser__no_memory(report, "frf");
-		for (size_t k = 0; !status && k < n*n; k++)
-			factor->D[i][k] = rom->D[k];
-		factor->load[i].rom.D = factor->D[i];
+		status = own_damping(factor, i, report);
 	}
 	if (status)
 		hawser_factor_close(family);

@@ -1,0 +1,149 @@
+/* response/cycle/switch.c - the branches that begin at events of equilibria and of limit cycles.
+ *
+ *    e    first cycle's amplitude, of the coordinate that moves most: by the normal form the
+ *         parameter is START of its range from the Hopf point
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <cblas.h>
+#include <lapacke.h>
+#include <math.h>
+#include <stdlib.h>
+
+#include <hawser/branches.h>
+
+#include "core/report.h"
+#include "response/cycle/cycle.h"
+#include "response/cycle/hopf.h"
+
+#define APART_BY 1e-3  /* distance of a first orbit from the other branch, relative to it; chosen */
+#define START 1e-4   /* see above; chosen */
+#define PLAIN 1e-3   /* amplitude, where the normal form says nothing; chosen */
+
+/* The eigenvector v [n] of the eigenvalue 0 of the forces' derivative at the equilibrium u [n]. */
+static enum hawser_status null_vector(double *v, const struct hawser_rom *rom, const double *u,
+                                      struct hawser_report *report)
+{
+	size_t n = (size_t)rom->n;
+	double *memory = calloc(4*n*n + 6*n, sizeof *memory), *J = memory, *by_v = J + n*n;
+	double *right = by_v + n*n, *re = right + n*n, *im = re + n, *f = im + n, *rest = f + 2*n, unused;
+	const struct hawser_rom *of = rom->first ? rom->first : rom;
+	int best = 0, info;
+
+	if (!memory)
+		return hawser__no_memory(report, "frf");
+	hawser_rom_acceleration_jacobian(of, f, J, by_v, f + n, u, rest, 0.0, 1.0);
+	info = LAPACKE_dgeev(LAPACK_ROW_MAJOR, 'N', 'V', (int)n, J, (int)n, re, im, &unused, (int)n, right,
+	                     (int)n);
+	for (int i = 1; i < (int)n; i++)
+		if (hypot(re[i], im[i]) < hypot(re[best], im[best]))
+			best = i;
+	for (size_t j = 0; j < n; j++)
+		v[j] = right[j*n + (size_t)best];
+	free(memory);
+	return !info ? HAWSER_OK : hawser__lapack_starved(info) ? hawser__no_memory(report, "frf")
+	       : hawser__fail(report, HAWSER_ERR_CONVERGENCE, "frf", "no direction of a branch was found");
+}
+
+/* The other branch of equilibria at a branch point. */
+static enum hawser_status switch_equilibria(struct hawser_frf *branch, const struct hawser_rom *rom,
+                                            const struct hawser_rom *there, const double *state,
+                                            struct hawser_frf_options *options,
+                                            struct hawser_report *report)
+{
+	int n = rom->n;
+	double *along = calloc(2*(size_t)n, sizeof *along), size = cblas_dnrm2(n, state, 1);
+	enum hawser_status status = along ? null_vector(along, there, state, report)
+	                                  : hawser__no_memory(report, "frf");
+
+	cblas_dscal(along ? n : 0, APART_BY*(size > 0.0 ? size : 1.0), along, 1);
+	options->along = along;
+	if (!status)
+		status = hawser_frf_trace(branch, rom, options, report);
+	free(along);
+	return status;
+}
+
+/* The cycles of twice the period at a period doubling. */
+static enum hawser_status switch_doubled(struct hawser_frf *branch, const struct hawser_rom *rom,
+                                         const struct hawser_rom *there, const double *state,
+                                         struct hawser_frf_options *options,
+                                         struct hawser_report *report)
+{
+	int m = 2*rom->n;
+	double *along = calloc((size_t)m, sizeof *along);
+	enum hawser_status status = along ? hawser__branch_direction(along, there, state, options->omega,
+	                                                             -1.0, report)
+	                                  : hawser__no_memory(report, "frf");
+
+	cblas_dscal(along ? m : 0, APART_BY*cblas_dnrm2(m, state, 1), along, 1);
+	options->along = along;
+	options->omega *= 0.5;
+	if (!status)
+		status = hawser_frf_trace(branch, rom, options, report);
+	free(along);
+	return status;
+}
+
+/* The cycles at a Hopf point. */
+static enum hawser_status switch_cycles(struct hawser_frf *branch, const struct hawser_rom *rom,
+                                        const struct hawser_frf_event *event,
+                                        struct hawser_frf_options *options,
+                                        struct hawser_report *report)
+{
+	int n = rom->n;
+	double range = fabs(options->to - options->from), extent = fmax(fabs(event->parameter), range);
+	double *wave = malloc(4*(size_t)n*sizeof *wave), size, rate;
+	struct hawser_hopf hopf;
+	enum hawser_status status = wave ? hawser__hopf(&hopf, &rate, wave, options->family, options->start,
+	                                                event->parameter, event->hopf.omega, extent, report)
+	                                 : hawser__no_memory(report, "frf");
+
+	if (!status) {
+		size = sqrt(fabs(hopf.swing)*START*range);
+		size = (isfinite(size) && size > 0.0 ? size : PLAIN)/
+		       hypot(wave[hopf.coordinate], wave[n + hopf.coordinate]);
+		cblas_dscal(2*n, size, wave, 1);
+		options->along = wave;
+		options->turn = wave + n;
+		status = hawser_frf_trace(branch, rom, options, report);
+	}
+	free(wave);
+	return status;
+}
+
+enum hawser_status hawser__own_switch(struct hawser_frf *branch, const struct hawser_rom *rom,
+                                      const struct hawser_frf *from, int e,
+                                      const struct hawser_frf_options *as,
+                                      struct hawser_report *report)
+{
+	const struct hawser_frf_event *event = &from->event[e];
+	const struct hawser_rom *there;
+	const double *state = from->event_state + 2*(size_t)from->n*(size_t)e;
+	struct hawser_frf_options options = *as;
+	int rests = from->point[0].omega == 0.0;
+	enum hawser_status status = as->family->model(as->family->context, &there, event->parameter,
+	                                              report);
+
+	*branch = (struct hawser_frf){.n = rom->n};
+	options.start = state;
+	options.begin = event->parameter;
+	options.omega = event->omega;
+	if (status)
+		return status;
+	if (event->kind == HAWSER_HOPF && event->located)
+		status = switch_cycles(branch, rom, event, &options, report);
+	else if (event->kind == HAWSER_PERIOD_DOUBLING && event->located)
+		status = switch_doubled(branch, rom, there, state, &options, report);
+	else if (event->kind == HAWSER_BRANCH_POINT && event->located && rests)
+		status = switch_equilibria(branch, rom, there, state, &options, report);
+	else
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
+		                      "no branch is followed from a %s of %s", hawser_event_name(event->kind),
+		                      rests ? "equilibria" : "limit cycles");
+	branch->parent = from->branch;
+	branch->born = event->omega;
+	branch->born_at = event->parameter;
+	return status;
+}
