@@ -211,6 +211,7 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/map/map_result.c \
 	%D%/map/map_result.h \
 	%D%/backbone/mms_marks.c \
+	%D%/backbone/backbone_fields.c \
 	%D%/backbone/modal.c \
 	%D%/backbone/mms_options.c \
 	%D%/backbone/mms_result.c \

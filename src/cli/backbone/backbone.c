@@ -26,27 +26,35 @@ static enum hawser_status frequencies(struct cli_backbone *backbone, struct haws
 	return HAWSER_OK;
 }
 
-enum hawser_status cli_backbone_trace(struct cli_backbone *backbone, const struct cli_model *model,
-                                      int mode, double size, double from, double to, int quiet,
-                                      struct hawser_report *report)
+enum hawser_status cli_backbone_trace(struct cli_backbone *backbone, struct cli_frf_result *result,
+                                      int mode, struct hawser_report *report)
 {
+	const struct cli_model *model = result->model;
+	const struct hawser_frf *frf = result->frf;
 	struct hawser_backbone_options choice = {.mode = 0};
-	struct cli_watch watch = {.progress = {.quiet = quiet}};
+	struct cli_watch watch = {.progress = {.quiet = result->common->quiet}};
 	enum hawser_status status;
+	double most = 0.0;
 
+	if (mode >= frf->n)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
+		                    "--backbone %d: the model has modes 1 to %d", mode + 1, frf->n);
+	for (int i = 0; i < frf->points; i++)
+		most = fmax(most, frf->coordinate[(size_t)i*(size_t)frf->n + (size_t)mode]);
+	most = most > 0.0 ? 1.2*most : 1e-3;
+	result->backbone = backbone;
 	backbone->mode = mode;
 	choice.mode = mode;
-	choice.size = size;
-	choice.lo = fmin(from, to);
-	choice.hi = fmax(from, to);
+	choice.size = most;
+	choice.lo = fmin(result->from, result->to);
+	choice.hi = fmax(result->from, result->to);
 	choice.progress = (struct hawser_progress){cli_watch, &watch};
 	status = hawser_backbone_trace(&backbone->run, &model->rom, &choice, report);
 	cli_progress_end(&watch.progress);
 	/* if multiple scales cannot be applied (a resonant mode, the exact energy), only the backbone
 	 * is shown */
 	if (!status && hawser_primary_backbone(&backbone->parabola, &backbone->gamma, &model->rom,
-	                                       mode, size,
-	                                       PARABOLA, NULL))
+	                                       mode, most, PARABOLA, NULL))
 		backbone->gamma = NAN;
 	return status ? status : frequencies(backbone, report);
 }

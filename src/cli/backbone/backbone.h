@@ -17,14 +17,17 @@ struct cli_backbone {
 	double gamma;
 	double *omega;                        /* [run.points], then [parabola points] */
 };
-/* Up to the scaled amplitude `size`, at frequencies from `from` to `to`. */
-enum hawser_status cli_backbone_trace(struct cli_backbone *backbone, const struct cli_model *model,
-                                      int mode, double size, double from, double to, int quiet,
-                                      struct hawser_report *report) HAWSER_MUST_CHECK;
+/* The free motions of a mode (index) up to 1.2 times its largest amplitude in the response, at the
+ * frequencies of its range; result->backbone becomes `backbone`. */
+enum hawser_status cli_backbone_trace(struct cli_backbone *backbone, struct cli_frf_result *result,
+                                      int mode, struct hawser_report *report) HAWSER_MUST_CHECK;
 void cli_backbone_clear(struct cli_backbone *backbone);
 /* overlay [2]; how many there are. */
 int cli_backbone_overlays(struct cli_overlay *overlay, const struct cli_backbone *backbone);
 
+/* Of a backbone, and of its points. */
+extern const struct hawser__field cli_backbone_field[], cli_backbone_free_field[];
+extern const struct hawser__list cli_backbone_free_list;
 void cli_backbone_comments(struct hawser__table *table, const struct cli_frf_result *result);
 const char *cli_backbone_end(enum hawser_backbone_end end); /* for people */
 /* Energy over frequency; `result` is a cli_frf_result. */

@@ -310,25 +310,6 @@ static enum hawser_status trace(struct hawser_frf *frf, struct hawser_landmark *
 	return status;
 }
 
-/* The backbone up to 1.2 times the largest amplitude of that mode in the response. */
-static enum hawser_status backbone(struct cli_backbone *to, const struct settings *settings,
-                                   struct cli_frf_result *result, struct hawser_report *report)
-{
-	const struct hawser_frf *frf = result->frf;
-	int mode = settings->backbone - 1;
-	double most = 0.0;
-
-	if (mode >= frf->n)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
-		                    "--backbone %d: the model has modes 1 to %d",
-		                    settings->backbone, frf->n);
-	for (int i = 0; i < frf->points; i++)
-		most = fmax(most, frf->coordinate[(size_t)i*(size_t)frf->n + (size_t)mode]);
-	result->backbone = to;
-	return cli_backbone_trace(to, result->model, mode, most > 0.0 ? 1.2*most : 1e-3, result->from,
-	                          result->to, settings->common.quiet, report);
-}
-
 /* Whether the rows go to a terminal. */
 static int reads_along(const struct cli_common *common)
 {
@@ -463,7 +444,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (!status && settings->tori && !cli_interrupted())
 		status = cli_tori_trace(&tori, &result, strcmp(settings->slack, "end") == 0, report);
 	if (!status && settings->backbone && !cli_interrupted()) {
-		status = backbone(&free_motions, settings, &result, report);
+		status = cli_backbone_trace(&free_motions, &result, settings->backbone - 1, report);
 		result.overlays = status ? 0 : cli_backbone_overlays(overlay, &free_motions);
 	}
 	if (beside.root && frf.points > 0 && (!status || settings->partial)) {

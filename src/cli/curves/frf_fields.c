@@ -123,42 +123,6 @@ static const struct hawser__field sweep_field[] = {
 	HAWSER__END,
 };
 
-/* --- backbone --- */
-
-HAWSER__LABELS(backbone_end, cli_backbone_end, enum hawser_backbone_end)
-
-#define OF(member) HAWSER__AT(struct hawser_backbone_point, member)
-static const struct hawser__field free_field[] = {
-	{"Omega", "Omega", "frequency of the free motion", OF(omega), .unit = HAWSER__RAD_S,
-	 .axis = "Frequency {/:Italic Ω}"},
-	{"energy", "energy", "its energy", OF(energy), .unit = HAWSER__J, .axis = "Energy"},
-	{NULL, "stable", "whether it is stable",
-	 HAWSER__NOT_AT(struct hawser_backbone_point, unstable)},
-	{"unstable", "unstable", "multipliers outside the unit circle", OF(unstable)},
-	CLI_AMPLITUDE(HAWSER__VECTOR_ALONG, struct cli_backbone, run.probe),
-	CLI_COORDINATES(HAWSER__VECTOR_ALONG, struct cli_backbone, run.coordinate),
-	{"residual", "residual", "defect of the orbit, relative", OF(residual)},
-	{"mesh", "mesh", "truncation error of the orbit, relative", OF(mesh)},
-	{"truncation", NULL, "the same as mesh", OF(mesh)},
-	{"energy_gap", NULL, "largest change of the energy over half a period, relative",
-	 OF(energy_gap)},
-	{NULL, "backbone", "mode", HAWSER__IN(struct cli_backbone, mode), .flags = HAWSER__FROM_1},
-	HAWSER__END,
-};
-#undef OF
-static const struct hawser__list free_list =
-	HAWSER__STORED_ROWS(struct cli_backbone, run.point, run.points, free_field);
-
-static const struct hawser__field backbone_field[] = {
-	{"mode", NULL, "from 1", HAWSER__AT(struct cli_backbone, mode), .flags = HAWSER__FROM_1},
-	{"end", NULL, "why it ends", HAWSER__LABEL_AT(struct cli_backbone, run.end, backbone_end)},
-	{"multiple_scales", NULL, "change of Omega over a^2, by multiple scales",
-	 HAWSER__AT(struct cli_backbone, gamma), .unit = HAWSER__RAD_S_M2,
-	 .flags = HAWSER__OMIT | HAWSER__INFINITE},
-	{"points", NULL, "free motions", HAWSER__OBJECTS_OF(free_list)},
-	HAWSER__END,
-};
-
 /* --- events, sample, cost --- */
 
 static int over_omega(const void *row, const void *parent)
@@ -404,7 +368,7 @@ static const struct hawser__field result_field[] = {
 	{"sweeps", NULL, "sweeps by settled time integration",
 	 HAWSER__STORED(struct cli_frf_result, sweep, sweeps, sweep_field), .when = SWEEPS},
 	{"backbone", NULL, "free motions of a mode",
-	 HAWSER__THROUGH(struct cli_frf_result, backbone, backbone_field)},
+	 HAWSER__THROUGH(struct cli_frf_result, backbone, cli_backbone_field)},
 	THROUGH(frf, end_field),
 	{"direction", NULL, "in which Omega changed at the last point: 1 or -1",
 	 HAWSER__AT(struct cli_frf_result, direction), .given = has_direction},
@@ -452,7 +416,7 @@ static void more(struct hawser__table *table, const void *of)
 		hawser__fields_rows(table, point_field, &cli_torus_least_list, &result->tori[k], &view);
 	}
 	if (result->backbone)
-		hawser__fields_rows(table, point_field, &free_list, result->backbone, &view);
+		hawser__fields_rows(table, point_field, &cli_backbone_free_list, result->backbone, &view);
 }
 
 static struct cli_head peaks_head(const void *of)
@@ -493,7 +457,7 @@ struct hawser__axis cli_backbone_axis(const char *column, const struct cli_model
 {
 	const struct hawser__view view = cli_view(model, 0);
 
-	return hawser__fields_axis(free_field, column, &view, 0.0);
+	return hawser__fields_axis(cli_backbone_free_field, column, &view, 0.0);
 }
 
 const struct cli_showing cli_frf_showing = {
