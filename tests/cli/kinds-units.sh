@@ -83,6 +83,7 @@ in_units() {
 }
 
 kinds=$("$HAWSER" init --help | sed -n '1s/^[^[]*\[\([a-z|]*\)\].*/\1/p' | tr '|' ' ')
+kinds=${kinds%% stay*} # structures are of these kinds
 for kind in $kinds; do
 	"$HAWSER" init "$kind" >scene.yaml
 	"$HAWSER" check scene.yaml 2>/dev/null | sed -n 's/^commands that take it: //p' | tr ' ' _ | sed 's/,_/\n/g' >takers

@@ -19,7 +19,9 @@ same() {
 
 works "statics in SI" statics "$scene" --tsv si.tsv --json si.json --reproducible
 works "statics in kN and ft" statics "$scene" --units "kN, ft" --tsv us.tsv --json us.json --reproducible
-try "JSON stays SI" cmp si.json us.json
+# but for what it says of the columns of the table
+for f in si us; do sed '/"columns": \[/,/^ *\]/d' $f.json >$f-numbers.json; done
+try "JSON stays SI" cmp si-numbers.json us-numbers.json
 try "lengths" same x_m x_ft 0.3048 si.tsv us.tsv
 try "tensions" same T_N T_kN 1000 si.tsv us.tsv
 # compounds: a foot is 0.3048 m
