@@ -46,7 +46,9 @@ shared_text = \
 	%D%/shared/help \
 	%D%/shared/mesh \
 	%D%/shared/lane \
+	%D%/shared/lane-damping \
 	%D%/shared/lane-load \
+	%D%/shared/lane-undamped \
 	%D%/shared/modes \
 	%D%/shared/picture \
 	%D%/shared/picture-gp \

@@ -52,6 +52,7 @@ dist_scenes_DATA = \
 	%D%/scenes/stay-clamped.yaml \
 	%D%/scenes/chairlift.yaml \
 	%D%/scenes/conductor.yaml \
+	%D%/scenes/conductor-iced.yaml \
 	%D%/scenes/conductor-spacers.yaml \
 	%D%/scenes/conductor-towers.yaml \
 	%D%/scenes/decay.tsv \
@@ -88,6 +89,7 @@ dist_scenes_DATA = \
 	%D%/scenes/inclined.yaml \
 	%D%/scenes/level-two-to-one.yaml \
 	%D%/scenes/rope.yaml \
+	%D%/scenes/rope-current.yaml \
 	%D%/scenes/rod-bend.yaml \
 	%D%/scenes/rod-hoist.yaml \
 	%D%/scenes/rod-pipe.yaml \

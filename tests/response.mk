@@ -55,8 +55,10 @@ tests_response_SOURCES = tests/cases.c \
 	tests/reference/test-autonomous.c \
 	tests/reference/test-feigenbaum.c \
 	tests/reference/test-folds.c \
+	tests/reference/test-galloping.c \
 	tests/reference/test-frf-published.c \
 	tests/reference/test-net-rom.c \
+	tests/reference/test-wakes.c \
 	tests/unit/test-balance-blocks.c \
 	tests/unit/test-balance.c \
 	tests/unit/test-collide.c \

@@ -17,6 +17,7 @@ tests_rom_SOURCES = tests/cases.c \
 	tests/property/test-rom-bending.c \
 	tests/property/test-rom-condense.c \
 	tests/property/test-rom-elastic.c \
+	tests/property/test-rom-modal.c \
 	tests/property/test-rom-energy.c \
 	tests/property/test-rom-full.c \
 	tests/property/test-rom-functions.c \

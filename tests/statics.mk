@@ -12,7 +12,8 @@ tests_statics_SOURCES = tests/cases.c \
 	tests/reference/test-statics-cases.c \
 	tests/reference/test-statics-spans.c \
 	tests/unit/test-plausible.c \
-	tests/unit/test-statics.c
+	tests/unit/test-statics.c \
+	tests/unit/test-wind.c
 nodist_tests_statics_SOURCES = tests/statics-cases.c
 tests_statics_LDADD = $(UPTO_STATICS)
 noinst_HEADERS += tests/statics-draw.h tests/extremes/sweep.h tests/extremes/statics-quad.h

@@ -1,10 +1,11 @@
-/* hawser/certificate.h - folds and peaks of a model's response corrected in the structure itself: of a
- * net, by harmonic balance of all nodes of its mesh with the exact law of its elements. Their distance
- * from those of the model is its error, without any estimate.
+/* hawser/certificate.h - folds and peaks of a model's response corrected in the structure itself: of
+ * a net or a span, by harmonic balance of all nodes of its mesh with the exact law of its elements.
+ * Their distance from those of the model is its error, without any estimate.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_CERTIFICATE_H
 #define HAWSER_CERTIFICATE_H
 
+#include <hawser/modes.h>
 #include <hawser/net_rom.h>
 #include <hawser/study.h>
 
@@ -48,6 +49,15 @@ enum hawser_status hawser_net_certify(struct hawser_certificate *certificate,
                                       const struct hawser_rom *rom, const struct hawser_frf *frf,
                                       const struct hawser_landmark *peak, int peaks, double bearable,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
+/* The same of the response of a span's model with these modes, in a mesh of 48 elements. Also
+ * HAWSER_ERR_SCENE for what a mesh does not have, as in net_span.h, but for damping ratios, and for
+ * attachments; HAWSER_ERR_ARGUMENT: the model is not one of modes, or has too many. */
+enum hawser_status hawser_span_certify(struct hawser_certificate *certificate,
+                                       const struct hawser_scene *scene,
+                                       const struct hawser_modes *modes, const struct hawser_rom *rom,
+                                       const struct hawser_frf *frf,
+                                       const struct hawser_landmark *peak, int peaks, double bearable,
+                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 
 #ifdef __cplusplus
 }

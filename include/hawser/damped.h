@@ -18,7 +18,7 @@ extern "C" {
 /* A damped mode: a pair of complex conjugate eigenvalues. */
 struct hawser_damped_mode {
 	double omega;    /* scaled damped frequency, the imaginary part of the eigenvalue, > 0 */
-	double re;       /* its real part, <= 0 */
+	double re;       /* its real part, <= 0 without a wind */
 	double ratio;    /* damping ratio, -re/|lambda| */
 	double residual; /* estimated error of the eigenvalue over its modulus */
 	enum hawser_plane plane; /* of the larger share of the kinetic energy */
@@ -41,7 +41,8 @@ struct hawser_damped_options {
 };
 void hawser_damped_settle(struct hawser_damped_options *options);
 
-/* Damped modes of the cable at rest. Of the scene, only `damping` is read; NULL: dampers alone.
+/* Damped modes of the cable at rest. Of the scene, only `damping` and `wind` are read; NULL: dampers
+ * alone.
  * *damped is overwritten; release it with hawser_damped_clear. HAWSER_ERR_ARGUMENT (n < 1, a cable
  * that travels, more modes than the largest basis has), HAWSER_ERR_CONVERGENCE (the estimated error
  * exceeds 1e-4), HAWSER_ERR_NO_SOLUTION (inextensible cable), HAWSER_ERR_NAN, HAWSER_ERR_MEMORY. */
@@ -54,17 +55,26 @@ void hawser_damped_clear(struct hawser_damped *damped);
 
 /* Damped modes over a key of the scene. */
 struct hawser_damped_sweep_options {
-	const char *key;  /* such as "attach.0.damper[1]" or "attach.0.at" (hawser_scene_set) */
-	double from, to;  /* SI */
-	int points;       /* >= 2 */
-	int logarithmic;  /* 1: points at equal ratios, from and to > 0 */
-	int threads;      /* 0: as many as there are processors */
+	const char *key;     /* such as "attach.0.damper[1]" or "attach.0.at" (hawser_scene_set) */
+	const double *value; /* [points] of the key, SI */
+	int points;          /* >= 1 */
+	int threads;         /* 0: as many as there are processors */
 	struct hawser_damped_options modes;
+};
+/* A value of the key at which the damping of a mode changes its sign. */
+struct hawser_damped_event {
+	double value;     /* SI */
+	double frequency; /* Hz */
+	int onset;        /* 1: beyond, in the direction of the sweep, the mode grows; 0: no longer */
+	enum hawser_plane plane; /* of struct hawser_damped_mode */
+	int number;
 };
 struct hawser_damped_sweep {
 	int points;
 	double *value;               /* [points] of the key, SI */
 	struct hawser_damped *state; /* [points] */
+	int events;
+	struct hawser_damped_event *event; /* [events] in the order of the values */
 };
 /* *sweep is overwritten; release it with hawser_damped_sweep_clear. Statuses of hawser_scene_set,
  * hawser_statics_solve and hawser_damped_solve, with the value in the message. */

@@ -185,7 +185,8 @@ struct hawser_frf_options {
 	int skip_events;       /* 1: do not locate events */
 	int unjudged;          /* 1: no multipliers and longer steps, where only the shape of the curve
 	                        * matters: every point counts as stable, and the only events are folds and
-	                        * slackness */
+	                        * slackness; 2: of models with exact energy no errors of orbits either,
+	                        * but for those of their harmonics */
 	int end_at_slack;      /* 1: end the branch where the least tension becomes zero: a cable bears no
 	                        * compression, so the model's motion beyond is not the cable's */
 	int most_unstable;     /* end the branch at the first point with more unstable multipliers: such

@@ -33,6 +33,7 @@ struct hawser_net_node {
 	unsigned char held[3]; /* 1 if a support holds this direction */
 	int support;        /* 1 if the scene names it in `supports` */
 	double mass;        /* kg */
+	double damper[3];   /* N s/m, to the ground, along x, y, z: of models alone */
 	char *table;        /* file with the motion of the support, or NULL */
 };
 

@@ -39,6 +39,13 @@ enum hawser_status hawser_primary_derive(struct hawser_primary *primary,
                                          int mode, struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser_primary_clear(struct hawser_primary *primary);
 
+/* Index of the mode that, at the peak, moves as much as the resonant one by a resonance of two to
+ * one, which the closed form leaves out; -1: there is none. *strength: its second-order motion at 2
+ * Omega over the amplitude, where its frequency is about twice the resonant one; the amplitude over
+ * that from which on it is excited at Omega/2, where it is about half. */
+int hawser_primary_rival(double *strength, const struct hawser_primary *primary,
+                         const struct hawser_rom *rom);
+
 /* Index of the mode that has the largest amplitude in the linear response; -1: no load drives a
  * mode. */
 int hawser_primary_strongest(const struct hawser_rom *rom);

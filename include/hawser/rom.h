@@ -4,7 +4,7 @@
  *     = sum over harmonics of Omega^omega_power * cos|sin(k Omega t)
  *       * (f_j - D_jk u_k' - K_jk u_k - sum Q_jkl u_k u_l - terms)
  *
- * Terms are products of any coordinates and velocities. Models of cables have none.
+ * Terms are products of any coordinates and velocities. Models of cables have them in a wind only.
  *
  * Everything here is scaled (statics.h) unless the name or comment says SI. Tensors are kept as
  * lists of unique nonzero entries in lexicographic order, k <= l (<= m): a listed value is the
@@ -295,6 +295,14 @@ enum hawser_status hawser_rom_full_lacks(double *lacks, const struct hawser_stat
  * does not describe the cable. */
 double hawser_rom_full_error(int *worst, const struct hawser_rom *full,
                              const struct hawser_modes *modes, double to);
+
+/* A model of a file in the coordinates of its own modes, which must be real: K becomes diagonal, and
+ * the old coordinate j is the sum over i of V[j*n + i] q_i, V [n][n] with V' M V = 1.
+ * HAWSER_ERR_ARGUMENT (K is not symmetric, the model has terms, functions, shapes or more than 24
+ * coordinates), HAWSER_ERR_CONVERGENCE (the mass is not positive definite), HAWSER_ERR_MEMORY; the
+ * model is then to be cleared. */
+enum hawser_status hawser_rom_modal(struct hawser_rom *rom, double *V,
+                                    struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* Read and write the reduced-model file (JSON, hawser-rom(5)). "-" is a standard stream. Reading
  * checks shapes and indices: HAWSER_ERR_SCENE with file, key and entry, HAWSER_ERR_ARGUMENT if the

@@ -134,6 +134,40 @@ struct hawser_case {
 	double expansion;     /* 1/K, that of the scene if the case gives none */
 };
 
+/* Wind across the cable: f = density diameter/2 |p| (C_D p + C_L R p) per unstretched length, with the
+ * air's velocity p relative to the cable and normal to it, and its quarter turn R p, upwards for a wind
+ * across the span (doc/theory-rom.md, "Wind"). */
+enum { HAWSER_WIND_POWERS = 10, HAWSER_WIND_ROWS = 64 };
+enum hawser_wind_form { HAWSER_WIND_CUBIC = 0, HAWSER_WIND_EXACT };
+struct hawser_wind {
+	int present;
+	double speed;        /* m/s */
+	double direction[3]; /* along x, y, z; of any length but 0 */
+	double density;      /* kg/m^3 */
+	double diameter;     /* m */
+	double angle;        /* rad: angle of attack of the cable at rest */
+	enum hawser_wind_form form;
+	/* C_D and C_L as sums of powers 0, 1, ... of the angle of attack in rad; a length 0: a constant */
+	double drag[HAWSER_WIND_POWERS], lift[HAWSER_WIND_POWERS];
+	int drags, lifts;
+	int profiles;        /* 0: the speed is the same along the cable */
+	double profile[HAWSER_WIND_ROWS][2];  /* [profiles] fraction of the unstretched length, factor */
+	int tables;          /* 0: drag and lift hold */
+	double table[HAWSER_WIND_ROWS][3];    /* [tables] angle of attack, C_D, C_L */
+	int crises;          /* 0: no dependence on Reynolds' number */
+	double reynolds[HAWSER_WIND_ROWS][2]; /* [crises] |p| diameter/viscosity, C_D at the angle 0 */
+	double viscosity;    /* m^2/s, kinematic; 0: not given */
+	struct {
+		int present;
+		double strouhal;      /* vortices of a cable at rest: frequency strouhal U/diameter */
+		double lift;          /* their lift coefficient */
+		double A, epsilon;    /* of q'' + epsilon W (q^2 - 1) q' + W^2 q = A y''/diameter */
+		double fluid_damping; /* damping per length fluid_damping W density diameter^2 */
+		double added_mass;    /* over that of the displaced fluid */
+		int places;           /* 0: an oscillator per mode */
+	} wake;
+};
+
 /* Value of model.modes if the program chooses the modes (choose.h). */
 enum { HAWSER_MODES_AUTO = 0 };
 
@@ -237,6 +271,7 @@ struct hawser_scene {
 		double inclination; /* rad */
 		int ends, moment;   /* enum hawser_beam_ends, hawser_beam_moment (beam.h) */
 	} beam;
+	struct hawser_wind wind;
 	int attachments;
 	struct hawser_attachment attach[HAWSER_ATTACH_MAX]; /* [attachments] in the order of the scene */
 	int loads;

@@ -172,6 +172,11 @@ enum hawser_status hawser_study_run(struct hawser_study_curve *curve,
                                     const struct hawser_fidelity_choice *choice,
                                     const struct hawser_frf_options *options,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
+/* The same for a model that is there, of a fidelity that builds one; build_seconds is 0. */
+enum hawser_status hawser_study_model(struct hawser_study_curve *curve, struct hawser_rom *rom,
+                                      const struct hawser_fidelity_choice *choice,
+                                      const struct hawser_frf_options *options,
+                                      struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser_study_clear(struct hawser_study_curve *curve);
 
 /* Differences of a response from a reference response of the same scene and range. */

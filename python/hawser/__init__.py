@@ -8,7 +8,9 @@ SPDX-License-Identifier: GPL-3.0-or-later
 from ._library import function as _function
 from .errors import ConvergenceError, Error, InputError, Interrupted, NoSolutionError, Status, SystemFailure
 from .models import Model, Modes, Motion, Response, Scene, Statics
+from .objects import Net, Ropeway, Span
 from .results import Result, run
+from .sweeps import sweep
 
 
 def library_version() -> str:
@@ -16,5 +18,5 @@ def library_version() -> str:
     return str(_function("hawser_version")().decode())
 
 
-__all__ = ["ConvergenceError", "Error", "InputError", "Interrupted", "Model", "Modes", "Motion", "NoSolutionError",
-           "Response", "Result", "Scene", "Statics", "Status", "SystemFailure", "library_version", "run"]
+__all__ = ["ConvergenceError", "Error", "InputError", "Interrupted", "Model", "Modes", "Motion", "Net", "NoSolutionError",
+           "Response", "Result", "Ropeway", "Scene", "Span", "Statics", "Status", "SystemFailure", "library_version", "run", "sweep"]

@@ -177,7 +177,8 @@ class Owner:
 def call(name: str, *arguments: Any) -> None:
     """Call a function whose last argument is the report; a failure is an exception."""
     report = struct("hawser_report")()
-    given = [a.address if isinstance(a, Owner) else a for a in arguments]
+    given = [a.address if isinstance(a, Owner) else ctypes.addressof(a) if isinstance(a, ctypes.Structure) else a
+             for a in arguments]
     status = function(name)(*given, ctypes.addressof(report))
     if status:
         raise error(Status(status), report.message.decode(errors="replace"))

@@ -1,7 +1,7 @@
 """The stages of the library: scene, statics, modes, model, response, motion.
 
 Each object holds the library's own structure. Arrays are views of the library's memory: they are not copied, cannot
-be written, and keep that memory alive. As in the library they are scaled by the model's units, `length` (m) and
+be written, and keep that memory alive. Objects are pickled by their scene: what is unpickled is computed again. As in the library they are scaled by the model's units, `length` (m) and
 `time` (s), where a name is not in SI; the properties that end in `_si` are converted copies.
 
 SPDX-License-Identifier: GPL-3.0-or-later
@@ -15,6 +15,7 @@ from typing import Any, Callable, Mapping, Optional, Sequence, Union
 import numpy as np
 
 from . import scenes
+from ._interrupts import call_apart, ended
 from ._library import Owner, call, function, layout, record, struct
 from .errors import InputError, Status, error
 
@@ -43,12 +44,16 @@ class Scene:
     def __init__(self, source: scenes.SceneLike, set: Optional[Mapping[str, Any]] = None) -> None:
         changes = scenes.overrides(set)
         texts = (ctypes.c_char_p * len(changes))(*(c.encode() for c in changes))
+        self._source, self._set = dict(source) if isinstance(source, Mapping) else source, set
         self._owner = Owner("hawser_scene", "hawser_scene_clear")
         with scenes.as_file(source) as path:
             call("hawser_scene_open", self._owner, os.fsencode(path), texts if changes else None, len(changes))
         if self._owner.beam.form != 0:
             raise error(Status.ARGUMENT, "this scene describes a travelling beam or string: use "
                                          "hawser.run(\"beam\", ...)")
+
+    def __reduce__(self) -> Any:
+        return Scene, (self._source, self._set)
 
     def __getitem__(self, key: str) -> Union[float, str]:
         """The value of a key in SI, such as scene["cable.EA"], or its word."""
@@ -71,7 +76,13 @@ class Statics:
     def __init__(self, scene: Union[Scene, scenes.SceneLike]) -> None:
         self.scene = scene if isinstance(scene, Scene) else Scene(scene)
         self._owner = Owner("hawser_statics")
-        call("hawser_statics_scene", self._owner, self.scene._owner)
+        call_apart("hawser_statics_scene", self._owner, self.scene._owner)
+
+    def __reduce__(self) -> Any:
+        return Statics, (self.scene,)
+
+    def __dir__(self) -> "list[str]":
+        return sorted({*super().__dir__(), *(name for name, _, _ in layout["structs"]["hawser_statics"])})
 
     def __getattr__(self, name: str) -> Any:
         if name.startswith("_"):
@@ -95,6 +106,7 @@ class Modes:
     def __init__(self, statics: Union[Statics, Scene, scenes.SceneLike], n: Optional[int] = None, basis: int = 0,
                  tolerance: float = 0.0, method: Optional[str] = None) -> None:
         self.statics = statics if isinstance(statics, Statics) else Statics(statics)
+        self._asked = (n, basis, tolerance, method)
         scene = self.statics.scene
         if n is None:
             function("hawser_modes_settle")(scene._owner.address, self.statics._owner.address)
@@ -109,7 +121,10 @@ class Modes:
         if self._text:
             options.method = ctypes.cast(ctypes.c_char_p(self._text), ctypes.c_void_p).value
         self._owner = Owner("hawser_modes", "hawser_modes_clear")
-        call("hawser_modes_solve", self._owner, self.statics._owner, ctypes.addressof(options))
+        call_apart("hawser_modes_solve", self._owner, self.statics._owner, options)
+
+    def __reduce__(self) -> Any:
+        return Modes, (self.statics, *self._asked)
 
     @property
     def n(self) -> int:
@@ -131,6 +146,36 @@ class Modes:
         return np.array(self.mode["omega"]) / self.time
 
     @property
+    def S_si(self) -> "np.ndarray[Any, Any]":
+        """[points] unstretched arclengths of the shapes, m: between the ends, which are no points."""
+        grid = self._owner.grid
+        whole = function("hawser_statics_actual")(self.statics._owner.address).length0
+        return np.array(self.s * (whole / self._owner.view(grid.edge, (grid.elements + 1,))[-1]))
+
+    def displaced(self, number: int, size: float = 1.0) -> "np.ndarray[Any, Any]":
+        """[points][3] places x, y, z (m) of the cable in mode `number` (from 1), whose largest displacement is `size` (m)."""
+        if not 1 <= number <= self.n:
+            raise error(Status.ARGUMENT, f"mode {number}: there are 1 to {self.n}")
+        at = [function("hawser_statics_actual_at")(self.statics._owner.address, S) for S in self.S_si]
+        P, Q, B = self.shape[number - 1].T
+        slope = np.arctan([point.slope for point in at])
+        moved = np.stack([P * np.cos(slope) - Q * np.sin(slope), P * np.sin(slope) + Q * np.cos(slope), B], axis=1)
+        rest = np.array([[point.x, point.y, 0.0] for point in at])
+        return np.asarray(rest + moved * (size / np.sqrt((moved**2).sum(axis=1)).max()))
+
+    def plot(self, ax: Any = None) -> Any:
+        """The shapes, each by its largest component; see hawser.plots.shapes. Returns the axes."""
+        from . import plots
+
+        return plots.shapes(self, ax)
+
+    def animate(self, number: int, size: Optional[float] = None, frames: int = 40) -> Any:
+        """A mode in motion over a period, as an animation of matplotlib, which notebooks show; see hawser.plots.mode_motion."""
+        from . import plots
+
+        return plots.mode_motion(self, number, size, frames)
+
+    @property
     def s(self) -> "np.ndarray[Any, Any]":
         """View [points] of the scaled arclengths of the shapes."""
         return self._owner.view(self._owner.grid.s, (self._owner.grid.points,))
@@ -147,23 +192,27 @@ class Model:
     def __init__(self, modes: Union[Modes, Statics, Scene, scenes.SceneLike]) -> None:
         modes = modes if isinstance(modes, Modes) else Modes(modes)
         self.modes: Optional[Modes] = modes
+        self._path = ""  # of the file of a model without modes
         scene = modes.statics.scene
         if scene._owner.model.energy == layout["constants"]["HAWSER_ENERGY_EXACT"]:
             raise error(Status.ARGUMENT, "model.energy: exact makes a full-order model, which hawser.run makes")
         self._owner = Owner("hawser_rom", "hawser_rom_clear")
-        call("hawser_rom_build", self._owner, modes._owner, scene._owner)
+        call_apart("hawser_rom_build", self._owner, modes._owner, scene._owner)
         top = _ABOVE * float(modes.mode["omega"][-1])
         if self._owner.known.reach < top:
-            call("hawser_rom_know_below", self._owner, modes._owner, scene._owner, top)
+            call_apart("hawser_rom_know_below", self._owner, modes._owner, scene._owner, top)
 
     @classmethod
     def open(cls, path: str) -> "Model":
         """A model file (hawser-rom(5))."""
         made = cls.__new__(cls)
-        made.modes = None
+        made.modes, made._path = None, path
         made._owner = Owner("hawser_rom", "hawser_rom_clear")
         call("hawser_rom_open", made._owner, os.fsencode(path))
         return made
+
+    def __reduce__(self) -> Any:
+        return (Model.open, (self._path,)) if self.modes is None else (Model, (self.modes,))
 
     def save(self, path: str) -> None:
         call("hawser_rom_save", self._owner, os.fsencode(path))
@@ -219,7 +268,8 @@ class Model:
                 tolerance: float = 0.0, step: float = 0.005, max_points: int = 0,
                 progress: Optional[Callable[[float], bool]] = None) -> "Response":
         """The frequency response from `start` to `end` (rad/s, or "0.9w1"). `progress` is called with the fraction
-        that is done; it returns True to stop, and the points traced until then are the result."""
+        that is done; it returns True to stop, and the points traced until then are the result. Ctrl-C raises
+        KeyboardInterrupt, whose attribute `partial` is that result."""
         return Response(self, _frequency(start, self.omega_si), _frequency(end, self.omega_si), method, tolerance,
                         step, max_points, progress)
 
@@ -236,31 +286,19 @@ class Response:
     def __init__(self, model: Model, start: float, end: float, method: Optional[str], tolerance: float, step: float,
                  max_points: int, progress: Optional[Callable[[float], bool]]) -> None:
         self.model = model
+        self._asked = (start, end, method, tolerance, step, max_points, None)
         options = struct("hawser_frf_options")(tolerance=tolerance, step_max=step, max_points=max_points)
         setattr(options, "from", start * model.time)
         options.to = end * model.time
         text = method.encode() if method else None
         if text:
             options.method = ctypes.cast(ctypes.c_char_p(text), ctypes.c_void_p).value
-        state = struct("hawser_progress_state")
-        raised: "list[BaseException]" = []
-
-        def watch(_: Any, address: int) -> int:
-            try:
-                return int(bool(progress and progress(state.from_address(address).fraction)))
-            except BaseException as failure:  # an exception cannot pass through C
-                raised.append(failure)
-                return 1
-
-        callback = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p, ctypes.c_void_p)(watch)
-        if progress:
-            options.progress.function = ctypes.cast(callback, ctypes.c_void_p).value
         self._owner = Owner("hawser_frf", "hawser_frf_clear")
-        try:
-            call("hawser_frf_trace", self._owner, model._owner, ctypes.addressof(options))
-        finally:
-            if raised:
-                raise raised[0]  # and not the failure to which the stop may have led
+        with ended(options, self, progress):
+            call("hawser_frf_trace", self._owner, model._owner, options)
+
+    def __reduce__(self) -> Any:
+        return Response, (self.model, *self._asked)
 
     def _rows(self, member: str, *shape: int) -> "np.ndarray[Any, Any]":
         return self._owner.view(getattr(self._owner.memory, member), (self._owner.points,) + shape)
@@ -329,6 +367,7 @@ class Motion:
     def __init__(self, model: Model, omega: float, until: float, every: float,
                  initial: Optional[Sequence[float]]) -> None:
         self.model = model
+        self._asked = (omega, until, every, initial)
         options = struct("hawser_integrate_options")(omega=omega * model.time, until=until / model.time,
                                                      every=every / model.time)
         if initial is not None:
@@ -338,11 +377,20 @@ class Motion:
                                              "coordinates and their velocities")
             options.initial = begin.ctypes.data
         self._owner = Owner("hawser_trajectory", "hawser_trajectory_clear")
-        call("hawser_integrate", self._owner, model._owner, ctypes.addressof(options))
+        with ended(options, self):
+            call("hawser_integrate", self._owner, model._owner, options)
+
+    def __reduce__(self) -> Any:
+        return Motion, (self.model, *self._asked)
 
     @property
     def rows(self) -> int:
         return int(self._owner.rows)
+
+    @property
+    def interrupted(self) -> bool:
+        """Whether Ctrl-C ended it before its time."""
+        return bool(self._owner.interrupted)
 
     @property
     def time(self) -> "np.ndarray[Any, Any]":

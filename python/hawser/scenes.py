@@ -21,6 +21,8 @@ def scalar(value: Any) -> str:
         raise TypeError(f"a scene has no value {value!r}: give a number, a quantity such as '80 kN', or a word")
     if isinstance(value, str):
         return json.dumps(value, ensure_ascii=False)
+    if hasattr(value, "magnitude") and hasattr(value, "units"):  # of pint
+        return json.dumps(f"{value.magnitude!r} {value.units:~C}", ensure_ascii=False)
     if isinstance(value, int):
         return str(value)
     number = float(value)  # of numpy too
@@ -29,15 +31,15 @@ def scalar(value: Any) -> str:
     return repr(number) if math.isfinite(number) else (".inf" if number > 0 else "-.inf")
 
 
-def _is_list(value: Any) -> bool:
-    return not isinstance(value, (str, Mapping)) and hasattr(value, "__iter__")
+def is_list(value: Any) -> bool:
+    return not isinstance(value, (str, Mapping)) and hasattr(value, "__iter__") and not hasattr(value, "magnitude")
 
 
 def flow(value: Any) -> str:
     """A value on one line: as --set takes it, and as the items of a list are written."""
     if isinstance(value, Mapping):
         return "{" + ", ".join(f"{key}: {flow(item)}" for key, item in value.items()) + "}"
-    return "[" + ", ".join(flow(item) for item in value) + "]" if _is_list(value) else scalar(value)
+    return "[" + ", ".join(flow(item) for item in value) + "]" if is_list(value) else scalar(value)
 
 
 def text(scene: Mapping[str, Any], indent: str = "") -> str:
@@ -46,7 +48,7 @@ def text(scene: Mapping[str, Any], indent: str = "") -> str:
     for key, value in scene.items():
         if isinstance(value, Mapping) and value:
             lines += [f"{indent}{key}:", text(value, indent + "  ").rstrip("\n")]
-        elif _is_list(value) and any(isinstance(item, Mapping) for item in value):
+        elif is_list(value) and any(isinstance(item, Mapping) for item in value):
             lines += [f"{indent}{key}:"] + [f"{indent}  - {flow(item)}" for item in value]
         else:
             lines.append(f"{indent}{key}: {flow(value)}")

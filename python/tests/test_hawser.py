@@ -13,7 +13,7 @@ from hawser import results, scenes as forms
 
 SPAN = {"cable": {"EA": "400 MN", "rho": 6.0}, "span": {"d": "250 m", "h": 10}, "tension": {"T0": "80 kN"},
         "damping": {"alpha": 0.08}, "load": {"frame": "local", "per_length": [0.8, 0.8, 0.8]},
-        "model": {"modes": 3, "condense": "static"}}
+        "model": {"modes": 3, "condense": "static", "energy": "quartic"}}
 
 
 @pytest.fixture(scope="module")
@@ -107,9 +107,16 @@ def test_scene_forms(scenes):
     assert len(hawser.run("tow steady", scenes / "tow-orbit.yaml").table) > 2
 
 
-def test_names_are_no_numbers():
-    _, table = results._table("node\tT_N\n1_2\t3.5\n1_3\t\n")
-    assert list(table["node"]) == ["1_2", "1_3"] and table["T_N"][0] == 3.5 and np.isnan(table["T_N"][1])
+def test_tables(tmp_path, monkeypatch):
+    path = tmp_path / "table.tsv"
+    path.write_text("# hawser\n# x: 1\nnode\tT_N\tempty\tk\n1_2\t3.5\t\t1\n1_3\t\t\t2\n")
+    for large in (1 << 20, 0):  # by pandas, where it is installed
+        monkeypatch.setattr(results, "_LARGE", large)
+        comments, table = results._table(path)
+        assert comments == ["hawser", "x: 1"] and list(table["node"]) == ["1_2", "1_3"] and table["k"].dtype == float
+        assert table["T_N"][0] == 3.5 and np.isnan(table["T_N"][1]) and np.isnan(table["empty"]).all()
+    path.write_text("# hawser\n")
+    assert len(results._table(path)[1]) == 0
 
 
 @pytest.mark.skipif(not os.environ.get("HAWSER_LONG"), reason="their import takes seconds: HAWSER_LONG=1")
@@ -121,7 +128,48 @@ def test_pictures_and_frames(response):
     result = hawser.run("statics", SPAN, points=5)
     assert list(result.frame().columns) == list(result.table.dtype.names)
     assert isinstance(hawser.run("modes", SPAN, n=2).frame("modes"), pandas.DataFrame)
-    assert result.plot().get_xlabel() == "x (m)"
     assert "mid" in plots.response(response).get_ylabel()
-    with pytest.raises(ValueError, match="no column w"):
-        result.plot(y="w")
+
+
+def test_commands_that_write_text(tmp_path, scenes):
+    checked = hawser.run("check", scenes / "chairlift.yaml")
+    assert "a span of cable, without errors" in checked.text and checked.json == {} and len(checked.table) == 0
+    assert hawser.run("init", None, "net").text.startswith("# Cables between nodes")
+    assert "definitions" in hawser.run("schema").json
+    page = tmp_path / "page.html"
+    hawser.run("report", scenes / "chairlift.yaml", parts="statics", o=page)
+    assert page.read_text(encoding="utf-8").startswith("<!DOCTYPE html>")
+    with pytest.raises(hawser.InputError, match="scene.yaml:2:3.*EB"):
+        hawser.run("check", {**SPAN, "cable": {"EB": 1.0}})
+
+
+def test_sweeps_are_frames_and_grids(scenes):
+    pytest.importorskip("pandas")
+    over = {"tension.T0": "60 kN:100 kN:3", "cable.rho": ["5 kg/m", "6 kg/m"]}
+    frame = hawser.sweep(SPAN, over, "statics", keep=["sag", "H"])
+    assert list(frame.columns) == ["tension.T0_kN", "cable.rho_kg_m", "status", "sag_m", "H_N"] and len(frame) == 6
+    assert frame.attrs["units"]["sag_m"] == "m" and frame.attrs["failures"] == []
+    alone = hawser.run("statics", SPAN, set={"tension.T0": "80 kN"}).json["sag"]
+    assert frame[(frame["tension.T0_kN"] == 80) & (frame["cable.rho_kg_m"] == 6)]["sag_m"].item() == alone
+    with pytest.raises(hawser.InputError, match="cable.rho"):
+        hawser.sweep(SPAN, {"cable.rho": []})
+    pytest.importorskip("xarray")
+    grid = hawser.sweep(SPAN, over, keep=["sag"], grid=True)
+    assert grid["sag_m"].shape == (3, 2) and grid["sag_m"].attrs["units"] == "m"
+    assert grid["sag_m"].sel({"tension.T0_kN": 80, "cable.rho_kg_m": 6}).item() == alone
+
+
+def test_labels_branches_and_events(scenes):
+    stay = {"cable": {"EA": "150 MN", "rho": "12 kg/m"}, "span": {"d": "80 m", "h": "35 m"}, "tension": {"T0": "600 kN"},
+            "damping": {"ratio": "0.2 %"}, "load": {"frame": "local", "per_length": [0, 0, "1.5 N/m"]}, "model": {"modes": 2}}
+    response = hawser.run("frf", stay, from_="0.98w1", to="1.02w1", branches=1)
+    event = next(e for e in response.json["events"] if e["kind"] == "branch-point")
+    motion = response.orbit(event["label"])
+    assert motion.command == "orbit" and abs(motion.json["Omega"]/event["Omega"] - 1) < 1e-9
+    again = response.restart(1, to="1w1")
+    assert again["Omega_rad_s"][0] == pytest.approx(response["Omega_rad_s"][0], rel=1e-12)
+    with pytest.raises(hawser.InputError, match="labels are of a result"):
+        hawser.run("statics", stay).orbit(1)
+    pytest.importorskip("pandas")
+    assert set(response.frame("events")["branch"]) == {1, 2} and set(response.branches()) == {1, 2}
+    assert len(response.branches()[2]) == (response["branch"] == 2).sum()

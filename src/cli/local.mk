@@ -32,6 +32,7 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/tools/cmd_schema.c \
 	%D%/tools/init_scenes.c \
 	%D%/tools/init_scenes.h \
+	%D%/tools/init_structures.c \
 	%D%/tools/records.c \
 	%D%/frame/input.h \
 	%D%/frame/part.c \
@@ -71,6 +72,7 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/sweep/sweep_processes.c \
 	%D%/sweep/sweep_ranks.c \
 	%D%/sweep/sweep_result.c \
+	%D%/sweep/sweep_check.c \
 	%D%/sweep/sweep_run.c \
 	%D%/sweep/sweep_run.h \
 	%D%/sweep/sweep_take.c \
@@ -123,6 +125,8 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/statics/statics_cases.c \
 	%D%/statics/statics_loaded.c \
 	%D%/statics/statics_marks.c \
+	%D%/compare/compare_made.c \
+	%D%/compare/compare_made.h \
 	%D%/compare/compare_mms.c \
 	%D%/compare/compare_motion.c \
 	%D%/statics/statics_fields.c \
@@ -142,6 +146,8 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/motion/film_net.h \
 	%D%/model/exact.c \
 	%D%/model/exact.h \
+	%D%/model/film_ropeway.c \
+	%D%/model/film_ropeway.h \
 	%D%/model/fixed.c \
 	%D%/model/fixed.h \
 	%D%/curves/folds_draw.c \
@@ -205,6 +211,7 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/map/map_result.c \
 	%D%/map/map_result.h \
 	%D%/backbone/mms_marks.c \
+	%D%/backbone/modal.c \
 	%D%/backbone/mms_options.c \
 	%D%/backbone/mms_result.c \
 	%D%/backbone/mms_result.h \

@@ -53,6 +53,7 @@ static double *vector_of(const struct driven_work *w, int i)
 static enum hawser_status iterate(struct driven_work *w, struct hawser_report *report)
 {
 	int width = (int)w->by->width;
+	double part[STEPS + 1];
 
 	for (w->steps = 1; ; w->steps++) {
 		int i = w->steps - 1;
@@ -61,14 +62,14 @@ static enum hawser_status iterate(struct driven_work *w, struct hawser_report *r
 
 		if (status)
 			return status;
-		for (int pass = 0; pass < 2; pass++)
-			for (int j = 0; j <= i; j++) {
-				double part = w->by->product(w->by->of, vector_of(w, j), next);
-
-				cblas_daxpy(width, -part, vector_of(w, j), 1, next, 1);
-				w->T[j*STEPS + i] += part;
-			}
-		w->left = sqrt(fmax(w->by->product(w->by->of, next, next), 0.0));
+		for (int pass = 0; pass < 2; pass++) {
+			w->by->products(w->by->of, part, w->vector, w->steps, next);
+			cblas_dgemv(CblasRowMajor, CblasTrans, w->steps, width, -1.0, w->vector, width, part, 1,
+			            1.0, next, 1);
+			cblas_daxpy(w->steps, 1.0, part, 1, w->T + i, STEPS);
+		}
+		w->by->products(w->by->of, &w->left, next, 1, next);
+		w->left = sqrt(fmax(w->left, 0.0));
 		if (w->left <= nothing*w->T[0] || w->steps == STEPS)
 			return HAWSER_OK;
 		cblas_dscal(width, 1.0/w->left, next, 1);
@@ -121,10 +122,12 @@ enum hawser_status hawser__driven_find(struct hawser__driven *driven,
                                        struct hawser_report *report)
 {
 	const double *z = driven->field;
-	double size = sqrt(fmax(by->product(by->of, z, z), 0.0));
+	double size;
 	enum hawser_status status = by->follow(by->of, hawser__driven_field(driven, 1), z, report);
 	struct driven_work *w;
 
+	by->products(by->of, &size, z, 1, z);
+	size = sqrt(fmax(size, 0.0));
 	if (status || !(size > 0.0))
 		return status;
 	w = calloc(1, sizeof *w);

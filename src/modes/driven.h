@@ -15,8 +15,9 @@
 struct hawser__driven_by {
 	const void *of;
 	size_t width;
-	/* x'My; and to = P K^-1 M from, where P takes the kept modes out of a displacement. */
-	double (*product)(const void *of, const double *x, const double *y);
+	/* x'My of each of the rows x [count][width], part [count]; and to = P K^-1 M from, where P takes
+	 * the kept modes out of a displacement. */
+	void (*products)(const void *of, double *part, const double *x, int count, const double *y);
 	enum hawser_status (*follow)(const void *of, double *to, const double *from,
 	                             struct hawser_report *report);
 };

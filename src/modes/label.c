@@ -258,3 +258,12 @@ enum hawser_status hawser__modes_label(struct hawser_modes *modes, struct hawser
 	}
 	return HAWSER_OK;
 }
+
+double hawser__damping_ratio(const struct hawser_scene *scene, const struct hawser_mode *mode)
+{
+	int last = scene->damping.ratios, place = mode->number ? mode->place : last;
+
+	if (last < 2 || place < 2)
+		return scene->damping.ratio;
+	return scene->damping.ratio_next[(place < last ? place : last) - 2];
+}

@@ -30,6 +30,9 @@ double hawser__mode_label(struct hawser_modes *modes, int k);
  * grid must be set. Status: _NAN. */
 enum hawser_status hawser__modes_label(struct hawser_modes *modes, struct hawser_report *report);
 
+/* damping.ratio of a mode; a shape that is no mode (number 0) has the last one. */
+double hawser__damping_ratio(const struct hawser_scene *scene, const struct hawser_mode *mode);
+
 /* The points that may have a mass: the attachments, then both ends if one is on springs. */
 struct hawser__point {
 	double s, m; /* scaled */

@@ -21,6 +21,8 @@ noinst_LTLIBRARIES += %D%/libmodes.la
 	%D%/complex/damped.c \
 	%D%/complex/damped.h \
 	%D%/complex/damped_trace.c \
+	%D%/complex/wind.c \
+	%D%/complex/wind.h \
 	%D%/compliance.h \
 	%D%/driven.c \
 	%D%/driven.h \

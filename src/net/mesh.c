@@ -78,6 +78,7 @@ static enum hawser_status allocate(struct hawser__mesh *mesh, const struct hawse
 	mesh->q = hawser__hold(&mesh->hold, nodes, sizeof *mesh->q);
 	mesh->unknown = hawser__hold(&mesh->hold, nodes, sizeof *mesh->unknown);
 	mesh->mass = hawser__hold(&mesh->hold, nodes, sizeof *mesh->mass);
+	mesh->damper = hawser__hold(&mesh->hold, nodes, sizeof *mesh->damper);
 	mesh->force = hawser__hold(&mesh->hold, nodes, sizeof *mesh->force);
 	mesh->wave = hawser__hold(&mesh->hold, waves, sizeof *mesh->wave);
 	mesh->motion = hawser__hold(&mesh->hold, (size_t)net->motions + 1, sizeof *mesh->motion);
@@ -187,6 +188,7 @@ enum hawser_status hawser__mesh_build(struct hawser__mesh *mesh, const struct ha
 	for (int i = 0; i < net->nodes; i++) {
 		memcpy(mesh->q[i], net->node[i].x, sizeof mesh->q[i]);
 		mesh->mass[i] = net->node[i].mass;
+		memcpy(mesh->damper[i], net->node[i].damper, sizeof mesh->damper[i]);
 		for (int k = 0; k < 3; k++)
 			mesh->unknown[i][k] = net->node[i].held[k] ? -1 : 0;
 	}

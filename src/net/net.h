@@ -33,6 +33,7 @@ struct hawser__mesh {
 	double (*frame)[3][3]; /* [nodes] rows: these directions, unit vectors at right angles to each
 	                        * other; NULL: the axes. Set for modes alone (hawser__touch_hold) */
 	double *mass;          /* [nodes] point masses, kg, without the cables */
+	double (*damper)[3];   /* [nodes] N s/m, to the ground */
 	double (*force)[3];    /* [nodes] weight (of cables, half to each end, and point masses) and
 	                        * constant loads, N */
 	struct hawser__mesh_wave *wave; /* [waves] harmonic loads, at mesh nodes */

@@ -33,6 +33,7 @@ struct hawser__table {
 	void (*fill)(struct hawser__table *row, const void *context, size_t index);
 	const void *context;
 	void *owned; /* freed by _clear; or NULL */
+	json_t *about; /* of each column an object, see _about; or NULL */
 	struct hawser__cell *cell; /* [cells] row-major */
 	size_t cells;
 	int failed; /* 1: an allocation failed */
@@ -44,6 +45,10 @@ void hawser__table_comment(struct hawser__table *table, const char *format, ...)
 void hawser__table_remark(struct hawser__table *table, const char *format, ...)
 	HAWSER_PRINTF(2, 3);
 void hawser__table_column(struct hawser__table *table, const char *format, ...) HAWSER_PRINTF(2, 3);
+/* What the column added last is, for JSON: `key`, its name without unit, the title of an axis, which
+ * may have gnuplot's markup, the meaning, and the unit in which the table shows it; "" for none. */
+void hawser__table_about(struct hawser__table *table, const char *key, const char *title,
+                         const char *meaning, const char *unit);
 void hawser__table_number(struct hawser__table *table, double number);
 void hawser__table_word(struct hawser__table *table, const char *word); /* "": no value */
 /* `count` rows that are not stored but generated on output: `fill` puts the cells of row `index`

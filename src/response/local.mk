@@ -30,6 +30,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/orbit/balance_jacobian.c \
 	%D%/orbit/balance_sample.c \
 	%D%/orbit/balance_solve.c \
+	%D%/orbit/balance_state.c \
 	%D%/orbit/balance_substitute.c \
 	%D%/time/beam_model.c \
 	%D%/time/beam_motion.c \

@@ -203,27 +203,9 @@ static enum hawser_status interpret(struct hawser__reader *reader, void *scene,
 	return status || !tree ? status : unmarked(reader, rod, tree);
 }
 
-static void clear(void *scene)
-{
-	hawser_rod_clear(scene);
-}
-
-static const struct hawser__tree_form form = {
-	{"rod", "a scene of kind rod is a mapping with at least rod (see hawser-scene(5))",
-	"loads.i0.force=[0 N, -5 N, 0 N]", 'i'},
-	sizeof(struct hawser_rod), offsetof(struct hawser_rod, name), interpret, clear};
-
-enum hawser_status hawser_rod_of(struct hawser_rod *rod, const struct hawser_document *from,
-                                 const char *const *set, size_t nset, struct hawser_report *report)
-{
-	return hawser__tree_scene(rod, &form, from, set, nset, report);
-}
-
-enum hawser_status hawser_rod_open(struct hawser_rod *rod, const char *path,
-                                   const char *const *set, size_t nset, struct hawser_report *report)
-{
-	return hawser__tree_scene_open(rod, &form, path, set, nset, report);
-}
+HAWSER__TREE_SCENES(rod, "rod",
+	"a scene of kind rod is a mapping with at least rod (see hawser-scene(5))",
+	"loads.i0.force=[0 N, -5 N, 0 N]", 'i')
 
 void hawser_rod_clear(struct hawser_rod *rod)
 {

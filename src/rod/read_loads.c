@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -20,6 +21,9 @@ static enum hawser_status place(struct hawser__reader *reader, double *s, const 
 		*s = 0.0;
 	else if (tree->text && !strcmp(tree->text, "end"))
 		*s = rod->length;
+	else if (tree->text && isalpha((unsigned char)*tree->text))
+		status = hawser__reader_fail(reader, &tree->value, "%s: \"%.40s\" must be start, end, or a "
+		                             "length in m from the start", what, tree->text);
 	else
 		status = hawser__tree_number(reader, s, tree, what, "m", HAWSER__TREE_NOT_NEGATIVE);
 	if (!status && *s > rod->length*(1.0 + 1e-12))

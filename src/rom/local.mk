@@ -24,17 +24,21 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/terms/dampers.c \
 	%D%/terms/dampers.h \
 	%D%/terms/damping.c \
-	%D%/terms/damping.h \
 	%D%/terms/drag.c \
 	%D%/terms/drag.h \
 	%D%/file/formula.c \
 	%D%/file/formula.h \
 	%D%/file/export.c \
+	%D%/file/modal.c \
 	%D%/file/parse.c \
 	%D%/file/plug.c \
 	%D%/file/plug.h \
 	%D%/file/read_own.c \
 	%D%/terms/terms.c \
+	%D%/terms/wake.c \
+	%D%/terms/wake.h \
+	%D%/terms/wind.c \
+	%D%/terms/wind.h \
 	%D%/terms/terms.h \
 	%D%/choose/drive.c \
 	%D%/choose/drive.h \

@@ -167,6 +167,54 @@ static enum hawser_status damping(const struct checked *of)
 	                           "exactly one of alpha, rayleigh, ratio");
 }
 
+static int zero(const double *v)
+{
+	return v[0] == 0.0 && v[1] == 0.0 && v[2] == 0.0;
+}
+
+/* What is needed together, and what contradicts the force of a wind on a moving cable. */
+static enum hawser_status wind(const struct checked *of)
+{
+	static const char *const other[] = {"travel", "support.A", "support.B", "damping.drag"};
+	const struct hawser_wind *wind = &of->scene->wind;
+
+	if (!wind->present)
+		return HAWSER_OK;
+	for (size_t i = 0; i < sizeof other/sizeof *other; i++)
+		if (given(of, other[i]))
+			return hawser__reader_fail(of->reader, place(of, "wind"), "wind contradicts %s: the force "
+			                           "of the wind on such a cable is not modelled, remove one of "
+			                           "them", other[i]);
+	if (zero(wind->direction))
+		return hawser__reader_fail(of->reader, place(of, "wind.direction"), "wind.direction is [0, 0, "
+		                           "0]: give a direction, such as [0, 0, 1] across the span");
+	if (wind->tables && (given(of, "wind.drag") || given(of, "wind.lift")))
+		return hawser__reader_fail(of->reader, place(of, "wind.table"), "wind.table contradicts "
+		                           "wind.%s: drag and lift are a table or sums of powers, remove one "
+		                           "of them", given(of, "wind.drag") ? "drag" : "lift");
+	if (wind->wake.present && wind->wake.fluid_damping > 0.0 &&
+	    (wind->tables || wind->crises || given(of, "wind.drag") || given(of, "wind.lift")))
+		return hawser__reader_fail(of->reader, place(of, "wind.wake"), "wind.wake.fluid_damping = %g "
+		                           "is the damping by the drag, and wind has drag and lift besides: "
+		                           "set wind.wake.fluid_damping: 0, or remove them",
+		                           wind->wake.fluid_damping);
+	if (wind->wake.present && wind->form == HAWSER_WIND_EXACT)
+		return hawser__reader_fail(of->reader, place(of, "wind.form"), "wind.form: exact contradicts "
+		                           "wind.wake, whose oscillators go with the cubic form: remove one of "
+		                           "them");
+	if (wind->wake.present && wind->profiles && wind->wake.places == 0)
+		return hawser__reader_fail(of->reader, place(of, "wind.profile"), "wind.profile contradicts "
+		                           "wind.wake.at: modes, which have one speed each: give a number of "
+		                           "places, such as at: 16");
+	if (!wind->tables && !wind->crises && !wind->wake.present && !given(of, "wind.drag"))
+		return hawser__reader_fail(of->reader, place(of, "wind"), "wind has no drag: give wind.drag, "
+		                           "or wind.table, such as drag: 1.2 of a round cable");
+	if ((wind->crises > 0) != (wind->viscosity > 0.0))
+		return hawser__reader_fail(of->reader, place(of, "wind"), "wind.reynolds and wind.viscosity "
+		                           "belong together: give both, or none (air: 1.5e-5 m^2/s)");
+	return HAWSER_OK;
+}
+
 /* 1 if an attachment has no effect. */
 static int idle(const struct hawser_attachment *a)
 {
@@ -213,30 +261,25 @@ static enum hawser_status attachments(const struct checked *of)
 	return HAWSER_OK;
 }
 
-static int any(const double *vector)
-{
-	return vector[0] != 0.0 || vector[1] != 0.0 || vector[2] != 0.0;
-}
-
 static enum hawser_status piece(struct hawser__reader *reader, const struct hawser_load_piece *one,
                                 int i, const struct hawser__mark *here)
 {
-	if (any(one->force) && any(one->per_length))
+	if (!zero(one->force) && !zero(one->per_length))
 		return hawser__reader_fail(reader, here, "loads[%d] has both per_length and force: make two "
 		                           "loads of them", i);
-	if (!any(one->force) && !any(one->per_length))
+	if (zero(one->force) && zero(one->per_length))
 		return hawser__reader_fail(reader, here, "loads[%d] has no effect: give it a per_length, or "
 		                           "a force and at", i);
-	if (any(one->force) && one->at == 0.0)
+	if (!zero(one->force) && one->at == 0.0)
 		return hawser__reader_fail(reader, here, "loads[%d] is a force without a point: give at, such "
 		                           "as at: 30 %% or at: 12 m", i);
-	if (any(one->force) && (one->from != 0.0 || one->to != 1.0 || one->to_length || one->wave != 0.0))
+	if (!zero(one->force) && (one->from != 0.0 || one->to != 1.0 || one->to_length || one->wave != 0.0))
 		return hawser__reader_fail(reader, here, "loads[%d]: from, to and wave are of a per_length: a "
 		                           "force acts at one point, at", i);
-	if (any(one->per_length) && one->at != 0.0)
+	if (!zero(one->per_length) && one->at != 0.0)
 		return hawser__reader_fail(reader, here, "loads[%d]: at is the point of a force: a per_length "
 		                           "acts from and to", i);
-	if (any(one->per_length) && one->from_length == one->to_length && one->from >= one->to)
+	if (!zero(one->per_length) && one->from_length == one->to_length && one->from >= one->to)
 		return hawser__reader_fail(reader, here, "loads[%d] acts from %g to %g: give the end nearer "
 		                           "to A first", i, one->from, one->to);
 	return HAWSER_OK;
@@ -275,7 +318,7 @@ enum hawser_status hawser__check(struct hawser__reader *reader, struct hawser_sc
                                  const struct hawser__tree *root)
 {
 	static enum hawser_status (*const rule[])(const struct checked *) = {
-		beam, string, damping, branch, braking, supports, bending, attachments, loads, cases};
+		beam, string, damping, wind, branch, braking, supports, bending, attachments, loads, cases};
 	const struct checked of = {reader, scene, root};
 	const struct hawser__tree *load = hawser__tree_find(root, "load");
 	enum hawser_status status = HAWSER_OK;
@@ -284,6 +327,8 @@ enum hawser_status hawser__check(struct hawser__reader *reader, struct hawser_sc
 	scene->support[0].present = given(&of, "support.A");
 	scene->support[1].present = given(&of, "support.B");
 	scene->static_load.present = given(&of, "load.static");
+	scene->wind.present = given(&of, "wind");
+	scene->wind.wake.present = given(&of, "wind.wake");
 	scene->temperature.present = given(&of, "temperature");
 	scene->load.present = load && (load->children != 1 || !scene->static_load.present);
 	for (size_t i = 0; i < sizeof rule/sizeof *rule && !status; i++)

@@ -99,10 +99,23 @@ int hawser__item_key(int *number, const struct hawser_scene *scene, const char *
 	return hawser__key_find(key);
 }
 
+int *hawser__series(const struct hawser_scene *scene, size_t at)
+{
+	static const size_t series[][2] = {{OF(damping.ratio), OF(damping.ratios)},
+	                                   {OF(wind.drag), OF(wind.drags)},
+	                                   {OF(wind.lift), OF(wind.lifts)}};
+
+	for (size_t i = 0; i < sizeof series/sizeof *series; i++)
+		if (at == series[i][0])
+			return (int *)(void *)((char *)(uintptr_t)scene + series[i][1]);
+	return NULL;
+}
+
 int hawser__count(const struct hawser_scene *scene, int index)
 {
-	return hawser__row(index)->at == OF(damping.ratio) ? scene->damping.ratios
-	                                                   : hawser__row(index)->count;
+	const int *series = hawser__series(scene, hawser__row(index)->at);
+
+	return series ? *series : hawser__row(index)->count;
 }
 
 /* 1 if a key of a beam, other than the one that selects the form, applies to the form of this
@@ -140,10 +153,18 @@ int hawser__applies(const struct hawser_scene *scene, int index)
 		return scene->load.present;
 	if (hawser__child_of(path, "load.static"))
 		return scene->static_load.present;
+	if (!strcmp(path, "wind.drag") || !strcmp(path, "wind.lift"))
+		return scene->wind.present && !scene->wind.tables;
+	if (!strcmp(path, "wind.viscosity"))
+		return scene->wind.crises > 0;
+	if (hawser__child_of(path, "wind.wake"))
+		return scene->wind.wake.present;
+	if (hawser__child_of(path, "wind"))
+		return scene->wind.present;
 	if (hawser__child_of(path, "temperature"))
 		return scene->temperature.present;
 	if (!strcmp(path, "tension.state"))
-		return scene->static_load.present || scene->temperature.present;
+		return scene->static_load.present || scene->wind.present || scene->temperature.present;
 	if (hawser__child_of(path, "support.A"))
 		return scene->support[0].present;
 	if (hawser__child_of(path, "support.B"))

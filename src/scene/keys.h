@@ -38,6 +38,9 @@ int hawser__item_key(int *item, const struct hawser_scene *scene, const char *pa
 void *hawser__field(const struct hawser_scene *scene, int index, int item);
 
 /* Number of elements of a list of numbers in this scene, 0 for a scalar. */
+/* The length of the list at this place of the scene, 0: a number; NULL if the key has no list. */
+int *hawser__series(const struct hawser_scene *scene, size_t at);
+
 int hawser__count(const struct hawser_scene *scene, int index);
 
 /* 1 if key `index` applies to this scene (the chosen tension, keys of a load that is present,

@@ -29,6 +29,7 @@ noinst_LTLIBRARIES += %D%/libscene.la
 	%D%/units.c \
 	%D%/units_common.c \
 	%D%/units.h \
+	%D%/units_explain.c \
 	%D%/write.c
 
 # Writes hawser-scene(5) from the table of keys; man/local.mk runs it.

@@ -31,32 +31,98 @@ static enum hawser_status foreign(struct hawser__reader *reader, const struct ha
 	return HAWSER_OK;
 }
 
-/* damping.ratio as a list. */
+/* A key of at most `most` numbers that is given as a list. */
 static enum hawser_status series(struct hawser__reader *reader, struct hawser_scene *scene,
-                                 const struct hawser__tree *tree)
+                                 const struct hawser__tree *root, const char *key, int most)
 {
-	double value[HAWSER_RATIOS];
+	const struct hawser__tree *tree = hawser__tree_at(root, key);
+	const struct hawser__tree_key *row = hawser__row(hawser__key_find(key));
+	double *value = (double *)(void *)((char *)scene + row->at);
 	enum hawser_status status = HAWSER_OK;
 	int n = 0;
 
 	if (!tree || tree->kind != HAWSER__SEQUENCE)
 		return HAWSER_OK;
-	if (tree->children < 1 || tree->children > HAWSER_RATIOS)
-		return hawser__reader_fail(reader, &tree->value, "damping.ratio has %d values: give a "
-		                           "number, or a list of 1 to %d numbers", tree->children,
-		                           HAWSER_RATIOS);
+	if (tree->children < 1 || tree->children > most)
+		return hawser__reader_fail(reader, &tree->value, "%s has %d values: give a "
+		                           "number, or a list of 1 to %d numbers", key, tree->children, most);
 	for (const struct hawser__tree *one = tree->child; one && !status; one = one->next, n++) {
-		char what[32];
+		char what[40];
 
-		snprintf(what, sizeof what, "damping.ratio[%d]", n);
-		status = hawser__tree_number(reader, &value[n], one, what, "1", HAWSER__TREE_NOT_NEGATIVE);
+		snprintf(what, sizeof what, "%.20s[%d]", key, n);
+		status = hawser__tree_number(reader, &value[n], one, what, "1", row->range);
 	}
-	if (status)
-		return status;
-	scene->damping.ratio = value[0];
-	memcpy(scene->damping.ratio_next, value + 1, (size_t)(n - 1)*sizeof *value);
-	scene->damping.ratios = n;
-	return HAWSER_OK;
+	*hawser__series(scene, row->at) = n;
+	return status;
+}
+
+/* Rows [most][columns] of numbers whose first ones ascend. The unit is that of the first one. */
+struct rows {
+	const char *key, *unit;
+	int columns, least;
+	double *value;
+	int *count;
+};
+
+static enum hawser_status row_of(struct hawser__reader *reader, const struct rows *rows,
+                                 const struct hawser__tree *tree, const char *what, double *to)
+{
+	char of[HAWSER__TEXT_ROOM];
+	const struct hawser__tree_key *row;
+	const struct hawser__tree *one = tree->child;
+	enum hawser_status status = HAWSER_OK;
+
+	snprintf(of, sizeof of, "span.%s[]", rows->key);
+	row = hawser__tree_next(NULL, of);
+	if (tree->kind != HAWSER__SEQUENCE || tree->children != rows->columns)
+		return hawser__reader_fail(reader, &tree->at, "%s must be a list of %d numbers: %s", what,
+		                           rows->columns, row->doc);
+	for (int c = 0; c < rows->columns && !status; c++, one = one->next)
+		status = hawser__tree_number(reader, &to[c], one, what, c ? "1" : rows->unit, row->range);
+	return status;
+}
+
+static enum hawser_status read_rows(struct hawser__reader *reader, const struct rows *rows,
+                                    const struct hawser__tree *root)
+{
+	const struct hawser__tree *tree = hawser__tree_at(root, rows->key);
+	enum hawser_status status = HAWSER_OK;
+	double *to = rows->value;
+	int n = 0;
+
+	if (!tree)
+		return HAWSER_OK;
+	if (tree->children < rows->least || tree->children > HAWSER_WIND_ROWS)
+		return hawser__reader_fail(reader, &tree->value, "%s has %d rows: give %d to %d", rows->key,
+		                           tree->children, rows->least, HAWSER_WIND_ROWS);
+	for (const struct hawser__tree *one = tree->child; one && !status; one = one->next, n++) {
+		char what[40];
+
+		snprintf(what, sizeof what, "%.20s[%d]", rows->key, n);
+		status = row_of(reader, rows, one, what, to);
+		if (!status && n > 0 && !(to[0] > to[-rows->columns]))
+			return hawser__reader_fail(reader, &one->at, "%s begins with %g, which is not above the "
+			                           "%g of the row before: write the rows in ascending order", what,
+			                           to[0], to[-rows->columns]);
+		to += rows->columns;
+	}
+	*rows->count = n;
+	return status;
+}
+
+/* Lists of the wind. */
+static enum hawser_status wind(struct hawser__reader *reader, struct hawser_wind *wind,
+                               const struct hawser__tree *root)
+{
+	const struct rows rows[] = {
+		{"wind.profile", "1", 2, 1, wind->profile[0], &wind->profiles},
+		{"wind.table", "rad", 3, 3, wind->table[0], &wind->tables},
+		{"wind.reynolds", "1", 2, 3, wind->reynolds[0], &wind->crises}};
+	enum hawser_status status = HAWSER_OK;
+
+	for (size_t i = 0; i < sizeof rows/sizeof *rows && !status; i++)
+		status = read_rows(reader, &rows[i], root);
+	return status;
 }
 
 /* Names of cases are a word or a few; others are parts of keys and columns. */
@@ -161,7 +227,13 @@ static enum hawser_status interpret(struct hawser__reader *reader, void *to,
 		status = hawser__tree_find(root, "beam") ? beam(reader, scene, root)
 		         : hawser__tree_fill(reader, scene, root, "", "span");
 	if (!status && scene->damping.kind == HAWSER_DAMPING_RATIO)
-		status = series(reader, scene, hawser__tree_at(root, "damping.ratio"));
+		status = series(reader, scene, root, "damping.ratio", HAWSER_RATIOS);
+	if (!status)
+		status = series(reader, scene, root, "wind.drag", HAWSER_WIND_POWERS);
+	if (!status)
+		status = series(reader, scene, root, "wind.lift", HAWSER_WIND_POWERS);
+	if (!status)
+		status = wind(reader, &scene->wind, root);
 	for (int i = 0; (list = hawser__list_row(i)) && !status; i++) {
 		const struct hawser__tree *tree = hawser__tree_find(root, list->name);
 

@@ -103,6 +103,48 @@
 	    "over the square of the velocity normal to the cable, which is density times drag " \
 	    "coefficient times diameter over 2; for hawser integrate and hawser frf, with no " \
 	    "horizontal static load") \
+	TO##_NUMBER("span.wind.speed", REQUIRED, "m/s", NOT_NEGATIVE, SPAN_AT(wind.speed), NULL, \
+	    "speed of the wind; see WIND") \
+	TO##_VECTOR("span.wind.direction", 3, OPTIONAL, "1", ANY, SPAN_AT(wind.direction), "[0, 0, 1]", \
+	    "direction towards which it blows, along x, y, z; its length does not matter, and its part " \
+	    "along the cable has no effect") \
+	TO##_NUMBER("span.wind.density", REQUIRED, "kg/m^3", POSITIVE, SPAN_AT(wind.density), NULL, \
+	    "density of the air, or of the water") \
+	TO##_NUMBER("span.wind.diameter", REQUIRED, "m", POSITIVE, SPAN_AT(wind.diameter), NULL, \
+	    "diameter to which drag and lift refer") \
+	TO##_NUMBER("span.wind.angle", OPTIONAL, "rad", ANY, SPAN_AT(wind.angle), "0", \
+	    "angle of attack of the cable at rest, such as that of its ice: it is added to the angle " \
+	    "that the motion of the cable gives the wind") \
+	TO##_SERIES("span.wind.drag", "1", SPAN_AT(wind.drag), "0", \
+	    "drag coefficient: a number, or a list of the factors of the powers 0, 1, 2, ... of the " \
+	    "angle of attack in rad, which is positive for wind from below") \
+	TO##_SERIES("span.wind.lift", "1", SPAN_AT(wind.lift), "0", \
+	    "lift coefficient, likewise, positive upwards") \
+	TO##_NUMBER("span.wind.viscosity", OPTIONAL, "m^2/s", NOT_NEGATIVE, SPAN_AT(wind.viscosity), "0", \
+	    "kinematic viscosity of the air, for wind.reynolds") \
+	TO##_WORD("span.wind.form", OPTIONAL, "cubic|exact", SPAN_AT(wind.form), "cubic", \
+	    "force of the wind on the moving cable: cubic, to the third power of its velocity, as terms " \
+	    "of the reduced model; or exact, integrated along the cable at every instant, for hawser " \
+	    "integrate") \
+	TO##_NUMBER("span.wind.wake.strouhal", OPTIONAL, "1", POSITIVE, SPAN_AT(wind.wake.strouhal), \
+	    "0.2", \
+	    "Strouhal's number: frequency of the vortices of a cable at rest over speed/diameter") \
+	TO##_NUMBER("span.wind.wake.lift", OPTIONAL, "1", NOT_NEGATIVE, SPAN_AT(wind.wake.lift), "0.3", \
+	    "amplitude of the lift coefficient of a cable at rest") \
+	TO##_NUMBER("span.wind.wake.A", OPTIONAL, "1", NOT_NEGATIVE, SPAN_AT(wind.wake.A), "12", \
+	    "coupling of the wake to the acceleration of the cable over the diameter") \
+	TO##_NUMBER("span.wind.wake.epsilon", OPTIONAL, "1", NOT_NEGATIVE, SPAN_AT(wind.wake.epsilon), \
+	    "0.3", "growth of the wake's oscillation from rest") \
+	TO##_NUMBER("span.wind.wake.fluid_damping", OPTIONAL, "1", NOT_NEGATIVE, \
+	    SPAN_AT(wind.wake.fluid_damping), "0.8", \
+	    "damping across the flow, C_D/(4 pi strouhal); 0 with wind.drag, which damps by itself") \
+	TO##_NUMBER("span.wind.wake.added_mass", OPTIONAL, "1", NOT_NEGATIVE, \
+	    SPAN_AT(wind.wake.added_mass), "1", \
+	    "mass of the fluid that moves with the cable over that of the displaced fluid; it has no " \
+	    "weight") \
+	TO##_INTEGER_OR("span.wind.wake.at", "modes", 1, 64, SPAN_AT(wind.wake.places), "modes", \
+	    "an oscillator for each mode (modes), or this number of them at the middles of equal parts " \
+	    "of the cable, which may have different speeds (wind.profile)") \
 	TO##_WORD("span.load.frame", TOGETHER, "local|global", SPAN_AT(load.frame), NULL, \
 	    "axes of the load: local is tangent, normal, binormal (e, n, z), global is x, y, z") \
 	TO##_VECTOR("span.load.per_length", 3, TOGETHER, "N/m", ANY, SPAN_AT(load.per_length), NULL, \
@@ -274,6 +316,7 @@
 	KEY(path, unit, "number", NULL, RANGE_##range, NULL, doc)
 #define KEY_SERIES_CHOICE(path, unit, range, need, pick, member, at, doc) \
 	KEY(path, unit, "series", NULL, RANGE_##range, NULL, doc)
+#define KEY_SERIES(path, unit, at, given, doc) KEY(path, unit, "series", NULL, "finite", given, doc)
 #define KEY_VECTOR(path, count, need, unit, range, at, given, doc) \
 	KEY(path, unit, "numbers[" #count "]", NULL, RANGE_##range, given, doc)
 #define KEY_INTEGER(path, need, least, most, at, given, doc) \
@@ -300,6 +343,7 @@ _Static_assert(sizeof(enum hawser_inertia) == sizeof(int), "a word is stored as 
 _Static_assert(sizeof(enum hawser_beam_gravity) == sizeof(int), "a word is stored as an int");
 _Static_assert(sizeof(enum hawser_frame) == sizeof(int), "a word is stored as an int");
 _Static_assert(sizeof(enum hawser_energy) == sizeof(int), "a word is stored as an int");
+_Static_assert(sizeof(enum hawser_wind_form) == sizeof(int), "a word is stored as an int");
 
 #define ROW_NUMBER NUMBER
 #define ROW_NUMBER_OR(path, words, unit, range, at, given, doc) \
@@ -307,6 +351,7 @@ _Static_assert(sizeof(enum hawser_energy) == sizeof(int), "a word is stored as a
 #define ROW_NUMBER_CHOICE(path, unit, range, need, pick, member, at, doc) \
 	{path, HAWSER__TREE_NUMBER, 0, unit, range, 0, 0, need, at, 1, pick, member, NULL, doc},
 #define ROW_SERIES_CHOICE ROW_NUMBER_CHOICE
+#define ROW_SERIES(path, unit, at, given, doc) NUMBER(path, OPTIONAL, unit, ANY, at, given, doc)
 #define ROW_VECTOR VECTOR
 #define ROW_INTEGER INTEGER
 #define ROW_INTEGER_OR(path, words, least, most, at, given, doc) \
@@ -343,6 +388,31 @@ static const struct hawser__tree_key span_rows[] = {
 	{"span.damping.rayleigh", HAWSER__TREE_MAPPING, 0, "", ANY, 0, 0, AT_MOST_ONE, 0, 1,
 	 SPAN_AT(damping.kind), HAWSER_DAMPING_RAYLEIGH, NULL,
 	 "damping proportional to mass and stiffness; both factors are required"},
+	SECTION("span.wind", OPTIONAL,
+	        "steady wind whose force follows the motion of the cable; what it does to the cable at "
+	        "rest is added to load.static")
+	SECTION("span.wind.wake", OPTIONAL,
+	        "oscillators for the vortices behind the cable; the defaults are those of Facchinetti, de "
+	        "Langre, Biolley (2004). {} has all defaults")
+	LIST("span.wind.drag", OPTIONAL, "of the powers 0, 1, 2, ... of the angle of attack")
+	NUMBER("span.wind.drag[]", OPTIONAL, "1", ANY, NOWHERE, NULL, "factor of a power")
+	LIST("span.wind.lift", OPTIONAL, "of the powers 0, 1, 2, ... of the angle of attack")
+	NUMBER("span.wind.lift[]", OPTIONAL, "1", ANY, NOWHERE, NULL, "factor of a power")
+	LIST_OF_MOST("span.wind.profile", HAWSER_WIND_ROWS,
+	             "speed along the cable over wind.speed, linear between these places")
+	VECTOR("span.wind.profile[]", 2, OPTIONAL, "1", NOT_NEGATIVE, NOWHERE, NULL,
+	       "[place, factor]: fraction of the unstretched length from end A, in ascending order, and "
+	       "the speed there over wind.speed")
+	LIST_OF_MOST("span.wind.table", HAWSER_WIND_ROWS,
+	             "drag and lift as a table, in place of wind.drag and wind.lift; a cubic spline goes "
+	             "through it, which keeps its end values outside")
+	VECTOR("span.wind.table[]", 3, OPTIONAL, "rad, 1, 1", ANY, NOWHERE, NULL,
+	       "[angle of attack, drag coefficient, lift coefficient], angles in ascending order")
+	LIST_OF_MOST("span.wind.reynolds", HAWSER_WIND_ROWS,
+	             "drag coefficient at the angle of attack 0 over Reynolds' number, in place of "
+	             "the first one of wind.drag; a cubic spline, as wind.table")
+	VECTOR("span.wind.reynolds[]", 2, OPTIONAL, "1", ANY, NOWHERE, NULL,
+	       "[Reynolds' number of the relative wind, drag coefficient], in ascending order")
 	SECTION("span.load", OPTIONAL,
 	        "a distributed load that varies as the cosine of the forcing phase")
 	SECTION("span.load.static", OPTIONAL,
@@ -382,6 +452,7 @@ static const struct hawser__tree_key span_rows[] = {
 	LIMIT("span.ends.A", "pinned|clamped", SPAN_AT(ends[0]), NULL, "a hinge, or held")
 	LIMIT("span.ends.B", "pinned|clamped", SPAN_AT(ends[1]), NULL, "a hinge, or held")
 	WORD("span.model.modes", OPTIONAL, "auto", SPAN_AT(model.modes), NULL, "as the accuracy requires")
+	WORD("span.wind.wake.at", OPTIONAL, "modes", SPAN_AT(wind.wake.places), NULL, "one for each mode")
 	LIST("span.damping.ratio", AT_MOST_ONE, "of the modes 1, 2, ... of hawser modes")
 	NUMBER("span.damping.ratio[]", OPTIONAL, "1", NOT_NEGATIVE, NOWHERE, NULL, "ratio of a mode")
 };

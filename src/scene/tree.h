@@ -42,6 +42,28 @@ enum hawser_status hawser__tree_scene(void *scene, const struct hawser__tree_for
 enum hawser_status hawser__tree_scene_open(void *scene, const struct hawser__tree_form *form,
                                            const char *path, const char *const *set, size_t nset,
                                            struct hawser_report *report) HAWSER_MUST_CHECK;
+/* hawser_NAME_of and hawser_NAME_open of struct hawser_NAME, which has a `name`, by the function
+ * `interpret` of the file and these words (struct hawser__tree_words). */
+#define HAWSER__TREE_SCENES(kind, ...) \
+	static void clear_##kind(void *scene) \
+	{ \
+		hawser_##kind##_clear(scene); \
+	} \
+	static const struct hawser__tree_form form = {{__VA_ARGS__}, sizeof(struct hawser_##kind), \
+		offsetof(struct hawser_##kind, name), interpret, clear_##kind}; \
+	enum hawser_status hawser_##kind##_of(struct hawser_##kind *to, \
+	                                      const struct hawser_document *from, \
+	                                      const char *const *set, size_t nset, \
+	                                      struct hawser_report *report) \
+	{ \
+		return hawser__tree_scene(to, &form, from, set, nset, report); \
+	} \
+	enum hawser_status hawser_##kind##_open(struct hawser_##kind *to, const char *path, \
+	                                        const char *const *set, size_t nset, \
+	                                        struct hawser_report *report) \
+	{ \
+		return hawser__tree_scene_open(to, &form, path, set, nset, report); \
+	}
 /* The tree of a text; 0: it is no YAML that a scene may be, and *tree is what comes before the fault.
  * The caller clears it. */
 int hawser__tree_parse(struct hawser__tree **tree, const char *text, size_t length);

@@ -125,6 +125,10 @@ static const struct {
 } synonym[] = {
 	{"mass", "rho"}, {"stiffness", "EA"}, {"length", "d"}, {"span", "d"}, {"rise", "h"},
 	{"height", "h"}, {"pretension", "H"}, {"velocity", "speed"}, {"zeta", "ratio"}, {"xi", "ratio"},
+	{"E", "EA"}, {"weight", "rho"}, {"L", "d"}, {"l", "d"}, {"T", "T0"}, {"force", "T0"},
+	{"logdec", "ratio"}, {"decrement", "ratio"}, {"gravity", "g"}, {"v", "speed"},
+	{"mass", "attach"}, {"damper", "attach"}, {"E", "EI"}, {"weight", "counterweight"}, {"len", "d"},
+	{"len", "length"},
 };
 
 /* One of the keys by another name of it, or NULL. */
@@ -136,18 +140,22 @@ static const char *by_another_name(const char *name, const char *keys)
 	return NULL;
 }
 
+enum { ELSEWHERE = 4 }; /* edit distance to keys of other sections: two letters */
+
 const char *hawser__tree_suggest(char hint[HAWSER__TEXT_ROOM], const char *name, const char *of,
                                  const char *keys)
 {
 	const struct hawser__tree_table *table = hawser__tree_table(of);
 	const struct hawser__tree_key *near = NULL;
 	const char *leaf = strrchr(name, '.') ? strrchr(name, '.') + 1 : name;
-	int least = 2*hawser__edit_limit(strlen(leaf)) + 2;
+	int limit = hawser__edit_limit(strlen(leaf)), least = 2*(limit < ELSEWHERE ? limit : ELSEWHERE) + 2;
 	char best[HAWSER__TEXT_ROOM], section[HAWSER__TEXT_ROOM];
 
 	*hint = '\0';
 	if (isdigit((unsigned char)*name))
 		return strcpy(hint, "is it a decimal comma? A number has a decimal point; ");
+	if (strchr(name, ':'))
+		return strcpy(hint, "write a blank behind the colon; ");
 	hawser__tree_nearest(best, name, leaf == name ? keys : "");
 	if (by_another_name(name, keys))
 		snprintf(best, sizeof best, "%s", by_another_name(name, keys));

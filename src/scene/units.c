@@ -19,7 +19,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 #include <udunits2.h>
 
 #include <hawser/scene.h>
@@ -248,6 +247,15 @@ static int trim(char own[LONGEST + 1], const char *text)
 	return 1;
 }
 
+const char *hawser__units_behind(const char *text)
+{
+	const char *rest = text;
+	double ignored;
+
+	(void)number(&ignored, &rest, skip(text));
+	return skip(rest);
+}
+
 enum hawser__number hawser__units_read(struct hawser__units *units, double *value,
                                        const char *text, const char *unit)
 {
@@ -273,132 +281,6 @@ enum hawser__number hawser__units_read(struct hawser__units *units, double *valu
 	if (answer == HAWSER__NUMBER_OK)
 		*value = result;
 	return answer;
-}
-
-const char *hawser__shown(char shown[HAWSER__SHOWN], const char *text)
-{
-	size_t length = strlen(text), keep = length;
-
-	if (length > 40) {
-		keep = 37;
-		while (keep && ((unsigned char)text[keep] & 0xc0) == 0x80)
-			keep--;
-	}
-	for (size_t i = 0; i < keep; i++)
-		shown[i] = iscntrl((unsigned char)text[i]) ? '?' : text[i];
-	snprintf(shown + keep, HAWSER__SHOWN - keep, "%s", keep < length ? "..." : "");
-	return shown;
-}
-
-/* Write the advice for a message: how to give a value in this unit. */
-static void advice(char *text, size_t size, const char *unit)
-{
-	if (!strcmp(unit, "1"))
-		snprintf(text, size, "give a pure number");
-	else if (!strcmp(unit, "rad/s"))
-		snprintf(text, size, "give a number in rad/s, or with a unit such as rad/s or Hz");
-	else
-		snprintf(text, size,
-		         "give a number in %s, or with a unit that converts to %s", unit,
-		         unit);
-}
-
-/* The mass per length that has the weight `text` per length under standard gravity, kg/m; NAN if
- * `text` is no force per length, or if no mass per length is asked for. */
-static double mass_of_weight(const char *text, const char *unit)
-{
-	static const double standard_gravity = 9.80665; /* m/s^2, exact by definition */
-	struct hawser__units units = {NULL};
-	enum hawser__number answer = HAWSER__NUMBER_UNKNOWN;
-	double weight;
-
-	if (!strcmp(unit, "kg/m"))
-		answer = hawser__units_read(&units, &weight, text, "N/m");
-	hawser__units_clear(&units);
-	return answer == HAWSER__NUMBER_OK ? weight/standard_gravity : NAN;
-}
-
-/* A unit that converts to `to` and differs from `text` in small and capital letters alone, or NULL. */
-static const char *other_case(const char *text, const char *to)
-{
-	static const char *const unit[] = {
-		"N", "kN", "MN", "Pa", "kPa", "MPa", "GPa", "Hz", "kHz", "rad/s", "m", "mm", "km", "kg", "g",
-		"s", "min", "m/s", "km/h", "N/m", "kN/m", "kg/m", "N*m", "kN*m", "deg", "rad", "degC", "K",
-	};
-
-	const char *meant = NULL;
-	struct hawser__units units = {NULL};
-
-	for (size_t i = 0; i < sizeof unit/sizeof *unit; i++) {
-		char one[16];
-		double ignored;
-
-		snprintf(one, sizeof one, "1 %s", unit[i]);
-		if (strcasecmp(text, unit[i]) == 0 &&
-		    hawser__units_read(&units, &ignored, one, to) == HAWSER__NUMBER_OK)
-			meant = unit[i];
-	}
-	hawser__units_clear(&units);
-	return meant;
-}
-
-/* What is not a unit. */
-static void no_unit(char *sentence, size_t size, const char *shown, const char *to, const char *how)
-{
-	const char *meant = other_case(shown, to);
-
-	if (*shown == ',')
-		snprintf(sentence, size, "has a comma: a number has a decimal point");
-	else
-		snprintf(sentence, size, "has an unknown unit \"%s\": %s%s%s%s", shown,
-		         meant ? "did you mean " : "", meant ? meant : "", meant ? "? " : "", how);
-}
-
-void hawser__units_explain(char *sentence, size_t size, enum hawser__number failure,
-                           const char *text, const char *unit)
-{
-	char how[128], shown[HAWSER__SHOWN];
-	const char *rest = text;
-	double ignored, mass;
-
-	if (failure != HAWSER__NUMBER_SYNTAX)
-		(void)number(&ignored, &rest, skip(text));
-	advice(how, sizeof how, unit);
-	hawser__shown(shown, skip(rest));
-	switch (failure) {
-	case HAWSER__NUMBER_NAN:
-		snprintf(sentence, size, "is not a number (NaN): %s", how);
-		break;
-	case HAWSER__NUMBER_OVERFLOW:
-		snprintf(sentence, size, "is beyond double precision: %s", how);
-		break;
-	case HAWSER__NUMBER_UNKNOWN:
-		no_unit(sentence, size, shown, unit, how);
-		break;
-	case HAWSER__NUMBER_DIMENSION:
-		mass = mass_of_weight(text, unit);
-		if (isfinite(mass)) {
-			snprintf(sentence, size,
-			         "is a weight per length (\"%s\"), a force; a mass per length is wanted: under "
-			         "standard gravity it belongs to \"%.8g kg/m\", or \"%.8g lb/ft\"", shown, mass,
-			         mass*0.3048/0.45359237);
-			break;
-		}
-		snprintf(sentence, size,
-		         "has a wrong unit \"%s\", not convertible to %s: %s", shown,
-		         strcmp(unit, "1") ? unit : "a pure number", how);
-		break;
-	case HAWSER__NUMBER_DATABASE:
-		snprintf(sentence, size,
-		         "needs the unit database of udunits2, which can't be read: "
-		                         "install it (Debian package libudunits2-data), or write "
-		                         "plain numbers in SI units");
-		break;
-	case HAWSER__NUMBER_SYNTAX:
-	case HAWSER__NUMBER_OK:
-		snprintf(sentence, size, "is not a number: %s", how);
-		break;
-	}
 }
 
 enum hawser_status hawser_unit_parse(double *value, const char *text, const char *unit,

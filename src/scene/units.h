@@ -30,6 +30,9 @@ enum hawser__number hawser__units_read(struct hawser__units *units, double *valu
  * common one. */
 double hawser__units_common(const char *from, const char *to);
 
+/* What follows the number in a text. */
+const char *hawser__units_behind(const char *text);
+
 /* Write the sentence that explains a failure, to follow the quoted text. */
 void hawser__units_explain(char *sentence, size_t size, enum hawser__number failure,
                            const char *text, const char *unit);

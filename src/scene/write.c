@@ -73,6 +73,25 @@ static void sections(FILE *stream, const char *path, const char *before)
 	}
 }
 
+/* Rows of numbers below wind. */
+static void rows(FILE *stream, const char *key, const double *value, int count, int columns)
+{
+	if (count)
+		fprintf(stream, "  %s: ", key);
+	for (int i = 0; i < count*columns; i++) {
+		fputs(i == 0 ? "[[" : i%columns ? ", " : "], [", stream);
+		number(stream, value[i]);
+	}
+	fputs(count ? "]]\n" : "", stream);
+}
+
+static void wind_rows(FILE *stream, const struct hawser_wind *wind)
+{
+	rows(stream, "profile", wind->profile[0], wind->profiles, 2);
+	rows(stream, "table", wind->table[0], wind->tables, 3);
+	rows(stream, "reynolds", wind->reynolds[0], wind->crises, 2);
+}
+
 static void whole(FILE *stream, const struct hawser_scene *scene)
 {
 	const struct hawser_scene_key *key;
@@ -88,6 +107,8 @@ static void whole(FILE *stream, const struct hawser_scene *scene)
 		if (*key->unit && strcmp(key->unit, "1") != 0)
 			fprintf(stream, "  # %s", key->unit);
 		fputc('\n', stream);
+		if (!strcmp(key->path, "wind.form"))
+			wind_rows(stream, &scene->wind);
 		before = key->path;
 	}
 }

@@ -26,6 +26,7 @@
 #include "statics/catenary.h"
 #include "statics/loaded.h"
 #include "statics/travel.h"
+#include "statics/wind.h"
 #include "statics/yield.h"
 
 static const char where[] = "statics";
@@ -87,8 +88,8 @@ static enum hawser_status turn(struct hawser_equivalent *equal, const double w[3
 static enum hawser_status refuse_attached(const struct hawser_scene *scene,
                                           struct hawser_report *report)
 {
-	const double *p = scene->static_load.per_length;
-	int wind = scene->static_load.present && (p[0] != 0.0 || p[2] != 0.0), aside = 0;
+	double p[3];
+	int wind = hawser__static_load(p, scene) && (p[0] != 0.0 || p[2] != 0.0), aside = 0;
 
 	for (int i = 0; i < scene->attachments; i++) {
 		const struct hawser_attachment *a = &scene->attach[i];
@@ -104,8 +105,8 @@ static enum hawser_status refuse_attached(const struct hawser_scene *scene,
 			                    "attach[%d] contradicts %s: springs, dampers and absorbers couple "
 			                    "the planes of a turned cable, which is not available; remove one "
 			                    "of them, or give a mass or force only", i,
-			                    wind ? "load.static.per_length" : "attach.force, which turns the cable "
-			                                                      "out of one plane");
+			                    scene->wind.present ? "wind" : wind ? "load.static.per_length"
+			                    : "attach.force, which turns the cable out of one plane");
 	}
 	return HAWSER_OK;
 }
@@ -113,11 +114,11 @@ static enum hawser_status refuse_attached(const struct hawser_scene *scene,
 /* Whether the static load balances the weight, as of a cable that floats in water. */
 static int balanced(const struct hawser_scene *scene)
 {
-	const double *p = scene->static_load.per_length;
-	double weight = (scene->cable.rho + scene->static_load.mass)*scene->g;
+	double weight = (scene->cable.rho + scene->static_load.mass)*scene->g, p[3];
+	int loaded = hawser__static_load(p, scene);
 	double force = hypot(hypot(p[0], p[1] - weight), p[2]);
 
-	return scene->static_load.present && !(force > nothing*(weight + hawser__norm(p)));
+	return loaded && !(force > nothing*(weight + hawser__norm(p)));
 }
 
 /* Without any force, a cable that is not taut by itself has no shape. */
@@ -146,14 +147,15 @@ static enum hawser_status determined(const struct hawser_equivalent *equal,
 static enum hawser_status apply(struct hawser_equivalent *equal, const struct hawser_scene *scene,
                                 const double chord[3], struct hawser_report *report)
 {
-	static const double none[3] = {0.0};
-	int loaded = scene->static_load.present;
-	const double *p = loaded ? scene->static_load.per_length : none;
-	double rho = scene->cable.rho + (loaded ? scene->static_load.mass : 0.0), weight = rho*scene->g;
+	double p[3];
+	int loaded = hawser__static_load(p, scene);
+	double rho = scene->cable.rho + (scene->static_load.present ? scene->static_load.mass : 0.0);
+	double weight = rho*scene->g;
 	double w[3] = {p[0], p[1] - weight, p[2]}, force = hawser__norm(w);
 	enum hawser_status status = refuse_attached(scene, report);
 
 	bare(&equal->span, scene);
+	rho += hawser__added_mass(scene);
 	equal->span.rho = rho;
 	equal->span.d = chord[0];
 	equal->span.h = chord[1];
@@ -194,7 +196,7 @@ static enum hawser_status stretch_of(double *stretch, const struct hawser_scene 
 
 static int changed(const struct hawser_scene *scene)
 {
-	return scene->static_load.present || scene->temperature.present;
+	return scene->static_load.present || scene->wind.present || scene->temperature.present;
 }
 
 void hawser__attached_along(struct hawser_attachment attach[HAWSER_ATTACH_MAX],
@@ -350,7 +352,7 @@ enum hawser_status hawser_statics_reference(struct hawser_statics *st,
 	int other = scene->tension.state == HAWSER_STATE_LOADED && changed(scene);
 	enum hawser_status status = stretch_of(&stretch, scene, report);
 
-	bare_scene.static_load.present = bare_scene.temperature.present = 0;
+	bare_scene.static_load.present = bare_scene.wind.present = bare_scene.temperature.present = 0;
 	if (!status && other)
 		status = hawser_statics_equivalent(&equal, scene, report);
 	if (!status && other)

@@ -10,6 +10,8 @@ noinst_LTLIBRARIES += %D%/libstatics.la
 	%D%/catenary.c \
 	%D%/tension.c \
 	%D%/travel.c \
+	%D%/wind.c \
+	%D%/wind.h \
 	%D%/equivalent.c \
 	%D%/held.c \
 	%D%/limit.c \

@@ -3,6 +3,7 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/accuracy/certificate.c \
 	%D%/accuracy/certificate.h \
 	%D%/accuracy/certificate_mesh.c \
+	%D%/accuracy/certificate_span.c \
 	%D%/accuracy/certify.c \
 	%D%/accuracy/certify.h \
 	%D%/accuracy/chosen.c \
@@ -17,6 +18,7 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/plan/cost.c \
 	%D%/plan/decide.c \
 	%D%/plan/foresee.c \
+	%D%/plan/gallop.c \
 	%D%/plan/own.c \
 	%D%/accuracy/estimate.c \
 	%D%/map/family.c \

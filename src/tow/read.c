@@ -74,27 +74,10 @@ static enum hawser_status interpret(struct hawser__reader *reader, void *scene,
 	return status ? status : in_air(reader, tow, root);
 }
 
-static void clear(void *scene)
-{
-	hawser_tow_clear(scene);
-}
-
-static const struct hawser__tree_form form = {
-	{"tow", "the scene of a towed body is a mapping with the section tow (see hawser-scene(5), TOW)",
-	"tow.orbit.radius=80 m", 'p'},
-	sizeof(struct hawser_tow), offsetof(struct hawser_tow, name), interpret, clear};
-
-enum hawser_status hawser_tow_of(struct hawser_tow *tow, const struct hawser_document *from,
-                                 const char *const *set, size_t nset, struct hawser_report *report)
-{
-	return hawser__tree_scene(tow, &form, from, set, nset, report);
-}
-
-enum hawser_status hawser_tow_open(struct hawser_tow *tow, const char *path,
-                                   const char *const *set, size_t nset, struct hawser_report *report)
-{
-	return hawser__tree_scene_open(tow, &form, path, set, nset, report);
-}
+HAWSER__TREE_SCENES(tow, "tow",
+	"the scene of a towed body is a mapping with the section tow (see hawser-scene(5), "
+	"TOW)",
+	"tow.orbit.radius=80 m", 'p')
 
 void hawser_tow_clear(struct hawser_tow *tow)
 {

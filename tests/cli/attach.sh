@@ -183,13 +183,19 @@ refuses_like 1 "modes are not weighed with absorbers" frf "$stay" --set "$tmd" -
 refuses_like 1 "whose cubic spring alone does not hold it at rest" statics "$stay" --set 'attach=[{at: 50 %, absorber_mass: 60 kg, absorber_cubic: 3}]'
 refuses_like 1 "has an incomplete absorber: give both" statics "$stay" --set 'attach=[{at: 50 %, absorber_mass: 60 kg}]'
 refuses_like 1 "absorber without direction" statics "$stay" --set "$tmd" --set 'attach.tmd.absorber_direction=[0, 0, 0]'
-refuses_like 1 "write KEY=FROM:TO:POINTS" modes "$stay" --over attach.0.at=0.1:0.2
-refuses_like 1 "write KEY=FROM:TO:POINTS" modes "$stay" --over attach.0.at=0.1:0.2:1
-refuses_like 1 "log needs --over KEY=FROM:TO:N: give that" modes "$stay" --log
+refuses_like 1 "KEY=FROM:TO:POINTS" modes "$stay" --over attach.0.at=0.1
+refuses_like 1 "KEY=FROM:TO:POINTS" modes "$stay" --over attach.0.at=0.1:0.2:1
+run modes "$stay" --over "attach[0].at=[0.1, 0.2]" -n 2
+sed '/^#/d' "$scratch/out" >"$scratch/listed"
+run modes "$stay" --over attach.0.at=0.1:0.2:2 -n 2
+try "a list and a range of the same values give the same modes" sh -c "sed '/^#/d' '$scratch/out' | cut -f 3-8 | diff - /dev/fd/3" 3<<END
+$(cut -f 3-8 "$scratch/listed")
+END
+refuses_like 1 "log needs --over KEY=VALUES: give that" modes "$stay" --log
 refuses_like 1 "shapes does not go with --damped" modes "$stay" --damped --shapes
 refuses_like 1 "has 3 values" modes "$stay" --over attach.0.damper=1e3:2e3:3
-refuses_like 1 "a logarithmic sweep" modes "$stay" --over attach.0.mass=0:2:3 --log
-refuses_like 1 "two different finite numbers" modes "$stay" --over attach.0.mass=2:2:3
+refuses_like 1 "no equal ratios" modes "$stay" --over attach.0.mass=0:2:3 --log
+refuses_like 1 "KEY=FROM:TO:POINTS" modes "$stay" --over attach.0.mass=2:2:3
 refuses_like 1 "those of a cable at rest" modes "$top/notebooks-data/scenes/rope.yaml" --damped
 refuses_like 2 "inextensible" modes "$stay" --damped --set cable.EA=.inf
 

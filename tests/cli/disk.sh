@@ -52,6 +52,15 @@ if [ -w /dev/full ]; then
 		plan "$chairlift" --fidelities "raw 1"
 	END
 	refuses 4 "cannot write /dev/full: No space left on device" rom "$duffing" --json /dev/full
+	# a picture takes no numbers with it
+	ln -s /dev/full full.svg
+	"$HAWSER" statics "$chairlift" --points 2 --plot full.svg >rows 2>"$scratch/err"
+	status=$?
+	: >"$scratch/out"
+	try "a picture on a full disk" like 4 "cannot write .*full.svg: No space left on device"
+	try "its numbers are printed" grep -q '^# closure' rows
+	try "and its rows" grep -q '^[0-9]' rows
+	rm -f rows full.svg
 else
 	skip "there is no /dev/full"
 fi

@@ -21,6 +21,11 @@ obstacles statics
 ropeway statics
 rod statics
 tow tow steady
+stay modes
+conductor statics
+chairlift statics
+footbridge modes
+mooring statics
 END
 refuses_like 1 'init nets: must be one of .cable.travelling.*' init nets
 refuses_like 1 '.*unknown key weights: .*' check net.yaml --set 'weights={J: 1 kg}'

@@ -58,7 +58,7 @@ for name in b-table-4.2 b-table-4.3-line-1 b-table-4.3-line-2 b-table-4.4-line-1
 done
 # Spans on which nothing acts, or a speed that changes once.
 for name in b-table-4.1-case-1 b-table-4.1-case-2 b-table-4.1-case-3 b-table-5.1-fictitious b-table-5.1-hauling-rope b-table-5.1-ropeway \
-	b-table-5.2 b-table-5.3 b-table-5.5 stay-absorber stay-damper; do
+	b-table-5.2 b-table-5.3 b-table-5.5 conductor-iced rope-current stay-absorber stay-damper; do
 	motion "$scenes/$name.yaml" -n 2
 	echo "$name.yaml" >>seen
 done

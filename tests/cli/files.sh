@@ -53,11 +53,13 @@ chmod +x ../gnuplot
 HAWSER_GNUPLOT=$scratch/gnuplot
 refuses 4 "$scratch/gnuplot failed with status 3 (something is wrong); no picture is written" \
 	statics "$chairlift" --plot out.svg --json out.json
-try "a failing gnuplot leaves nothing" holds ""
+try "a failing gnuplot leaves the numbers" holds "out.json "
+rm out.json
 printf '#!/bin/sh\nkill -9 $$\n' >../gnuplot
 refuses 4 "$scratch/gnuplot was ended by signal 9; no picture is written" \
-	statics "$chairlift" --plot out.svg
-try "nor a killed one" holds ""
+	statics "$chairlift" --plot out.svg --tsv out.tsv
+try "so does a killed one" holds "out.tsv "
+rm out.tsv
 unset HAWSER_GNUPLOT
 
 unserved

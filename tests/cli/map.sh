@@ -18,7 +18,7 @@ refuses 1 '--x span.h: write KEY=FROM:TO, such as travel.speed=0:20' map "$chair
 refuses 1 '--x span.h=1: write KEY=FROM:TO, such as travel.speed=0:20' map "$chairlift" --x span.h=1 --y g=1:2
 refuses 1 '--x span.h=5:5: the ends of the range must be finite and different' \
 	map "$chairlift" --x span.h=5:5 --y g=1:2
-refuses 1 'both axes are g' map "$chairlift" --x g=1:5 --y g=1:2
+refuses 1 'both axes are g: give --y another key' map "$chairlift" --x g=1:5 --y g=1:2
 refuses 1 'there is no key span.q: span takes d, h' map "$chairlift" --x span.q=1:5 --y g=1:2
 refuses 1 'there is no key span.q: span takes d, h' \
 	map "$top/notebooks-data/scenes/b-table-5.4.yaml" -n 2 --x Omega=5:6 --y span.q=1:2 --quantity multiplier
@@ -172,9 +172,9 @@ assert "# response 2: share " in lines and "u1\tv1\tbasin\tnumber" in lines, lin
 svg = open("basin.svg").read()
 assert "response 1" in svg and "boundary of basins" in svg and "Initial velocity" in svg
 END
-refuses 1 'u2: the axes of basins are components of the initial state: u1 to u1 (displacements) and v1 to v1 (velocities)' \
+refuses 1 'u2: the axes of basins are components of the initial state: u1 (displacement) and v1 (velocity)' \
 	map duffing.json --x u2=0:1 --y v1=0:1 --Omega 1.31 --quantity basin
-refuses 1 'both axes are v1' map duffing.json --x v1=0:1 --y v1=0:1 --Omega 1.31 --quantity basin
+refuses 1 'both axes are v1: give --y another key' map duffing.json --x v1=0:1 --y v1=0:1 --Omega 1.31 --quantity basin
 refuses 1 'the quantity basin needs a forcing frequency: give Omega' map duffing.json --x u1=0:1 --y v1=0:1 --quantity basin
 refuses_like 3 'a period of the motion needs more steps than the integration may take' map duffing.json --x u1=0:1e6 \
 	--y v1=0:1 --Omega 1.31 --quantity basin --points 2x2

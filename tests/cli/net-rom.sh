@@ -70,6 +70,34 @@ a, b = (json.load(open(n + ".json"))["D"] for n in ("axial", "damper"))
 most = max(abs(x) for row in a for x in row)
 assert max(abs(x - y) for r, s in zip(a, b) for x, y in zip(r, s)) < 1e-12*most
 END
+# A mass between two strings with a damper to the ground, of one degree of freedom in each direction.
+cat >damped.yaml <<'END'
+kind: net
+g: 0
+nodes: {A: [0, 0, 0], J: {}, B: [80, 0, 0]}
+cables:
+  - {name: c1, from: A, to: J, EA: 1 MN, rho: 0, length0: 39.2 m, elements: 1}
+  - {name: c2, from: J, to: B, EA: 1 MN, rho: 0, length0: 39.2 m, elements: 1}
+supports: {A: fixed, B: fixed}
+masses: {J: 23.85 kg}
+dampers: {J: [0, 31 N.s/m, 17 N.s/m]}
+loads: {J: {force: [0, 2, 0], harmonic: {multiple: 1}}}
+END
+works "a damper to the ground" rom damped.yaml -n 2 --json damped.json -q
+works "  in the response and in the mesh" frf damped.yaml -n 2 --from 0.9w1 --to 1.1w1 --json peak.json -q
+denies "  not in the motion of the mesh" 1 "dampers is for models, as of frf" integrate damped.yaml --until 1 --every 1
+denies "one that drives" 1 "dampers.J is negative: dampers take energy" check damped.yaml --set "dampers={J: [0, -1, 0]}"
+python "is that of one degree of freedom" <<'END'
+import json
+m = json.load(open("damped.json"))
+time, D = m["scale"]["time"], m["D"]
+assert abs(sorted([D[0][0]/time, D[1][1]/time])[0] - 17/23.85) < 1e-9
+assert abs(sorted([D[0][0]/time, D[1][1]/time])[1] - 31/23.85) < 1e-9
+omega = (2*1e6*0.8/39.2/40/23.85)**0.5
+mesh = [l for l in json.load(open("peak.json"))["certified"]["landmarks"] if l["kind"] == "peak"][0]
+exact = 2/(31*(omega**2 - (31/23.85)**2/4)**0.5) # the largest is beside omega
+assert abs(mesh["size_mesh"]/exact - 1) < 1e-5, (mesh, exact)
+END
 # An absorber in the middle of a span.
 cat >span.yaml <<'END'
 cable: {EA: 120 MN, rho: 6 kg/m}
@@ -106,11 +134,46 @@ works "a motion at a speed" integrate speed.yaml --until 0.05 --every 0.05 --jso
 works "a response" frf "$SRCDIR/notebooks-data/scenes/net-crosstie.yaml" --from "4.2 rad/s" --to "4.21 rad/s" -n 4 --certificate no \
 	--plot places.gp --json response.json -q
 try "  at both joints" test "$(grep -c "title 'J[12]'" places.gp)" = 2
-works "the motion of all nodes" orbit response.json#1 -n 4 --animate all.gif --frames 9 --tsv orbit.tsv -q
+works "the motion of all nodes" orbit response.json#1 --animate all.gif --frames 9 --tsv orbit.tsv -q
 try "  frames" python3 -S -c 'import sys; d = open("all.gif", "rb").read()
 sys.exit(d[:6] != b"GIF89a" or d.count(bytes([0x21, 0xf9, 4])) != 8)'
 works "a response of a file" frf axial.json --from 1.07w3 --to 1.075w3 --json response.json -q
-denies "the motion of a file" 1 "--animate is for nets, and axial.json is not one" orbit response.json#1 --animate all.gif
+denies "the motion of a file" 1 "--animate is for nets and ropeways, and axial.json is none" orbit response.json#1 --animate all.gif
+crosstie=$SRCDIR/notebooks-data/scenes/net-crosstie.yaml
+works "models beside the mesh" compare "$crosstie" --fidelities "condensed 4, condensed 9" --from 1w3 --to 1.03w3 \
+	--json compare.json -q
+python "the larger one is nearer" <<'END'
+import json
+r = json.load(open("compare.json"))
+row = {f["name"]: f for f in r["fidelities"]}
+assert r["reference"] == "mesh" and row["mesh"]["coordinates"] == 303
+four, nine = (row[n]["folds"]["Omega_error"] for n in ("condensed 4", "condensed 9"))
+assert 8e-4 < four < 1.3e-3 and 3e-4 < nine < 0.6*four, (four, nine)
+assert all(row[n]["folds"]["missing"] == row[n]["peaks"]["missing"] == 0 for n in row)
+END
+# A span as nets have it in tests/reference: the folds of the mesh there.
+cat >certified.yaml <<'END'
+cable: {EA: 1e8, rho: 5.56}
+span: {d: 300, h: 15}
+tension: {length0: 300.657021107}
+damping: {alpha: 0.2}
+load: {frame: global, per_length: [0.8, 0.8, 0.8]}
+END
+works "a span in its mesh" frf certified.yaml -n 6 --from 1.165 --to 1.195 --certificate yes --json certified.json -q
+denies "  not with attachments" 1 "a span with attachments is corrected as a net" frf span.yaml -n 2 --from 1.05w1 --to 1.051w1 \
+	--certificate yes --set damping.alpha=0.1 --set "load={frame: global, per_length: [0, 0, 1]}"
+python "  has the folds of a net" <<'END'
+import json
+r = json.load(open("certified.json"))
+folds = sorted(l["Omega_mesh"] for l in r["certified"]["landmarks"] if l["kind"] == "fold")
+assert abs(folds[0]/1.169214179 - 1) < 1e-6 and abs(folds[1]/1.190553850 - 1) < 1e-6, folds
+assert r["certified"]["refused"] == 0 and 1e-2 < r["model_error"]["estimated"] < 3e-2
+END
+denies "a form that nets have not" 1 "raw 4: of nets and ropeways, condensed N and multiple-scales N" compare "$crosstie" \
+	--fidelities "raw 4"
+denies "multiple scales alone" 1 "name condensed N too" compare "$crosstie" --fidelities "multiple-scales 4"
+denies "nothing driven and damped" 1 "the load drives no damped mode" compare mms "$crosstie" -n 4 --set damping.ratio=0 \
+	--set cables.tie.axial=0
 denies "a cable that is not there" 1 "passing\[0\].along: there is no cable c9" check passing.yaml \
 	--set "passing=[{along: [c9], $weights}]"
 denies "carriers without a weight" 1 "passing\[0\] needs weight or mass, and not both" check passing.yaml \

@@ -13,7 +13,7 @@ if ! command -v gnuplot >/dev/null; then
 fi
 refuses 1 "a report is one file, --output: leave --tsv out (the commands it shows have it)" report chairlift.yaml --tsv a
 refuses 1 "--output a.pdf: a report is HTML, which a browser prints as PDF: write a name that ends in .html, or - for standard output" report chairlift.yaml -o a.pdf
-refuses 1 "--parts statics, mode: a report of this scene has no part mode; it has plan, statics, modes, irvine, frf" \
+refuses 1 "--parts statics, mode: a report of this scene has no part mode; it has statics, modes, irvine, frf, plan" \
 	report chairlift.yaml --parts "statics, mode"
 refuses_like 2 "tension T0 at end A" report chairlift.yaml --set tension.T0=5kN
 refuses_like 1 "from" report chairlift.yaml --parts frf --from 2kg

@@ -64,4 +64,5 @@ sed 's/clamped/free/; /^end/d' rod.yaml >bad.yaml
 denies "nothing holds it" 2 "both ends of the rod are free" statics bad.yaml
 denies "an option of rods" 1 "is for rods" statics "$scenes/chairlift.yaml" --load-steps 3
 denies "another command" 1 "is a rod, which hawser modes does not take; these commands do: statics, integrate" modes "$scenes/rod-roll.yaml"
+denies "a command of models" 1 "these commands do: statics, integrate. Reduced models are of cables" frf "$scenes/rod-roll.yaml"
 done_testing

@@ -14,6 +14,10 @@ works "smeared carriers" rom "$small" $up -n 1 --carriers smeared --json smeared
 works "a response" frf passing.json --from 0.95w1 --to 1.02w1 --step 0.04 --json frf.json -q
 rough "the same of the scene, with more modes" frf "$small" $up -n 6 --damping 0.02 --from 0.95w1 --to 1.02w1 --step 0.04 \
 	--json scene.json --tsv scene.tsv --plot frf.svg -q
+rough "  the motion at a label, by the modes and options of the result" orbit scene.json#1 --animate motion.gif --frames 8 \
+	--tsv orbit.tsv -q
+try "  frames" python3 -S -c 'import sys; d = open("motion.gif", "rb").read()
+sys.exit(d[:6] != b"GIF89a" or d.count(bytes([0x21, 0xf9, 4])) != 8)'
 works "the default range" rom "$small" $up -n 6 --export auto range -q
 rough "a motion of the scene, by the name of the load" integrate "$small" $up -n 6 --damping 0.02 --load drive --ripple 0.01 \
 	--Omega 2.5 --until 20 --every 1 --json named.json -q

@@ -98,20 +98,29 @@ try "  the message is in the comments and on standard error" \
 	test "$(cat "$scratch/out" "$scratch/err" | grep -c 'tension.T0 = 1 kN, span.h = 0 m: .*below the least one')" -eq 2
 
 sweep="sweep chairlift.yaml --over tension.T0=60000:100000:3"
-refuses 1 "no result of 2 of 2 variations; the first, tension.TO = 6: unknown key tension.TO: did you mean T0? tension takes H, T0, T1, length0, sag, branch, state" \
+refuses 1 "nothing is computed: no variation can be read; the first, tension.TO = 6: unknown key tension.TO: did you mean T0? tension takes H, T0, T1, length0, sag, branch, state" \
 	sweep chairlift.yaml --over tension.TO=6,7 -- statics
 refuses_like 1 '^hawser: --keep sga: the result of statics has no such column; it has model, H_N,' $sweep --keep sga -- statics
 refuses_like 1 'it has no|has no such list; there is table, modes' sweep b-table-5.4.yaml --over travel.speed=1 --rows mode -- modes -n 1
 refuses_like 1 "--tsv: each variation would write this file again" $sweep -- statics --tsv x
-refuses_like 1 "write KEY=FROM:TO:POINTS" sweep chairlift.yaml --over "tension.T0=60:100 kN:3" -- statics
+refuses_like 1 "KEY=FROM:TO:POINTS" sweep chairlift.yaml --over "tension.T0=60:100 kN:3" -- statics
 refuses_like 1 "with 2 to 10000000 points" sweep chairlift.yaml --over "tension.T0=60 kN:100 kN:4294967298" -- statics
 refuses 1 "--over: value 2 of tension.T0 has more than 308 characters: put it into the scene" \
 	sweep chairlift.yaml --over "tension.T0=1,$(printf %0320d 0)" -- statics
 refuses_like 1 "some values of tension.T0 have a unit" sweep chairlift.yaml --over "tension.T0=60,100 kN" -- statics
-refuses_like 1 "--over tension.T0=0:1:3: from 0 to 1 there are no equal ratios" sweep chairlift.yaml --over tension.T0=0:1:3:log -- statics
+refuses_like 1 "--over tension.T0=0:1:3:log: from 0 to 1 there are no equal ratios" sweep chairlift.yaml --over tension.T0=0:1:3:log -- statics
 refuses 1 "--set tension.T0=7: the sweep varies this key: give it once" $sweep -- statics --set tension.T0=7
 refuses_like 1 "a bracket of the key is open or empty" sweep rod-bend.yaml --over "loads[0.force[2]=1,2" -- statics
 refuses_like 1 "tension.T0 is varied twice" $sweep --over tension.T0=1,2 -- statics
 refuses_like 1 "the command is missing" $sweep
+refuses_like 1 'nothing is computed: no variation can be read; the first, tension.T0 = 6 kg: tension.T0: "6 kg"' \
+	sweep chairlift.yaml --over "tension.T0=6 kg:60 kg:5000" -- statics
+# one syntax: a range, a list in brackets, a list
+for values in "60 kN:100 kN:2:log" "[60 kN, 100 kN]" "60 kN,100 kN"; do
+	works "values $values" sweep chairlift.yaml --over "tension.T0=$values" --keep sag --tsv values.tsv -- statics
+	try "  are 60 and 100 kN" test "$(sed '/^#/d; /^tension/d' values.tsv | cut -f 1 | tr '\n' ' ')" = "60 100 "
+done
+works "a list of one key" sweep chairlift.yaml --over "load.per_length=[0,1,0]" --keep sag --tsv values.tsv -- statics
+try "  is one value" test "$(grep -c '^.0,1,0.' values.tsv)" -eq 1
 refuses 1 "report has no result of one scene to put into a table" $sweep -- report
 done_testing

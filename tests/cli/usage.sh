@@ -77,7 +77,7 @@ refuses 1 "--models does not go with --model: leave out one of them" \
 	statics "$chairlift" --models --model parabola
 refuses 1 "tensions from 9000 N to 8000 N are no range: give --from and --to, the smaller one first" \
 	statics "$chairlift" --compatibility --from "9 kN" --to 8000
-refuses_like 1 '^hawser: --from: "3 kg" has a wrong unit' \
+refuses_like 1 '^hawser: --from: "3 kg" is a mass .*a force is wanted' \
 	statics "$chairlift" --models --from "3 kg"
 refuses 1 "frf: unknown option --form; did you mean --from? (hawser frf --help lists all)" \
 	frf "$chairlift" --form 3
@@ -88,7 +88,8 @@ refuses 1 "statics: unknown option --omega (hawser statics --help lists all)" \
 refuses 1 "statics: unknown option -x (hawser statics --help lists all)" statics "$chairlift" -x
 refuses 1 "frf needs a SCENE|MODEL (hawser frf --help)" frf
 refuses 1 "modes needs a SCENE (hawser modes --help)" modes
-refuses 1 "statics takes one SCENE, but a and b are given" statics a b
+refuses 1 'statics takes one SCENE, but a and b are given (quote a value with a blank, such as "5 m")' \
+	statics a b
 refuses 1 "--json needs FILE" statics "$chairlift" --json
 refuses 1 "--json: the FILE is empty" statics "$chairlift" --json ""
 refuses 1 "--quiet takes no argument" statics "$chairlift" --quiet=1

@@ -194,12 +194,13 @@ static void optimum(double xi, double a)
 	                             .tension = {HAWSER_GIVEN_H, tension, HAWSER_BRANCH_TAUT,
 	                                         (enum hawser_state)0}, .attachments = 1,
 	                             .attach = {{.at = a, .damper = {0, 0, z}}}};
+	double size[12], most;
 	const struct hawser_damped_sweep_options options = {
-		.key = "attach.0.damper[2]", .from = 0.5*z/(M_PI*a), .to = 20.0*z/(M_PI*a), .points = 12,
-		.logarithmic = 1, .modes = {.n = 2}};
+		.key = "attach.0.damper[2]", .value = size, .points = 12, .modes = {.n = 2}};
 	struct hawser_damped_sweep sweep;
-	double most;
 
+	for (int i = 0; i < 12; i++)
+		size[i] = 0.5*z/(M_PI*a)*pow(40.0, i/11.0);
 	if (!ok(!hawser_damped_trace(&sweep, &scene, &options, &report), "a sweep: %s", report.message))
 		return;
 	most = largest_ratio(&sweep);

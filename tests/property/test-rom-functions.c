@@ -269,26 +269,9 @@ static void check_choice(void)
 	hawser_rom_clear(&rom);
 }
 
-/* Entries of C counted by formula are those of a model without mirror symmetry. */
-static void check_count(void)
-{
-	static const struct example e = {"count", 9.0, {60.0, 60.0}, {31.0, 31.0}, 0.0, "none", 14};
-	struct hawser_rom rom = {.n = 0};
-	int out[14];
-
-	if (!ok(!model_of(&rom, &e, NULL), "an inclined span"))
-		return;
-	for (int j = 0; j < rom.n; j++)
-		out[j] = strncmp(rom.label[j], "out", 3) == 0;
-	ok(hawser__count_cubics(out, NULL, rom.n) == rom.cubics, "%g entries counted, %d in C",
-	   hawser__count_cubics(out, NULL, rom.n), rom.cubics);
-	hawser_rom_clear(&rom);
-}
-
 CASE(property_rom_functions)
 {
 	check_examples();
 	check_choice();
-	check_count();
 	return done_testing();
 }

@@ -119,6 +119,8 @@ static void nearest(void)
 			continue; /* the slow distance is exponential */
 		snprintf(of, sizeof of, "%.*s", (int)(key - 1 - path), path);
 		misspell(name, sizeof name, key);
+		if (strlen(name) == 1 && strchr("ELlTv", *name))
+			continue; /* other names of keys */
 		limit = hawser__edit_limit(strlen(name));
 		best = minimum(name, of);
 		if (best > limit)

@@ -84,8 +84,8 @@ static void refusals(void)
 	static const struct {
 		const char *text, *unit, *message;
 	} table[] = {
-		{"400 kg", "N", "\"400 kg\" has a wrong unit \"kg\", not convertible to N: give a number "
-		                "in N, or with a unit that converts to N"},
+		{"400 kg", "N", "\"400 kg\" is a mass (\"kg\"); a force is wanted: under standard gravity it "
+		 "belongs to \"3922.66 N\", or \"881.84905 lbf\""},
 		{"400 Mn", "N", "\"400 Mn\" has an unknown unit \"Mn\": did you mean MN? give "
 		 "a number in N, or with "
 		                "a unit that converts to N"},

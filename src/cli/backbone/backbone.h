@@ -5,6 +5,11 @@
 
 #include "cli/frame/view.h"
 
+/* cli_model_load, and a model whose K is not diagonal in the coordinates of its modes; a warning says
+ * so. */
+enum hawser_status cli_model_load_modal(struct cli_model *model, const struct cli_common *common,
+                                        int n, struct hawser_report *report) HAWSER_MUST_CHECK;
+
 struct cli_backbone {
 	int mode;                             /* index */
 	struct hawser_backbone run;

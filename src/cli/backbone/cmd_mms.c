@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "cli/model/label.h"
+#include "cli/backbone/backbone.h"
 #include "cli/backbone/mms_result.h"
 #include "cli/frame/progress.h"
 #include "core/report.h"
@@ -54,20 +55,6 @@ static double natural_of(const struct hawser_rom *rom, int j)
 
 /* --- what was asked for --- */
 
-static enum hawser_status which_mode(int *mode, const struct settings *settings,
-                                     const struct hawser_rom *rom, struct hawser_report *report)
-{
-	*mode = settings->mode ? settings->mode - 1 : hawser_primary_strongest(rom);
-	if (*mode >= rom->n)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "mms",
-		                    "--mode %d: the model has modes 1 to %d",
-		                    settings->mode, rom->n);
-	if (*mode < 0)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "mms",
-		                    "the load drives no mode at its own frequency: name one with --mode");
-	return HAWSER_OK;
-}
-
 static enum hawser_status range(struct cli_mms_result *result, const struct settings *settings,
                                 double centre, double half, struct hawser_report *report)
 {
@@ -79,7 +66,7 @@ static enum hawser_status range(struct cli_mms_result *result, const struct sett
 static enum hawser_status load_model(struct cli_model *model, const struct settings *settings,
                                      struct hawser_report *report)
 {
-	enum hawser_status status = cli_model_load(model, &settings->common, settings->n, report);
+	enum hawser_status status = cli_model_load_modal(model, &settings->common, settings->n, report);
 	double from = 0.0, to = 0.0;
 
 	if (status || !model->automatic)
@@ -96,6 +83,26 @@ static enum hawser_status load_model(struct cli_model *model, const struct setti
 
 /* --- results --- */
 
+/* A second mode that the closed form leaves out although it takes part. */
+static void warn_of_rival(const struct hawser_primary *primary, const struct hawser_rom *rom)
+{
+	char text[320];
+	double strength;
+	int m = primary->mode + 1, j = hawser_primary_rival(&strength, primary, rom) + 1;
+	double ratio = j ? natural_of(rom, j - 1)/primary->omega : 0.0;
+
+	if (!j)
+		return;
+	if (ratio > 1.0)
+		snprintf(text, sizeof text, "mode %d, at %.4g times the frequency of mode %d, takes part by a "
+		         "resonance of two to one, and the closed form leaves it out: hawser mms "
+		         "--resonant %d:1,%d:2 has both, hawser frf the whole model", j, ratio, m, m, j);
+	else
+		snprintf(text, sizeof text, "mode %d, at %.4g times the frequency of mode %d, begins to move "
+		         "at half the forcing frequency from %.3g of the peak on, and the closed form leaves "
+		         "it out: hawser frf with --branches 1 follows both", j, ratio, m, 1.0/strength);
+	cli_warn(text);
+}
 
 static enum hawser_status closed_form(struct cli_mms_result *result, struct cli_model *model,
                                       const struct settings *settings,
@@ -104,7 +111,7 @@ static enum hawser_status closed_form(struct cli_mms_result *result, struct cli_
 	struct hawser_primary primary = {0};
 	struct hawser_primary_curve curve = {.amplitude = NULL};
 	int mode;
-	enum hawser_status status = which_mode(&mode, settings, &result->model->rom, report);
+	enum hawser_status status = cli_mms_mode(&mode, settings->mode, &result->model->rom, report);
 
 	if (!status)
 		status = hawser_primary_derive(&primary, &result->model->rom, mode, report);
@@ -122,6 +129,8 @@ static enum hawser_status closed_form(struct cli_mms_result *result, struct cli_
 	result->modulation = &primary.modulation;
 	if (!status)
 		status = cli_show(result->common, &cli_mms_showing, result, report);
+	if (!status)
+		warn_of_rival(&primary, &model->rom);
 	if (!status)
 		cli_range_warn(model, cli_range_reach(NULL, model, curve.frf.coordinate, curve.frf.points,
 		                                      model->rom.n));
@@ -199,7 +208,7 @@ static enum hawser_status equilibria(struct cli_mms_result *result, struct cli_m
 	if (settings->resonant)
 		status = cli_mms_read(&resonance, settings->resonant, rom, report);
 	else
-		status = which_mode(&resonance.mode[0], settings, rom, report);
+		status = cli_mms_mode(&resonance.mode[0], settings->mode, rom, report);
 	if (!settings->resonant) {
 		resonance.order[0] = settings->superharmonic ? settings->superharmonic : 1;
 		resonance.omega0 = status ? 1.0 : natural_of(rom, resonance.mode[0])/resonance.order[0];

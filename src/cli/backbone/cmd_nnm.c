@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "cli/model/axis.h"
+#include "cli/backbone/backbone.h"
 #include "cli/backbone/nnm_result.h"
 #include "cli/frame/progress.h"
 #include "core/report.h"
@@ -103,7 +104,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	double *reached = NULL;
 
 	if (!status)
-		status = cli_model_load(&model, &settings->common, settings->n, report);
+		status = cli_model_load_modal(&model, &settings->common, settings->n, report);
 	if (!status)
 		status = trace(&nnm, settings, &model, report);
 	if (!status)

@@ -41,6 +41,20 @@ enum hawser_status cli_mms_read(struct hawser_resonance *resonance, const char *
 	return HAWSER_OK;
 }
 
+enum hawser_status cli_mms_mode(int *mode, int asked, const struct hawser_rom *rom,
+                                struct hawser_report *report)
+{
+	*mode = asked ? asked - 1 : hawser_primary_strongest(rom);
+	if (*mode >= rom->n)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "mms",
+		                    "--mode %d: the model has modes 1 to %d", asked, rom->n);
+	if (*mode < 0)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "mms",
+		                    "the load drives no damped mode at its own frequency: name one with "
+		                    "--mode, or give the scene a damping (ropeways: --damping)");
+	return HAWSER_OK;
+}
+
 enum hawser_status cli_mms_range(double *from, double *to, const struct cli_mms_range *range,
                                  const struct cli_model *model, struct hawser_report *report)
 {

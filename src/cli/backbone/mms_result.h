@@ -28,6 +28,9 @@ enum hawser_status cli_mms_draw(const char *path, const void *result, struct haw
 enum hawser_status cli_mms_read(struct hawser_resonance *resonance, const char *text,
                                 const struct hawser_rom *rom,
                                 struct hawser_report *report) HAWSER_MUST_CHECK;
+/* The resonant mode: number `asked` (0: not asked for) or the one that the load drives the most. */
+enum hawser_status cli_mms_mode(int *mode, int asked, const struct hawser_rom *rom,
+                                struct hawser_report *report) HAWSER_MUST_CHECK;
 /* A range, scaled; `centre` and `half` give the ends that the user did not give. */
 struct cli_mms_range {
 	double centre, half;

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/compare/compare_result.h"
+#include "cli/compare/compare_made.h"
 #include "cli/frame/progress.h"
 #include "cli/frame/view.h"
 #include "cli/motion/span_run.h"
@@ -22,10 +22,9 @@ struct settings {
 	int points, landmarks;
 };
 static const struct settings defaults = {
-	.step = CLI_STEP, .limit = 10.0,
-	.fidelities = "multiple-scales, raw 5, raw 9, condensed 5, condensed 9, condensed 12, "
-	              "condensed 16",
-};
+	.step = CLI_STEP, .limit = 10.0};
+static const char usual[] = "multiple-scales, raw 5, raw 9, condensed 5, condensed 9, condensed 12, "
+                            "condensed 16";
 
 static const struct cli_option options[] = {
 	CLI_RANGE_OPTIONS("frequency at which the curves start (0.6w1)",
@@ -41,6 +40,8 @@ static const struct cli_option options[] = {
 	CLI_POINTS_OPTION("end a curve after this many points (20000)"),
 	{"limit", 0, "SECONDS", "processor time that a curve may take; the reference more (10)",
 	 CLI_POSITIVE(limit)},
+	CLI_LANE_LOAD_OPTION,
+	CLI_LANE_FORM_OPTIONS,
 	CLI_NO_OPTION,
 };
 
@@ -48,7 +49,8 @@ static const char *const notes[] = {
 	"Follows the response of the scene's model at every fidelity of LIST, matches folds and peaks",
 	"along the curves, and tabulates their errors against the most accurate one, and the times taken.",
 	"LIST: multiple-scales N, raw N, condensed N, chosen N, full N (modes or functions), auto A (%);",
-	"raw 5-9 stands for raw 5, raw 6 and so on.",
+	"raw 5-9 stands for raw 5, raw 6 and so on. Of nets and ropeways, the first two are compared; of",
+	"nets with the mesh.",
 	"FREQUENCY: a number (rad/s), \"0.3 Hz\", or a multiple of a natural frequency, 0.6w1.",
 	"hawser compare modes compares methods for modes (hawser compare modes --help).",
 	NULL,
@@ -95,8 +97,9 @@ static enum hawser_status try_one(struct cli_compare_result *result, int i,
 	struct hawser_fidelity_choice choice = result->curve[i].choice;
 	enum hawser_status status;
 
-	status = hawser_study_run(&result->curve[i], &result->model->statics, &result->model->scene,
-	                          &choice, settings, report);
+	status = result->model->made ? cli_compare_made(result, i, settings, report)
+	         : hawser_study_run(&result->curve[i], &result->model->statics, &result->model->scene,
+	                            &choice, settings, report);
 	result->done[i] = !cli_interrupted();
 	if (status == HAWSER_ERR_MEMORY || i == result->reference)
 		return status;
@@ -161,10 +164,12 @@ static enum hawser_status run_all(struct cli_compare_result *result,
 	for (int k = 0; k < result->count && !status && !cli_interrupted(); k++) {
 		int i = k == 0 ? result->reference : k <= result->reference ? k - 1 : k;
 
+		if (result->done[i]) /* with the mesh */
+			continue;
 		snprintf(watch.label, sizeof watch.label, "%s (%d of %d)", result->curve[i].choice.name,
 		         k + 1, result->count);
 		watch.curve = &result->curve[i].frf;
-		watch.automatic = promises(&result->curve[i].choice);
+		watch.automatic = promises(&result->curve[i].choice) || cli_compare_is_mesh(result, i);
 		watch.limit = limit_of(result, i);
 		watch.started = cli_processor_seconds();
 		status = try_one(result, i, &trace, report);
@@ -181,9 +186,12 @@ static enum hawser_status compare_all(struct cli_compare_result *result,
 	enum hawser_status status = HAWSER_OK;
 
 	for (int i = 0; i < result->count && !status; i++)
-		if (cli_compare_has(result, i) && cli_compare_has(result, result->reference))
+		if (cli_compare_has(result, i) && cli_compare_has(result, result->reference)) {
 			status = hawser_study_compare(&result->error[i], &result->curve[i],
 			                              &result->curve[result->reference], NULL, report);
+			if (!status && cli_compare_is_mesh(result, result->reference))
+				cli_compare_made_count(result, i);
+		}
 	return status;
 }
 
@@ -251,14 +259,18 @@ static void set_choices(struct cli_compare_result *result,
 	}
 }
 
-static enum hawser_status choose(struct cli_compare_result *result,
+/* *n: modes of the model from which others are made. */
+static enum hawser_status choose(struct cli_compare_result *result, int *n,
                                  const struct settings *settings, struct hawser_report *report)
 {
 	struct hawser_fidelity_choice choice[CLI_FIDELITIES];
-	int count, extra = 0;
-	enum hawser_status status = hawser_fidelities_read(choice, &count, settings->fidelities,
-	                                                   CLI_FIDELITIES - 1, report);
+	enum hawser_kind kind = cli_kind(&settings->common);
+	int count, extra = 0, made = kind == HAWSER_KIND_NET || kind == HAWSER_KIND_ROPEWAY;
+	const char *list = settings->fidelities ? settings->fidelities : made ? CLI_COMPARE_MADE : usual;
+	enum hawser_status status = hawser_fidelities_read(choice, &count, list, CLI_FIDELITIES - 2,
+	                                                   report);
 
+	*n = 0;
 	if (!status && settings->reference)
 		status = hawser_fidelities_read(choice + count, &extra, settings->reference, 1, report);
 	if (status)
@@ -268,11 +280,13 @@ static enum hawser_status choose(struct cli_compare_result *result,
 	for (int i = 0; extra && i < result->count; i++)
 		if (same(&result->curve[i].choice, &choice[count]))
 			result->reference = i;
-	if (result->count < 2)
+	if (made)
+		status = cli_compare_made_choose(result, n, kind == HAWSER_KIND_NET, report);
+	if (!status && result->count < 2)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "compare",
 		                    "there is nothing to compare %s with: name another fidelity",
 		                    choice[0].name);
-	return HAWSER_OK;
+	return status;
 }
 
 /* Estimates by the plan, for fidelities small enough to be estimated quickly; and the reference, if
@@ -292,7 +306,8 @@ static void plan(struct cli_compare_result *result)
 		at[count] = i;
 		choice[count++] = result->curve[i].choice;
 	}
-	if (count > 0 && !hawser_plan_make(&made, &result->model->statics, &result->model->scene,
+	if (count > 0 && !result->model->made &&
+	    !hawser_plan_make(&made, &result->model->statics, &result->model->scene,
 	                                   choice, count, result->from, result->to, NULL))
 		for (int k = 0; k < made.rows; k++) {
 			result->estimate[at[k]] = made.row[k].seconds;
@@ -307,14 +322,17 @@ static void plan(struct cli_compare_result *result)
 static void announce(const struct cli_compare_result *result)
 {
 	double sum = 0.0;
+	char planned[40] = "";
 
 	for (int i = 0; i < result->count; i++)
 		if (isfinite(result->estimate[i]))
 			sum += fmin(result->estimate[i], limit_of(result, i));
-	cli_progress_note(result->common->quiet, "%d fidelities, reference %s: some %.2g s by the plan; at "
-	                  "most %.6g s of processor time a curve, %.6g s the reference (--limit)",
-	                  result->count, result->curve[result->reference].choice.name, sum,
-	                  result->limit, limit_of(result, result->reference));
+	if (sum > 0.0)
+		snprintf(planned, sizeof planned, " some %.2g s by the plan;", sum);
+	cli_progress_note(result->common->quiet, "%d fidelities, reference %s:%s at most %.6g s of "
+	                  "processor time a curve, %.6g s the reference (--limit)", result->count,
+	                  result->curve[result->reference].choice.name, planned, result->limit,
+	                  limit_of(result, result->reference));
 }
 
 static enum hawser_status range(struct cli_compare_result *result, const struct settings *settings,
@@ -322,7 +340,8 @@ static enum hawser_status range(struct cli_compare_result *result, const struct 
 {
 	const struct cli_model *model = result->model;
 
-	if (!cli_driven(&model->scene) && !(model->scene.travel.fluctuation > 0.0))
+	if (model->made ? model->rom.harmonics == 0
+	    : !cli_driven(&model->scene) && !(model->scene.travel.fluctuation > 0.0))
 		return hawser__fail(report, HAWSER_ERR_SCENE, "compare",
 		                    "%s: there is no load, so there is no response to compare: add a "
 		                    "section load", settings->common.input);
@@ -340,6 +359,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	struct cli_compare_result *result = calloc(1, sizeof *result);
 	struct cli_model model = {0};
 	enum hawser_status status;
+	int n;
 
 	if (!result)
 		return hawser__no_memory(report, "compare");
@@ -347,11 +367,11 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	result->model = &model;
 	result->landmarks = settings->landmarks;
 	result->limit = settings->limit;
-	status = choose(result, settings, report);
+	status = choose(result, &n, settings, report);
 	if (!status)
 		status = cli_outputs_check(&settings->common, report);
 	if (!status)
-		status = cli_model_load(&model, &settings->common, 0, report);
+		status = cli_model_load(&model, &settings->common, n, report);
 	if (!status)
 		status = range(result, settings, report);
 	if (status)
@@ -376,5 +396,5 @@ done:
 const struct cli_command cli_compare = {
 	"compare", "SCENE", "Fidelities of a scene: errors of folds and peaks against time", notes,
 	options, &defaults, sizeof(struct settings), 1, run, cli_compare_listing,
-	.takes = CLI_FORCED | CLI_CABLE | CLI_TRAVELLING,
+	.takes = CLI_FORCED | CLI_CABLE | CLI_TRAVELLING | CLI_NET | CLI_ROPEWAY,
 };

@@ -39,6 +39,8 @@ static const struct cli_option options[] = {
 	 .most = LEVELS},
 	CLI_TOLERANCE_OPTION("tolerance of both curves, relative to the orbit (1e-11)"),
 	{"step", 0, "NUMBER", "longest step, as a part of the range (0.001)", CLI_POSITIVE(step)},
+	CLI_LANE_LOAD_OPTION,
+	CLI_LANE_OPTIONS,
 	CLI_NO_OPTION,
 };
 
@@ -386,8 +388,9 @@ static enum hawser_status choose(struct result *result, const struct settings *s
 				result->mode = result->resonance.mode[r];
 		range.half *= result->resonance.omega0;
 	} else {
-		status = hawser_primary_derive(&primary, rom, settings->mode ? settings->mode - 1
-		                               : hawser_primary_strongest(rom), report);
+		status = cli_mms_mode(&result->mode, settings->mode, rom, report);
+		if (!status)
+			status = hawser_primary_derive(&primary, rom, result->mode, report);
 		result->mode = primary.mode;
 		result->resonance = (struct hawser_resonance){.count = 1, .mode = {primary.mode}, .order =
 		                                              {1},
@@ -455,5 +458,5 @@ const struct cli_command cli_compare_mms = {
 	"compare mms", "SCENE|MODEL", "Multiple scales against the model's response, at falling load",
 	        notes,
 	options, &defaults, sizeof(struct settings), 1, run, cli_compare_mms_listing,
-	.takes = CLI_ROPEWAY | CLI_MODEL,
+	.takes = CLI_FORCED | CLI_MODELS,
 };

@@ -264,20 +264,25 @@ static const struct fidelity *fidelity_of(struct fidelity *row,
 
 /* --- landmarks --- */
 
+/* All fidelities have the same probes. */
+static const char *probe_of(const struct cli_compare_result *result, int p)
+{
+	return result->model->made ? result->model->rom.shapes.name[p]
+	                           : result->curve[result->reference].probe[p];
+}
+
 static struct mark mark_of(const struct cli_compare_result *result, int i,
                            const struct hawser_landmark *own, const struct hawser_landmark *other,
                            const char *outcome)
 {
 	const struct hawser_landmark *shown = own ? own : other;
-	const struct hawser_study_curve *reference = &result->curve[result->reference];
 	int fold = shown->kind != HAWSER_LANDMARK_PEAK;
 
 	return (struct mark){
 		.fidelity = result->curve[i].choice.name, .curve = cli_compare_outcome(result, i),
 		.kind = fold ? "fold" : "peak", .outcome = outcome, .partner = -1,
 		.turn = shown->turn > 0 ? "largest" : shown->turn < 0 ? "smallest" : "",
-		/* all fidelities have the same probes */
-		.probe = shown->probe < 0 ? "" : reference->probe[shown->probe],
+		.probe = shown->probe < 0 ? "" : probe_of(result, shown->probe),
 		.axis = shown->axis < 0 ? "" : axis_name[shown->axis],
 		.omega = own ? own->omega : NAN, .size = own ? own->size : NAN,
 		.omega_uncertainty = own ? own->omega_error : NAN,

@@ -5,7 +5,7 @@
 
 #include "cli/frame/cli.h"
 
-enum { CLI_FIDELITIES = 64 };
+enum { CLI_FIDELITIES = 65 }; /* with the reference and the mesh of a net */
 
 struct cli_compare_result {
 	const struct cli_common *common;

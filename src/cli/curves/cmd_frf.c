@@ -78,8 +78,9 @@ static const struct cli_option options[] = {
 	 .needs = "backbone"},
 	CLI_HEADING("Model, steps and ends"),
 	CLI_LIBRARY_OPTION,
-	{"certificate", 0, "WHICH", "nets: correct folds and peaks in the mesh: auto (if it takes some "
-	 "seconds), yes or no (auto)", CLI_TEXT_FOR(certificate, CLI_NET), .words = "auto|yes|no"},
+	{"certificate", 0, "WHICH", "nets, spans: correct folds and peaks in the mesh: auto (nets, if it "
+	 "takes some seconds), yes or no (auto)", CLI_TEXT_FOR(certificate, CLI_NET | CLI_CABLE),
+	 .words = "auto|yes|no"},
 	CLI_STEP_OPTION,
 	CLI_POINTS_OPTION("end after this many points (20000)"),
 	{"segments", 0, "N", "shooting segments (as many as needed)", CLI_INTEGER(segments)},
@@ -177,7 +178,7 @@ static enum hawser_status locate_peaks(struct hawser_landmark **peak, struct cli
 	struct cli_watch watch = {*progress, "frf: locating peaks"};
 	struct hawser_frf_options choice = *as;
 	double wanted = result->model->automatic ? LOCATED*result->model->accuracy.asked
-	                : cli_fixed_tolerance(&result->error);
+	                : cli_fixed_tolerance(&result->error, result->model->exact.functions);
 	enum hawser_status status;
 
 	cut = cut || frf->end == HAWSER_END_MAX_POINTS || cli_interrupted();
@@ -396,9 +397,8 @@ static enum hawser_status check_over(const struct settings *settings, const stru
 {
 	if (over->omega == 0.0 || (!settings->branches && !settings->switched))
 		return HAWSER_OK;
-	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
-	                    "--over does not go with --%s: leave out one of them",
-	                    settings->branches ? "branches" : "switch");
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf", "--over does not go with --%s: leave out "
+	                    "one of them", settings->branches ? "branches" : "switch");
 }
 
 static enum hawser_status run(void *context, struct hawser_report *report)

@@ -41,9 +41,10 @@ static const struct cli_option options[] = {
 	CLI_LANE_LOAD_OPTION,
 	CLI_LANE_OPTIONS,
 	CLI_HEADING("Pictures and files"),
-	{"animate", 0, "FILE.gif", "nets: write an animation of a period", CLI_TEXT_FOR(animate, CLI_NET)},
-	{"frames", 0, "N", "of the animation, at most (100)", CLI_COUNT_FOR(frames, CLI_NET),
-	 .needs = "animate"},
+	{"animate", 0, "FILE.gif", "nets, ropeways: write an animation of a period",
+	 CLI_TEXT_FOR(animate, CLI_NET | CLI_ROPEWAY)},
+	{"frames", 0, "N", "of the animation, at most (100)",
+	 CLI_COUNT_FOR(frames, CLI_NET | CLI_ROPEWAY), .needs = "animate"},
 	CLI_NO_OPTION,
 };
 
@@ -215,9 +216,9 @@ static enum hawser_status animate(const struct cli_integrate_result *result,
 	return status;
 }
 
-/* FILE#LABEL in place of the scene: the result names the scene or model, scene [size]. */
+/* FILE#LABEL in place of the scene: the result, *from, names the scene or model, scene [size]. */
 static enum hawser_status of_result(struct settings *settings, char *scene, size_t size,
-                                    struct hawser_report *report)
+                                    json_t **from, struct hawser_report *report)
 {
 	struct cli_common *common = &settings->common;
 	int modes;
@@ -226,8 +227,9 @@ static enum hawser_status of_result(struct settings *settings, char *scene, size
 	if (settings->label || common->library || !cli_label_split(scene, size, common->input))
 		return HAWSER_OK;
 	settings->label = common->input;
-	status = cli_label_scene(scene, size, &modes, settings->label, report);
+	status = cli_label_scene(scene, size, &modes, from, settings->label, report);
 	common->input = scene;
+	cli_made_as(&common->lane, settings->n, *from);
 	if (settings->n == 0)
 		settings->n = modes;
 	return status;
@@ -245,11 +247,12 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	struct cli_showing showing = cli_integrate_showing;
 	enum hawser_status status = cli_outputs_check(&settings->common, report);
 	char text[CLI_WARNING_SIZE], scene[4096];
+	json_t *from = NULL;
 
 	if (!status)
 		status = hawser__animate_check(settings->animate, "orbit", report);
 	if (!status)
-		status = of_result(&own, scene, sizeof scene, report);
+		status = of_result(&own, scene, sizeof scene, &from, report);
 	if (!status && !settings->label)
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "orbit",
 		                      "which motion? write hawser orbit FILE#LABEL, with a label of a JSON "
@@ -259,8 +262,9 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (!status)
 		status = cli_exact_as(&model, settings->label, report);
 	if (!status && settings->animate && !(model.made && model.made->by->animate))
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "orbit", "--animate is for nets, and %s is "
-		                      "not one", cli_input_name(&settings->common));
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "orbit",
+		                      "--animate is for nets and ropeways, and %s is none",
+		                      cli_input_name(&settings->common));
 	if (!status)
 		status = cli_label_open(&label, "from-label", settings->label, NULL, &model,
 		                        &settings->common, report);
@@ -300,6 +304,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	cli_integrate_free(&result);
 	cli_label_clear(&label);
 	cli_model_clear(&model);
+	json_decref(from);
 	return status;
 }
 

@@ -11,6 +11,7 @@
 #include "cli/curves/frf_over.h"
 #include "cli/curves/frf_tori.h"
 #include "cli/frame/view.h"
+#include "cli/model/made.h"
 #include "cli/model/certificate.h"
 #include "cli/backbone/mms_result.h"
 
@@ -209,11 +210,10 @@ static const struct hawser__field event_field[] = {
 	{"label", NULL, "number of this event, by which a run can begin here", OF(label)},
 	{"l1", NULL, "of a Hopf point: first Lyapunov coefficient", OF(hopf.l1), .given = is_hopf,
 	 .flags = HAWSER__NULL},
-	{"growth_slope", NULL, "change of its growth rate by the parameter", OF(hopf.growth),
-	 .given = is_hopf},
+	{"growth_slope", NULL, "of its growth rate, scaled", OF(hopf.growth), .given = is_hopf},
 	{"coordinate", NULL, "that moves most in its cycles, from 1", OF(hopf.coordinate),
 	 .flags = HAWSER__FROM_1, .given = is_hopf},
-	{"swing_slope", NULL, "change of the square of its amplitude by the parameter", OF(hopf.swing),
+	{"swing_slope", NULL, "of the square of its amplitude, scaled", OF(hopf.swing),
 	 .given = is_hopf, .flags = HAWSER__NULL | HAWSER__INFINITE},
 	{"state", NULL, "u and u' of its motion at the start of a period, if it has one",
 	 HAWSER__VECTOR_ALONG(struct hawser_frf, event_state, cli_states), .unit = HAWSER__M,
@@ -372,6 +372,8 @@ static const struct hawser__field result_field[] = {
 	THROUGH(scales, cli_modulation_field),
 	THROUGH(model, cli_si_field),
 	{"parameters", NULL, "of a model file or library that names some", HAWSER__CALLS(parameters_json)},
+	{"made", NULL, "of nets and ropeways: options by which the model is made again, keep among them",
+	 HAWSER__CALLS(cli_made_json)},
 	{"over", NULL, "with --over", HAWSER__THROUGH(struct cli_frf_result, over, over_field)},
 	{"range", NULL, "of Omega", HAWSER__PAIR_AT(struct cli_frf_result, from, to),
 	 .unit = HAWSER__RAD_S},

@@ -1,5 +1,7 @@
 /* cli/frame/deliver.c - output of results: files first, standard output last, so that a failed
- * run prints nothing. SPDX-License-Identifier: GPL-3.0-or-later */
+ * run prints nothing. A full disk or a missing gnuplot that prevents a picture takes no numbers with
+ * it: they are written, and printed if there is no other file.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <stdlib.h>
@@ -175,14 +177,16 @@ static enum hawser_status write_table(const char *path, const struct hawser__tab
 	return status;
 }
 
-/* Write the outputs that go to files or, in a second call, the one that goes to standard output. */
-static enum hawser_status write_some(const struct cli_common *common, int to_stdout,
+/* Write the outputs that go to files or, in a second call, the one that goes to standard output;
+ * *drawn: the status of the picture, in whose favour no numbers are lost. */
+static enum hawser_status write_some(enum hawser_status *drawn, const struct cli_common *common,
+                                     int to_stdout,
                                      const struct hawser__table *table,
                                      const struct hawser__json *json,
                                      const struct cli_drawing *drawing,
                                      struct hawser_report *report)
 {
-	enum hawser_status status = HAWSER_OK, drawn = HAWSER_OK;
+	enum hawser_status status = HAWSER_OK;
 
 	if ((common->plot || common->gp) && !drawing->draw)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "main", "this result has no picture: leave "
@@ -190,19 +194,18 @@ static enum hawser_status write_some(const struct cli_common *common, int to_std
 	cli_writing(!to_stdout && !may_block(common->plot) && !may_block(common->json) &&
 	            !may_block(common->tsv));
 	if (common->plot && is_stdout(common->plot) == to_stdout)
-		drawn = drawing->draw(common->plot, drawing->context, report);
-	if (!drawn && is_stdout(common->plot) == to_stdout)
+		*drawn = drawing->draw(common->plot, drawing->context, report);
+	if (!*drawn && is_stdout(common->plot) == to_stdout)
 		cli_written(common->plot);
-	if (!drawn && common->gp && !to_stdout)
-		drawn = drawing->draw(common->gp, drawing->context, report);
-	/* if an interrupt prevents the picture, the numbers are still written */
-	if (drawn && !cli_interrupted())
-		return drawn;
+	if (!*drawn && common->gp && !to_stdout)
+		*drawn = drawing->draw(common->gp, drawing->context, report);
+	if (*drawn && *drawn != HAWSER_ERR_IO && *drawn != HAWSER_ERR_PROGRAM && !cli_interrupted())
+		return *drawn;
 	if (common->json && is_stdout(common->json) == to_stdout)
 		status = write_json(common->json, json, report);
 	if (!status && common->tsv && is_stdout(common->tsv) == to_stdout)
 		status = write_table(common->tsv, table, report);
-	return status ? status : drawn;
+	return status;
 }
 
 /* JSON alone checks its own numbers; the rows of a table that nobody wants are not generated. */
@@ -219,9 +222,9 @@ enum hawser_status cli_deliver(const struct cli_common *common, const struct haw
                                const struct hawser__json *json,
                                const struct cli_drawing *drawing, struct hawser_report *report)
 {
-	int any = common->json || common->tsv || common->plot || common->delivered;
+	int any = common->json || common->tsv || common->delivered;
 	int taken = is_stdout(common->json) || is_stdout(common->tsv) || is_stdout(common->plot);
-	enum hawser_status status = check_table(common, table, report);
+	enum hawser_status status = check_table(common, table, report), drawn = HAWSER_OK;
 
 	if (!status && json && json->status) {
 		if (report)
@@ -229,17 +232,17 @@ enum hawser_status cli_deliver(const struct cli_common *common, const struct haw
 		status = json->status;
 	}
 	if (!status)
-		status = write_some(common, 0, table, json, drawing, report);
+		status = write_some(&drawn, common, 0, table, json, drawing, report);
 	if (!status)
-		status = write_some(common, 1, table, json, drawing, report);
-	if (status || taken)
-		return status;
+		status = write_some(&drawn, common, 1, table, json, drawing, report);
+	if (status || taken || (drawn && any))
+		return status ? status : drawn;
 	cli_writing(0);
-	if (!any)
-		return hawser__table_write(table, "-", report);
-	if (!common->quiet)
+	if (!any && (drawn || !common->plot))
+		status = hawser__table_write(table, "-", report);
+	else if (!common->quiet)
 		hawser__table_print_comments(table, stdout);
-	return HAWSER_OK;
+	return status ? status : drawn;
 }
 
 static void show_table(struct hawser__table *table, const struct cli_showing *showing,
@@ -318,6 +321,10 @@ enum hawser_status cli_show(const struct cli_common *common, const struct cli_sh
 	show_table(&table, showing, result);
 	if (common->json)
 		show_json(&json, showing, result);
+	if (common->json && !taker && table.about && !json.status &&
+	    !json.members.write) /* a model file has no columns */
+		json.status = json_object_set(json.root, "columns", table.about)
+		              ? hawser__no_memory(&json.report, "json") : HAWSER_OK;
 	status = taker ? hand_over(common, &table, &json, showing, result, report)
 	               : cli_deliver(common, &table, &json, &drawing, report);
 	hawser__json_clear(&json);

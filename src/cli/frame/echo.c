@@ -116,6 +116,30 @@ static void echo_key(struct hawser__json *json, json_t *echo, const struct hawse
 	}
 }
 
+/* Rows of numbers below wind. */
+static void echo_rows(struct hawser__json *json, json_t *wind, const char *key, const double *value,
+                      int count, int columns)
+{
+	json_t *list = count ? hawser__json_array(json, wind, key) : NULL;
+
+	for (int i = 0; i < count; i++) {
+		json_t *row = hawser__json_array(json, list, NULL);
+
+		for (int c = 0; c < columns; c++)
+			hawser__json_number(json, row, NULL, value[i*columns + c]);
+	}
+}
+
+static void echo_wind(struct hawser__json *json, json_t *echo, const struct hawser_wind *wind)
+{
+	const char *name;
+	json_t *section = walk(json, echo, &name, "wind.profile");
+
+	echo_rows(json, section, "profile", wind->profile[0], wind->profiles, 2);
+	echo_rows(json, section, "table", wind->table[0], wind->tables, 3);
+	echo_rows(json, section, "reynolds", wind->reynolds[0], wind->crises, 2);
+}
+
 static void triple(struct hawser__json *json, json_t *into, const char *name, const double *value)
 {
 	json_t *list = hawser__json_array(json, into, name);
@@ -246,6 +270,8 @@ void cli_echo_json(struct hawser__json *json, const struct cli_common *common,
 	for (int i = 0; !json->status && (key = hawser_scene_key(i)); i++)
 		if (!strchr(key->path, '['))
 			echo_key(json, echo, scene, key);
+	if (scene->wind.present)
+		echo_wind(json, echo, &scene->wind);
 	if (scene->attachments)
 		echo_attachments(json, echo, scene);
 	if (scene->loads)

@@ -105,19 +105,34 @@ static void list_commands(char *text, size_t size, int index, int forced)
 	}
 }
 
+/* Whether the command takes no spans, and the input is one without a fault. */
+static int is_other_span(const struct cli_command *command, const struct cli_common *common)
+{
+	struct hawser_scene scene;
+	enum hawser_status status;
+
+	if (command->takes & (CLI_SPAN | CLI_MODELS))
+		return 0;
+	status = cli_read_scene(&scene, common, NULL);
+	hawser_scene_clear(&scene);
+	return !status;
+}
+
 static enum hawser_status check_input(const struct cli_command *command,
                                       const struct cli_common *common, struct hawser_report *report)
 {
 	enum hawser_kind kind = cli_kind(common);
 	char others[COMMANDS];
 	int number = cli_kind_number(kind, CLI_EVERY);
+	const char *unmade = command->takes & CLI_MODELS ? records[number]->unmade : NULL;
 
-	if (kind == HAWSER_KIND_SPAN || takes(command, number))
+	if (takes(command, number) || (kind == HAWSER_KIND_SPAN && !is_other_span(command, common)))
 		return HAWSER_OK;
 	list_commands(others, sizeof others, number, -1);
 	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "main",
-	                    "%s is %s, which hawser %s does not take; these commands do: %s",
-	                    cli_input_name(common), records[number]->one, command->name, others);
+	                    "%s is %s, which hawser %s does not take; these commands do: %s%s%s",
+	                    cli_input_name(common), records[number]->one, command->name, others,
+	                    unmade ? ". " : "", unmade ? unmade : "");
 }
 
 enum hawser_status cli_kind_check(const struct cli_command *command, const struct cli_common *common,

@@ -26,6 +26,7 @@ struct cli_kind_record {
 	                           struct hawser_report *report);
 	enum hawser_kind kind;
 	int models; /* 1: commands of models take it (CLI_MODELS) */
+	const char *unmade; /* why they do not, and what to do, for a message; NULL: nothing to say */
 	const struct cli_maker *maker; /* how models are made (model/made.h); NULL: as of spans and files */
 	struct cli_part statics, modes, integrate, plan; /* all zero: these do not take it */
 };

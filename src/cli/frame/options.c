@@ -10,6 +10,7 @@
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "cli/model/label.h"
 #include "cli/frame/kinds.h"
@@ -321,8 +322,9 @@ static enum hawser_status positional(struct reader *reader, const char *text,
 	}
 	if (common->input)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "options",
-		                    "%s takes one %s, but %s and %s are given", reader->command->name,
-		                    reader->command->input, common->input, text);
+		                    "%s takes one %s, but %s and %s are given%s", reader->command->name,
+		                    reader->command->input, common->input, text,
+		                    access(text, F_OK) ? " (quote a value with a blank, such as \"5 m\")" : "");
 	common->input = text;
 	return HAWSER_OK;
 }

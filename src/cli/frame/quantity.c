@@ -84,6 +84,9 @@ enum hawser_status cli_frequency(double *omega, const char *text, const char *op
 			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "quantity",
 			                    "--%s %s: the model has no natural frequency; write a number",
 			                    option, text);
+		if (index > 1 && model->naturals == 1)
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "quantity",
+			                    "--%s %s: the model has one natural frequency, w1", option, text);
 		if (index < 1 || index > model->naturals)
 			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "quantity",
 			                    "--%s %s: the model has natural frequencies w1 to w%d", option,

@@ -17,7 +17,7 @@
 struct settings {
 	struct cli_common common;
 	const char *x, *y, *omega, *start;
-	double step, damping;
+	double step;
 	int n, lines, samples, mathieu, orbit, rest;
 };
 static const struct settings defaults = {.lines = 9, .samples = 240, .step = 0.01};
@@ -35,8 +35,6 @@ static const struct cli_option options[] = {
 	CLI_TEXT_OPTION(start, "FILE", "state from which that response is computed"),
 	CLI_HEADING("Mathieu's equation"),
 	{"mathieu", 0, "", "boundaries of Mathieu's equation; no SCENE", CLI_FLAG(mathieu)},
-	{"damping", 0, "C", "damping c of Mathieu's equation (none)", CLI_POSITIVE(damping),
-	 .needs = "mathieu"},
 	CLI_HEADING("Search"),
 	{"lines", 0, "N", "search lines along each axis (9)", CLI_INTEGER(lines),
 	 .needs = "x, y, mathieu"},
@@ -44,6 +42,11 @@ static const struct cli_option options[] = {
 	 .needs = "x, y, mathieu"},
 	{"step", 0, "NUMBER", "longest step of a boundary, as a part of the plane (0.01)",
 	 CLI_POSITIVE(step), .needs = "x, y, mathieu"},
+	CLI_LANE_LOAD_OPTION,
+	CLI_LANE_KEEP_OPTION,
+	{"damping", 0, "C", "c of Mathieu's equation; ropeways: ratio of each mode (0)",
+	 CLI_POSITIVE(common.lane.damping)},
+	CLI_LANE_UNDAMPED_OPTIONS,
 	CLI_NO_OPTION,
 };
 
@@ -67,6 +70,11 @@ static enum hawser_status check(const struct settings *settings, struct hawser_r
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hill",
 		                    "--mathieu is an equation of its own: leave %s out",
 		                    settings->common.input);
+	if (settings->common.lane.damping > 0.0 && !settings->mathieu &&
+	    cli_kind(&settings->common) != HAWSER_KIND_ROPEWAY)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hill",
+		                    "--damping is for --mathieu and ropeways: other scenes have a section "
+		                    "damping");
 	if (!plane && !settings->omega)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hill",
 		                    "give --Omega for multipliers, or --x and --y for boundaries");
@@ -123,7 +131,7 @@ static enum hawser_status trace(struct cli_hill_result *result,
 	result->field = field;
 	status = result->model
 	         ? hawser_hill_trace(&result->chart, field, &choice, report)
-	         : hawser_mathieu_trace(&result->chart, settings->damping, &choice, report);
+	         : hawser_mathieu_trace(&result->chart, settings->common.lane.damping, &choice, report);
 	cli_progress_end(&watch.progress);
 	if (!status)
 		warn(&result->chart);
@@ -159,14 +167,14 @@ static enum hawser_status mathieu(struct cli_hill_result *result, const struct s
 	struct hawser_hill_field field = {.m = 0};
 	enum hawser_status status;
 
-	result->damping = settings->damping;
+	result->damping = settings->common.lane.damping;
 	result->axis[0] = (struct cli_map_axis){.from = -1.0, .to = 10.0};
 	result->axis[1] = (struct cli_map_axis){.from = 0.0, .to = 5.0};
 	status = plain_axis(&result->axis[0], "x", "delta", settings->x, report);
 	if (!status)
 		status = plain_axis(&result->axis[1], "y", "epsilon", settings->y, report);
 	if (!status)
-		status = hawser_mathieu_open(&field, settings->damping, report);
+		status = hawser_mathieu_open(&field, settings->common.lane.damping, report);
 	if (!status)
 		status = trace(result, &field, settings, report);
 	if (!status)

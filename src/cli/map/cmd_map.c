@@ -55,6 +55,8 @@ static const struct cli_option options[] = {
 	{"boundary", 0, "FILE", "write the points of the boundaries as a table", CLI_TEXT(boundary)},
 	{"hdf5", 0, "FILE", "write points and boundaries as HDF5, for millions of rows", CLI_TEXT(hdf5)},
 	{"full", 0, "", "write interpolated points to the table too", CLI_FLAG(full)},
+	CLI_LANE_LOAD_OPTION,
+	CLI_LANE_OPTIONS,
 	CLI_NO_OPTION,
 };
 

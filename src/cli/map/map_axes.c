@@ -7,6 +7,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "cli/frame/view.h"
 #include "cli/model/axis.h"
@@ -31,6 +32,9 @@ static enum hawser_status split(char **copy, const char *part[3], const char *op
 	if (!colon || equals == *copy || colon == equals + 1 || !colon[1])
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
 		                    "--%s %s: write KEY=FROM:TO, such as travel.speed=0:20", option, text);
+	if (strchr(colon + 1, ':'))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map", "--%s %s: values between the ends are "
+		                    "chosen by the command: write KEY=FROM:TO", option, text);
 	*equals = *colon = '\0';
 	part[0] = *copy;
 	part[1] = equals + 1;
@@ -118,6 +122,9 @@ enum hawser_status cli_map_axis(struct cli_map_axis *to, const char *option, con
 	if (status)
 		return status;
 	to->key = part[0];
+	if (strcasecmp(to->key, "Omega") == 0 && strcmp(to->key, "Omega") != 0)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map", "--%s %s: did you mean Omega, the "
+		                    "forcing frequency?", option, text);
 	to->unit = unit_of(to->key, model);
 	status = end_of(&from, part[1], option, to->key, model, report);
 	if (!status)

@@ -59,6 +59,18 @@ static const struct {
 	{"load.per_length[1]", "Load per length, second axis", ""},
 	{"load.per_length[2]", "Load per length, third axis", ""},
 	{"load.static.mass", "Mass of ice per length", ""},
+	{"wind.speed", "Wind speed", "{/:Italic U}"},
+	{"wind.density", "Density of the air", ""},
+	{"wind.diameter", "Diameter in the wind", "{/:Italic D}"},
+	{"wind.angle", "Angle of attack at rest", ""},
+	{"wind.viscosity", "Viscosity of the air", ""},
+	{"wind.wake.strouhal", "Strouhal number", "{/:Italic St}"},
+	{"wind.wake.lift", "Lift coefficient of the vortices", ""},
+	{"wind.wake.A", "Coupling of the wake", "{/:Italic A}"},
+	{"wind.wake.epsilon", "Growth of the wake", "{/:Italic ε}"},
+	{"wind.wake.fluid_damping", "Damping by the fluid", ""},
+	{"wind.wake.added_mass", "Added mass coefficient", ""},
+	{"wind.wake.at", "Number of wakes", ""},
 	{"temperature.change", "Change of temperature", ""},
 	{"temperature.expansion", "Thermal expansion", ""},
 	{"attach[].mass", "Attached mass", ""},
@@ -133,7 +145,10 @@ const char *cli_key_unit(const char *key)
 {
 	const struct hawser_scene_key *row;
 	size_t length = strcspn(key, "[");
+	const char *leaf = strrchr(key, '.');
 
+	if (leaf && leaf[1] && !leaf[1 + strspn(leaf + 1, "0123456789")])
+		length = (size_t)(leaf - key); /* an element of a list: attach.0.damper.1 */
 	for (int k = 0; (row = hawser_scene_key(k)); k++)
 		if (is_of(row->path, key, length))
 			return row->unit;

@@ -17,14 +17,19 @@ enum hawser_status cli_certify(struct cli_frf_result *result, struct hawser_repo
 	const struct cli_made *made = result->model->made;
 	struct cli_certificate *certificate = result->certificate;
 	struct cli_model_error *error = &result->error;
+	int asked = certificate && strcmp(certificate->how, "yes") == 0;
 	enum hawser_status status;
 
-	if (!certificate || !made || !made->by->certify || !result->located ||
-	    strcmp(certificate->how, "no") == 0 || cli_interrupted())
+	if (!certificate || !result->located || strcmp(certificate->how, "no") == 0 ||
+	    !(made ? made->by->certify != NULL : result->model->has_scene && asked) || cli_interrupted())
 		return HAWSER_OK;
 	certificate->rom = &result->model->rom;
-	status = made->by->certify(certificate, result,
-	                           strcmp(certificate->how, "yes") == 0 ? 0.0 : bearable, report);
+	status = made ? made->by->certify(certificate, result, asked ? 0.0 : bearable, report)
+	         : hawser_span_certify(&certificate->own, &result->model->scene, &result->model->modes,
+	                               certificate->rom, result->frf, result->peak, result->peaks, 0.0,
+	                               report);
+	for (int k = 0; k < certificate->own.count && !made; k++)
+		certificate->cable[k] = "A-B";
 	if (result->common->reproducible)
 		certificate->own.seconds = NAN;
 	if (status || !isfinite(certificate->own.distance))
@@ -74,11 +79,17 @@ void cli_certificate_comments(struct hawser__table *table, const struct cli_frf_
 		                      "about %.0f s: --certificate yes", of->own.foreseen);
 	if (!of || of->own.count == 0)
 		return;
-	hawser__table_comment(table, "corrected in the mesh (%d unknowns, %d harmonics) and one of half as "
-	                      "many: %d of %d folds and peaks, off by up to %.1e; more harmonics move them "
-	                      "by up to %.1e, shorter elements by %.1e", of->own.unknowns, of->own.order,
-	                      of->own.count - of->own.refused, of->own.count + of->own.omitted,
-	                      of->own.distance, of->own.harmonics, of->own.lengths);
+	if (of->own.refused == of->own.count)
+		hawser__table_comment(table, "the mesh (%d unknowns, %d harmonics) has none of %d folds and "
+		                      "peaks near those of the model", of->own.unknowns, of->own.order,
+		                      of->own.count);
+	else
+		hawser__table_comment(table, "corrected in the mesh (%d unknowns, %d harmonics) and one of "
+		                      "half as many: %d of %d folds and peaks, off by up to %.1e; more "
+		                      "harmonics move them by up to %.1e, shorter elements by %.1e",
+		                      of->own.unknowns, of->own.order, of->own.count - of->own.refused,
+		                      of->own.count + of->own.omitted, of->own.distance, of->own.harmonics,
+		                      of->own.lengths);
 	for (int k = 0; k < of->own.count; k++) {
 		const struct hawser_certified *item = &of->own.item[k];
 

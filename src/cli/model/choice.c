@@ -164,6 +164,10 @@ void cli_drag_comment(struct hawser__table *table, const struct cli_model *model
 {
 	if (!model->rom.drag)
 		return;
+	if (model->scene.wind.present) {
+		hawser__table_comment(table, "exact force of the wind: %s", how);
+		return;
+	}
 	hawser__table_comment(table, "quadratic drag of air at rest, %g kg/m^2: %s",
 	                      model->scene.damping.drag, how);
 	if (model->rom.inertia.shapes == 0 && model->rom.inertia.shift > 0.0)

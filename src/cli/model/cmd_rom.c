@@ -159,6 +159,9 @@ static void comments(struct hawser__table *table, const void *of)
 		hawser__table_comment(table, "%d coordinates, %d quadratic and %d cubic entries, "
 		                             "%d harmonics; scaled", rom->n, rom->quads, rom->cubics,
 		                      rom->harmonics);
+	if (rom->terms > 0)
+		hawser__table_comment(table, "%d terms besides, products of coordinates and velocities, which "
+		                      "only the file has (--json)", rom->terms);
 	hawser_rom_forces_text(rom, forces, sizeof forces);
 	if (*forces)
 		hawser__table_comment(table, "forces are evaluated %s", forces);
@@ -326,9 +329,12 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	settings->common.delivered = settings->export[0] != NULL;
 	if (!status)
 		status = cli_show(&settings->common, &showing, &result, report);
-	if (!status && model.has_scene && model.scene.damping.drag > 0.0)
-		cli_warn("damping.drag is no part of these entries: hawser integrate and hawser frf compute "
-		         "its force from the scene");
+	if (!status && model.has_scene && model.rom.drag)
+		cli_warn(model.scene.wind.present
+		         ? "the force of the wind is no part of these entries with wind.form: exact: hawser "
+		           "integrate and hawser frf compute it from the scene"
+		         : "damping.drag is no part of these entries: hawser integrate and hawser frf compute "
+		           "its force from the scene");
 	if (!status)
 		cli_made_warn(&model);
 	cli_model_clear(&model);

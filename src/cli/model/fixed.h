@@ -47,8 +47,8 @@ enum hawser_status cli_fixed_estimate(struct cli_frf_result *result,
 /* The same of a response and of its other branches, with their peaks as they are located last. */
 enum hawser_status cli_fixed_conclude(struct cli_frf_result *result, struct cli_frf_result *other,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
-/* Relative tolerance of the peaks of a response with such an error. */
-double cli_fixed_tolerance(const struct cli_model_error *error);
+/* Relative tolerance of the peaks of a response with such an error; exact: of the exact energy. */
+double cli_fixed_tolerance(const struct cli_model_error *error, int exact);
 /* The same for one motion of a model of a scene; of a ropeway, for its steady motion. */
 enum hawser_status cli_fixed_once(struct cli_model_error *error, const struct cli_model *model,
                                   const struct cli_common *common,

@@ -17,44 +17,74 @@ static int most(const struct cli_key_sweep *of)
 static enum hawser_status wrong(const struct cli_key_sweep *of, struct hawser_report *report)
 {
 	return hawser__fail(report, HAWSER_ERR_ARGUMENT, of->command,
-	                    "--over %s: write KEY=FROM:TO:POINTS with 2 to %d points and the same unit in "
-	                    "both, such as \"%s\"", of->over, most(of), of->example);
+	                    "--over %s: write KEY=FROM:TO, KEY=FROM:TO:POINTS with 2 to %d points or "
+	                    "KEY=[A, B, ...], with the same unit in all, such as \"%s\"", of->over,
+	                    most(of), of->example);
 }
 
-/* KEY=FROM:TO:POINTS: numbers in SI, or with a unit that both have. */
-static enum hawser_status split(double *from, double *to, struct cli_key_sweep *of,
-                                struct hawser_report *report)
+/* The number at *at, before one of the letters `ends`, to which *at is moved; 0 if there is none, or
+ * with another unit than the first one has. */
+static int number_at(double *value, const char **at, const char *ends, struct cli_key_sweep *of,
+                     int first)
 {
-	const char *equals = strchr(of->over, '='), *colon, *second;
 	char *end;
 	size_t length, unit;
-	long points;
 
-	if (!equals || (length = (size_t)(equals - of->over)) == 0 || length >= sizeof of->key)
-		return wrong(of, report);
-	snprintf(of->key, sizeof of->key, "%.*s", (int)length, of->over);
-	*from = strtod(equals + 1, &end);
-	colon = strchr(equals, ':');
-	if (!colon || end == equals + 1 || end > colon)
-		return wrong(of, report);
+	*value = strtod(*at, &end);
+	if (end == *at || !isfinite(*value))
+		return 0;
 	end += strspn(end, " ");
-	unit = (size_t)(colon - end);
+	length = unit = strcspn(end, ends);
+	while (unit > 0 && end[unit - 1] == ' ')
+		unit--;
 	if (unit >= sizeof of->si)
+		return 0;
+	if (first)
+		snprintf(of->si, sizeof of->si, "%.*s", (int)unit, end);
+	*at = end + length;
+	return strlen(of->si) == unit && strncmp(end, of->si, unit) == 0;
+}
+
+/* A, B, ...] */
+static enum hawser_status read_list(struct cli_key_sweep *of, const char *at,
+                                    struct hawser_report *report)
+{
+	int good = 1;
+
+	of->points = 1;
+	for (const char *comma = at; (comma = strchr(comma, ',')) != NULL; comma++)
+		of->points++;
+	of->value = of->points > most(of) ? NULL : calloc((size_t)of->points, sizeof *of->value);
+	if (!of->value)
+		return of->points > most(of) ? wrong(of, report) : hawser__no_memory(report, of->command);
+	for (int i = 0; i < of->points && good; i++)
+		good = number_at(&of->value[i], &at, ",]", of, i == 0) &&
+		       *at++ == (i + 1 < of->points ? ',' : ']');
+	return good && !*at ? HAWSER_OK : wrong(of, report);
+}
+
+/* FROM:TO, and behind it :POINTS and :log, each or none. */
+static enum hawser_status read_range(struct cli_key_sweep *of, const char *at,
+                                     struct hawser_report *report)
+{
+	double from, to;
+	char *end;
+	long points = CLI_KEY_SWEEP_POINTS;
+
+	if (!number_at(&from, &at, ":", of, 1) || *at++ != ':' || !number_at(&to, &at, ":", of, 0) ||
+	    from == to)
 		return wrong(of, report);
-	snprintf(of->si, sizeof of->si, "%.*s", (int)unit, end);
-	*to = strtod(colon + 1, &end);
-	second = strchr(colon + 1, ':');
-	if (!second || end == colon + 1 || end > second)
+	if (*at == ':' && strcmp(at, ":log") != 0) {
+		points = strtol(at + 1, &end, 10);
+		if (end == at + 1 || points < 2 || points > most(of))
+			return wrong(of, report);
+		at = end;
+	}
+	if (*at && strcmp(at, ":log") != 0)
 		return wrong(of, report);
-	end += strspn(end, " ");
-	if ((size_t)(second - end) != unit || strncmp(end, of->si, unit) != 0)
-		return wrong(of, report);
-	points = strtol(second + 1, &end, 10);
-	if (end == second + 1 || *end || points < 2 || points > most(of) || !isfinite(*from) ||
-	    !isfinite(*to) || *from == *to)
-		return wrong(of, report);
+	of->logarithmic |= *at != '\0';
 	of->points = (int)points;
-	return HAWSER_OK;
+	return cli_key_sweep_place(of, from, to, report);
 }
 
 enum hawser_status cli_key_sweep_place(struct cli_key_sweep *of, double from, double to,
@@ -78,10 +108,13 @@ enum hawser_status cli_key_sweep_place(struct cli_key_sweep *of, double from, do
 
 enum hawser_status cli_key_sweep_read(struct cli_key_sweep *of, struct hawser_report *report)
 {
-	double from = 0.0, to = 0.0;
-	enum hawser_status status = split(&from, &to, of, report);
+	const char *equals = strchr(of->over, '='), *values = equals ? equals + 1 : "";
+	size_t length = equals ? (size_t)(equals - of->over) : 0;
 
-	return status ? status : cli_key_sweep_place(of, from, to, report);
+	if (length == 0 || length >= sizeof of->key)
+		return wrong(of, report);
+	snprintf(of->key, sizeof of->key, "%.*s", (int)length, of->over);
+	return *values == '[' ? read_list(of, values + 1, report) : read_range(of, values, report);
 }
 
 void cli_key_sweep_at(struct cli_common *common, char set[CLI_KEY_SWEEP_SET],

@@ -1,12 +1,13 @@
-/* cli/model/key_sweep.h - options such as --over KEY=FROM:TO:POINTS of scenes whose keys are not
- * in the table of keys: ropeways, and spans over obstacles.
+/* cli/model/key_sweep.h - the values of --over: KEY=FROM:TO, KEY=FROM:TO:POINTS, both with :log behind
+ * for equal ratios, and KEY=[A, B, ...].
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_CLI_KEY_SWEEP_H
 #define HAWSER_CLI_KEY_SWEEP_H
 
 #include "cli/frame/cli.h"
 
-enum { CLI_KEY_SWEEP_MOST = 2000 }; /* values of a sweep */
+enum { CLI_KEY_SWEEP_POINTS = 21, /* of a range that says none */
+       CLI_KEY_SWEEP_MOST = 2000 }; /* values of a sweep */
 
 struct cli_key_sweep {
 	const char *command, *over; /* the option's value */

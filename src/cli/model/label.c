@@ -242,8 +242,8 @@ enum hawser_status cli_label_open(struct cli_label *label, const char *option, c
 	return status;
 }
 
-enum hawser_status cli_label_scene(char *scene, size_t size, int *modes, const char *text,
-                                   struct hawser_report *report)
+enum hawser_status cli_label_scene(char *scene, size_t size, int *modes, json_t **result,
+                                   const char *text, struct hawser_report *report)
 {
 	char path[4096];
 	int number = cli_label_split(path, sizeof path, text);
@@ -258,7 +258,7 @@ enum hawser_status cli_label_scene(char *scene, size_t size, int *modes, const c
 	text_of(scene, size, of, json_object_get(of, "name") ? "name" : "model_file");
 	count = json_object_get(json_object_get(of, "model"), "modes");
 	*modes = json_is_integer(count) ? (int)json_integer_value(count) : 0;
-	json_decref(root);
+	*result = root;
 	file = *scene ? fopen(scene, "r") : NULL;
 	if (file)
 		fclose(file);

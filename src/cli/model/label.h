@@ -37,9 +37,10 @@ enum hawser_status cli_label_open(struct cli_label *label, const char *option, c
                                   struct hawser_report *report) HAWSER_MUST_CHECK;
 void cli_label_clear(struct cli_label *label);
 /* The file, in scene [size], of the scene or model from which the result in text, FILE#LABEL, was
- * computed, and its model.modes (0: not known). HAWSER_ERR_ARGUMENT: there is none. */
-enum hawser_status cli_label_scene(char *scene, size_t size, int *modes, const char *text,
-                                   struct hawser_report *report) HAWSER_MUST_CHECK;
+ * computed, and its model.modes (0: not known); *result: that result, to be released by json_decref.
+ * HAWSER_ERR_ARGUMENT: there is none. */
+enum hawser_status cli_label_scene(char *scene, size_t size, int *modes, json_t **result,
+                                   const char *text, struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* Set the first orbit of a trace. `along` [2n], the caller's, is used at a fold.
  * HAWSER_ERR_ARGUMENT: no curve begins there. */

@@ -14,13 +14,20 @@ struct cli_lane_choice {
 	CLI_HEADING("Ropeways"), \
 	{"load", 0, "NAME", "ropeways: passing (carriers), or drive (passing)", \
 	 CLI_TEXT_FOR(common.lane.load, CLI_ROPEWAY)}
-#define CLI_LANE_OPTIONS \
+#define CLI_LANE_KEEP_OPTION \
 	{"keep", 0, "LIST", "ropeways, nets: modes that are kept, such as 1,4,6 (the lowest)", \
-	 CLI_TEXT_FOR(common.lane.keep, CLI_ROPEWAY | CLI_NET)}, \
-	{"ripple", 0, "LENGTH", "ropeways: amplitude of the rope at the drive, m", \
-	 CLI_POSITIVE_FOR(common.lane.ripple, CLI_ROPEWAY)}, \
+	 CLI_TEXT_FOR(common.lane.keep, CLI_ROPEWAY | CLI_NET)}
+#define CLI_LANE_OPTIONS \
+	CLI_LANE_KEEP_OPTION, \
+	CLI_LANE_FORM_OPTIONS
+/* Without the modes that are kept; and without damping too, for commands with another --damping. */
+#define CLI_LANE_FORM_OPTIONS \
 	{"damping", 0, "RATIO", "ropeways: damping ratio of each mode (0)", \
 	 CLI_POSITIVE_FOR(common.lane.damping, CLI_ROPEWAY)}, \
+	CLI_LANE_UNDAMPED_OPTIONS
+#define CLI_LANE_UNDAMPED_OPTIONS \
+	{"ripple", 0, "LENGTH", "ropeways: amplitude of the rope at the drive, m", \
+	 CLI_POSITIVE_FOR(common.lane.ripple, CLI_ROPEWAY)}, \
 	{"carriers", 0, "HOW", "ropeways: fixed at the phase, or smeared over the rope (fixed)", \
 	 CLI_TEXT_FOR(common.lane.carriers, CLI_ROPEWAY)}, \
 	{"lane", 0, "NAME", "ropeways: up, down or both (both)", \

@@ -3,8 +3,10 @@
 #include "config.h"
 
 #include <math.h>
+#include <stddef.h>
 #include <stdlib.h>
 
+#include "cli/frame/view.h"
 #include "cli/model/made.h"
 #include "core/append.h"
 #include "core/report.h"
@@ -99,4 +101,65 @@ void cli_made_inertia(struct hawser__table *table, const struct hawser_rom *rom)
 		                      "to %.1e, of which %d second-order shapes leave %.1e",
 		                      rom->inertia.shift, rom->inertia.shapes,
 		                      rom->inertia.left);
+}
+
+/* --- the options by which a model is made again --- */
+
+static const struct {
+	const char *key;
+	size_t at;
+} by_text[] = {
+	{"load", offsetof(struct cli_lane_choice, load)},
+	{"carriers", offsetof(struct cli_lane_choice, carriers)},
+	{"lane", offsetof(struct cli_lane_choice, lane)},
+	{"contact", offsetof(struct cli_lane_choice, contact)},
+	{"case", offsetof(struct cli_lane_choice, load_case)},
+	{"keep", offsetof(struct cli_lane_choice, keep)},
+}, by_number[] = {
+	{"ripple", offsetof(struct cli_lane_choice, ripple)},
+	{"damping", offsetof(struct cli_lane_choice, damping)},
+};
+enum { TEXTS = sizeof by_text/sizeof *by_text, NUMBERS = sizeof by_number/sizeof *by_number };
+
+void cli_made_json(struct hawser__json *json, json_t *into, const void *row)
+{
+	const struct cli_frf_result *result = row;
+	struct cli_lane_choice choice = result->common->lane;
+	char list[LIST];
+	json_t *object;
+
+	if (!result->model->made)
+		return;
+	choice.keep = list_of(list, sizeof list, &result->model->made->modes.modes);
+	object = hawser__json_object(json, into, "made");
+	for (int i = 0; i < TEXTS; i++) {
+		const char *text = *(const char *const *)((const char *)&choice + by_text[i].at);
+
+		if (text)
+			hawser__json_text(json, object, by_text[i].key, text);
+	}
+	for (int i = 0; i < NUMBERS; i++) {
+		double value = *(const double *)((const char *)&choice + by_number[i].at);
+
+		if (value > 0.0)
+			hawser__json_number(json, object, by_number[i].key, value);
+	}
+}
+
+void cli_made_as(struct cli_lane_choice *to, int n, const json_t *root)
+{
+	const json_t *made = json_object_get(root, "made");
+
+	for (int i = 0; i < TEXTS; i++) {
+		const char **text = (const char **)((char *)to + by_text[i].at);
+
+		if (!*text && !(n > 0 && text == &to->keep))
+			*text = json_string_value(json_object_get(made, by_text[i].key));
+	}
+	for (int i = 0; i < NUMBERS; i++) {
+		double *value = (double *)((char *)to + by_number[i].at);
+
+		if (!(*value > 0.0))
+			*value = json_number_value(json_object_get(made, by_number[i].key));
+	}
 }

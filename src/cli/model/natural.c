@@ -61,11 +61,12 @@ int cli_linear(double *K, double *D, const struct hawser_rom *rom)
 	return turns;
 }
 
-/* Static shapes of dampers (labels of rom/build/build.c) are coordinates without mode. K and the
- * mass do not couple them with modes. */
+/* Static shapes of dampers (labels of rom/build/build.c) are coordinates without mode, which K and the
+ * mass do not couple with modes. Wakes (rom/terms/wake.c) are no motions of the cable. */
 static int is_shape(const struct hawser_rom *rom, size_t j)
 {
-	return rom->label && rom->label[j] && strncmp(rom->label[j], "damper shape", 12) == 0;
+	return rom->label && rom->label[j] && (strncmp(rom->label[j], "damper shape", 12) == 0 ||
+	                                       strncmp(rom->label[j], "wake ", 5) == 0);
 }
 
 /* part [count][count]: the rows and columns of all [n][n] that are modes; returns their number. */

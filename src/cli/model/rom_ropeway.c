@@ -17,6 +17,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/model/film_ropeway.h"
 #include "cli/model/made.h"
 #include "cli/modes/modes_ropeway.h"
 #include "core/report.h"
@@ -354,6 +355,16 @@ static void comments(struct hawser__table *table, const struct cli_model *model)
 	}
 }
 
+static enum hawser_status animate(const char *path, const struct cli_model *model,
+                                  const struct hawser_net_rom_motion *motion,
+                                  struct hawser_report *report)
+{
+	const struct cli_rom_ropeway *of = (const struct cli_rom_ropeway *)model->made;
+
+	return cli_film_ropeway(path, &of->made.modes.lines, motion, model->rom.n,
+	                        2.0*of->ropeway.bottom_radius, report);
+}
+
 static void clear(struct cli_made *made)
 {
 	struct cli_rom_ropeway *of = (struct cli_rom_ropeway *)made;
@@ -370,4 +381,4 @@ static void clear(struct cli_made *made)
 const struct cli_maker cli_maker_ropeway = {
 	.called = "a ropeway", .many = "ropeways", .most = HAWSER_LINE_ROM_MODES,
 	.still = "a ropeway, whose ends do not move by a table: its drive does, as --load drive",
-	.load = load, .again = again, .comments = comments, .clear = clear};
+	.load = load, .again = again, .comments = comments, .animate = animate, .clear = clear};

@@ -28,7 +28,7 @@ static const struct cli_option options[] = {
 	{"modes", 'n', "N", "number of modes (the scene's model.modes)", CLI_INTEGER(n)},
 	{"method", 0, "NAME", "method (spectral)", CLI_TEXT_FOR(method, CLI_SPAN),
 	 .excludes = "over, damped, model=fe"},
-	{"over", 0, "KEY=FROM:TO:N", "damped modes, or modes over sheaves, at N values of a key",
+	{"over", 0, "KEY=VALUES", "damped modes, or modes over sheaves, over a key: A:B:N, A:B or [A, B]",
 	 CLI_TEXT_FOR(over, CLI_SPAN | CLI_ROPEWAY | CLI_OBSTACLES), .excludes = "model=fe"},
 	{"log", 0, "", "these values at equal ratios",
 	 CLI_FLAG_FOR(log, CLI_SPAN | CLI_ROPEWAY | CLI_OBSTACLES), .needs = "over"},
@@ -110,7 +110,8 @@ static enum hawser_status solve(struct cli_modes_result *result, const struct se
 /* --damped and --over. */
 static enum hawser_status run_damped(const struct settings *settings, struct hawser_report *report)
 {
-	struct cli_damped_result result = {.common = &settings->common, .logarithmic = settings->log};
+	struct cli_damped_result result = {.common = &settings->common,
+	                                   .range.logarithmic = settings->log};
 	enum hawser_status status = HAWSER_OK;
 
 	status = cli_outputs_check_scales(&settings->common, settings->log ? "x" : "", report);

@@ -11,44 +11,24 @@
 #include "core/report.h"
 #include "output/drawing/figure.h"
 
-enum { MOST = 2000 }; /* points of a sweep */
-
-static enum hawser_status wrong(const char *over, struct hawser_report *report)
-{
-	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
-	                    "--over %s: write KEY=FROM:TO:POINTS with 2 to %d points, such as "
-	                    "attach.0.at=0.02:0.1:41", over, MOST);
-}
-
-/* Split KEY=FROM:TO:POINTS. */
-static enum hawser_status read_over(struct hawser_damped_sweep_options *options,
-                                    struct cli_damped_result *result, const char *over,
+/* The values of --over, in SI. */
+static enum hawser_status read_over(struct cli_damped_result *result, const char *over,
                                     struct hawser_report *report)
 {
-	char *equals, *first, *second, *end;
+	struct cli_key_sweep *range = &result->range;
 	enum hawser_status status;
-	long points;
+	char text[64];
 
-	result->copy = strdup(over);
-	if (!result->copy)
-		return hawser__no_memory(report, "modes");
-	equals = strchr(result->copy, '=');
-	first = equals ? strchr(equals + 1, ':') : NULL;
-	second = first ? strchr(first + 1, ':') : NULL;
-	if (!second || equals == result->copy || first == equals + 1 || second == first + 1)
-		return wrong(over, report);
-	points = strtol(second + 1, &end, 10);
-	if (end == second + 1 || *end || points < 2 || points > MOST)
-		return wrong(over, report);
-	*equals = *first = *second = '\0';
-	result->key = options->key = result->copy;
-	options->points = (int)points;
-	options->logarithmic = result->logarithmic;
-	status = cli_quantity(&options->from, equals + 1, cli_key_unit(result->key), CLI_ANY, "modes",
-	                      "over", report);
-	if (!status)
-		status = cli_quantity(&options->to, first + 1, cli_key_unit(result->key), CLI_ANY, "modes",
+	range->command = "modes";
+	range->over = over;
+	range->example = "attach.0.at=0.02:0.1:41";
+	status = cli_key_sweep_read(range, report);
+	result->key = range->key;
+	for (int i = 0; i < range->points && !status && *range->si; i++) {
+		snprintf(text, sizeof text, "%.17g %s", range->value[i], range->si);
+		status = cli_quantity(&range->value[i], text, cli_key_unit(range->key), CLI_ANY, "modes",
 		                      "over", report);
+	}
 	return status;
 }
 
@@ -78,7 +58,10 @@ enum hawser_status cli_damped_solve(struct cli_damped_result *result, const char
 
 	if (!over)
 		return solve_one(result, n, report);
-	status = read_over(&options, result, over, report);
+	status = read_over(result, over, report);
+	options.key = result->key;
+	options.value = result->range.value;
+	options.points = result->range.points;
 	return status ? status : hawser_damped_trace(&result->sweep, &result->scene, &options, report);
 }
 
@@ -86,7 +69,7 @@ void cli_damped_free(struct cli_damped_result *result)
 {
 	hawser_damped_sweep_clear(&result->sweep);
 	hawser_scene_clear(&result->scene);
-	free(result->copy);
+	free(result->range.value);
 }
 
 /* --- fields --- */
@@ -175,10 +158,49 @@ static const void *row_at(void *to, const void *parent, size_t index)
 static const struct hawser__list row_list = {
 	.field = cli_damped_field, .size = HAWSER__MADE_SIZE(struct row), .count = count_rows,
 	.row = row_at};
+
+/* An event of the sweep. */
+struct event_row {
+	double value, frequency;
+	const char *kind, *plane;
+	int number;
+};
+#define OF(member) HAWSER__AT(struct event_row, member)
+static const struct hawser__field event_field[] = {
+	{"kind", NULL, "onset: from here on the mode grows; end: it no longer does", OF(kind)},
+	{"value", NULL, "value of the key, in SI", OF(value)},
+	{"frequency", NULL, "of the mode, Hz", OF(frequency)},
+	{"plane", NULL, "in-plane or out-of-plane", OF(plane)},
+	{"number", NULL, "as that of the modes", OF(number)},
+	HAWSER__END,
+};
+#undef OF
+
+static size_t count_events(const void *parent)
+{
+	return (size_t)((const struct cli_damped_result *)parent)->sweep.events;
+}
+
+static const void *event_at(void *to, const void *parent, size_t index)
+{
+	const struct hawser_damped_event *event =
+		&((const struct cli_damped_result *)parent)->sweep.event[index];
+
+	*(struct event_row *)to = (struct event_row){
+		.kind = event->onset ? "onset" : "end", .value = event->value,
+		.frequency = event->frequency, .plane = hawser_plane_name(event->plane),
+		.number = event->number};
+	return to;
+}
+static const struct hawser__list event_list = {
+	.field = event_field, .size = HAWSER__MADE_SIZE(struct event_row), .count = count_events,
+	.row = event_at};
 const struct hawser__field cli_damped_member[] = {
 	{"over", NULL, "with --over: the key", HAWSER__AT(struct cli_damped_result, key),
 	 .flags = HAWSER__OMIT},
 	{"damped", NULL, "with --damped or --over: damped modes", HAWSER__OBJECTS_OF(row_list)},
+	{"events", NULL, "with --over, in a wind: where modes begin or cease to grow",
+	 HAWSER__OBJECTS_OF(event_list), .flags = HAWSER__OMIT},
 	HAWSER__END,
 };
 
@@ -202,6 +224,15 @@ static void comments(struct hawser__table *table, const void *of)
 		hawser__table_comment(table, "damped modes over %s, %d values (%s)", result->key,
 		                      result->sweep.points,
 		                      strcmp(unit_of(result), "1") ? shown.name : "-");
+		for (int i = 0; i < result->sweep.events; i++) {
+			const struct hawser_damped_event *event = &result->sweep.event[i];
+			const char *unit = unit_of(result);
+
+			hawser__table_comment(table, "event: %s of growth at %s = %.10g%s%s, %s %d, %.6g Hz",
+			                      event->onset ? "onset" : "end", result->key, event->value,
+			                      strcmp(unit, "1") ? " " : "", strcmp(unit, "1") ? unit : "",
+			                      hawser_plane_name(event->plane), event->number, event->frequency);
+		}
 		return;
 	}
 	hawser__table_comment(table, "%d functions a component, time unit %.12g s", state->basis,
@@ -215,16 +246,19 @@ static void comments(struct hawser__table *table, const void *of)
 
 /* --- picture: damping over the key, a curve for each mode that is damped --- */
 
-static double ratio_of(const struct hawser_damped *state, int plane, int number)
+/* In per cent, or the frequency in Hz. */
+static double drawn_of(const struct hawser_damped *state, int plane, int number, int frequency)
 {
 	for (int k = 0; k < state->n; k++)
 		if ((int)state->mode[k].plane == plane && state->mode[k].number == number)
-			return state->mode[k].ratio;
+			return frequency ? state->mode[k].omega/state->time_unit/(2.0*M_PI)
+			                 : 100.0*state->mode[k].ratio;
 	return NAN;
 }
 
 /* Modes of the plane: solid; those out of it: dashed, in the same colours. */
-static void draw_ratios(struct hawser__figure *figure, const struct hawser_damped_sweep *sweep)
+static void draw_curves(struct hawser__figure *figure, const struct hawser_damped_sweep *sweep,
+                        int frequency)
 {
 	enum { CURVES = 8 };
 	char title[40];
@@ -234,43 +268,57 @@ static void draw_ratios(struct hawser__figure *figure, const struct hawser_dampe
 			double most = 0.0;
 
 			for (int i = 0; i < sweep->points; i++)
-				most = fmax(most, ratio_of(&sweep->state[i], plane, number));
-			if (most < 1e-9) /* not damped */
+				most = fmax(most, fabs(drawn_of(&sweep->state[i], plane, number, 0)));
+			if (most < 1e-7) /* not damped */
 				continue;
 			for (int i = 0; i < sweep->points; i++)
 				hawser__figure_put(figure, sweep->value[i],
-				                   100.0*ratio_of(&sweep->state[i], plane, number));
+				                   drawn_of(&sweep->state[i], plane, number, frequency));
 			snprintf(title, sizeof title, "%s %d", hawser_plane_name((enum hawser_plane)plane), number);
 			hawser__figure_draw(figure, title, "with lines lt %d%s", ++curves,
 			                    plane ? " dt (9,5)" : "");
 		}
+	for (int i = 0; i < sweep->events; i++)
+		hawser__figure_put(figure, sweep->event[i].value, frequency ? sweep->event[i].frequency : 0.0);
+	if (sweep->events > 0)
+		hawser__figure_draw(figure, "growth begins or ends", HAWSER__CROSSING);
 }
 
 static enum hawser_status draw(const char *path, const void *of, struct hawser_report *report)
 {
-	static const struct hawser__axis ratio = {"Damping ratio {/:Italic ζ} (%)", "", 1.0};
+	static const struct hawser__axis shown[] = {{"Damping ratio {/:Italic ζ} (%)", "", 1.0},
+	                                            {"Frequency (Hz)", "", 1.0}};
+	static const double end[] = {HAWSER__LEGEND_CM/11.0, 0.97, HAWSER__LEGEND_CM/16.0, 0.5, 0.55, 0.97};
 	const struct cli_damped_result *result = of;
 	const struct hawser_damped_sweep *sweep = &result->sweep;
 	struct hawser__figure figure = {0};
 	struct hawser__axis axis;
 	enum hawser_status status;
+	int panels = result->scene.wind.present ? 2 : 1;
 	double ends[2];
 
 	if (!result->key)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
 		                    "--plot with --damped shows the damping over a key: give "
 		                    "--over KEY=FROM:TO:POINTS");
-	status = hawser__figure_begin(&figure, path, 16.0, 11.0, report);
+	status = hawser__figure_begin(&figure, path, 16.0, panels > 1 ? 16.0 : 11.0, report);
 	if (status)
 		return status;
-	ends[0] = fmin(sweep->value[0], sweep->value[sweep->points - 1]);
-	ends[1] = fmax(sweep->value[0], sweep->value[sweep->points - 1]);
+	ends[0] = ends[1] = sweep->value[0];
+	for (int i = 1; i < sweep->points; i++) {
+		ends[0] = fmin(ends[0], sweep->value[i]);
+		ends[1] = fmax(ends[1], sweep->value[i]);
+	}
 	axis = cli_axis(result->key, unit_of(result), fmax(fabs(ends[0]), fabs(ends[1])));
-	hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.13, 0.97, HAWSER__LEGEND_CM/11.0,
-		0.97,
-		.x = {&axis, ends[0], ends[1], .tics = 8, .logarithmic = result->logarithmic},
-		.y = {&ratio, .zero = 1, .tics = 7, .room = 0.06}});
-	draw_ratios(&figure, sweep);
+	for (int p = 0; p < panels; p++) {
+		const double *at = end + (panels > 1 ? p ? 2 : 4 : 0);
+
+		hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.13, 0.97, at[0], at[1],
+			.x = {&axis, ends[0], ends[1], .tics = 8, .logarithmic = result->range.logarithmic,
+			      .untitled = p < panels - 1},
+			.y = {&shown[p], .zero = panels == 1, .tics = 7, .room = 0.06}});
+		draw_curves(&figure, sweep, p);
+	}
 	return hawser__figure_finish(&figure, report);
 }
 

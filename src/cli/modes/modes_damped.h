@@ -4,16 +4,16 @@
 #define HAWSER_CLI_MODES_DAMPED_H
 
 #include "cli/frame/view.h"
+#include "cli/model/key_sweep.h"
 
 struct cli_damped_result {
 	const struct cli_common *common;
 	struct hawser_scene scene;
 	struct hawser_damped_sweep sweep; /* without key: one point */
-	const char *key;  /* NULL: none */
-	char *copy;       /* of the option, which holds the key */
-	int logarithmic;
+	const char *key; /* NULL: none */
+	struct cli_key_sweep range; /* its values, in SI; .logarithmic: of --log */
 };
-/* `over`: KEY=FROM:TO:POINTS, or NULL. The scene is loaded. */
+/* `over`: as key_sweep.h says, or NULL. The scene is loaded. */
 enum hawser_status cli_damped_solve(struct cli_damped_result *result, const char *over, int n,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
 void cli_damped_free(struct cli_damped_result *result);

@@ -310,6 +310,8 @@ static enum hawser_status write_result(struct cli_integrate_result *result, stru
 		cli_warn(text);
 	if (!status && cli_integrate_moves(text, sizeof text, result))
 		cli_warn(text);
+	if (!status && cli_integrate_wind(text, sizeof text, result))
+		cli_warn(text);
 	return status;
 }
 

@@ -115,27 +115,37 @@ void cli_film_clear(struct cli_film *film)
 	free(film->mark);
 }
 
-enum hawser_status cli_film_write(const char *path, const struct cli_film *film,
-                                  const struct hawser_net *net, struct hawser_report *report)
+/* held [net->nodes]: the supports that stay; how many there are. */
+static int find_held(int *held, const struct hawser_net *net)
 {
-	int *held = calloc((size_t)net->nodes + 1, sizeof *held), helds = 0;
-	enum hawser_status status = held ? HAWSER_OK : hawser__no_memory(report, "animation");
+	int count = 0;
 
-	for (int i = 0; i < net->nodes && !status; i++) {
+	for (int i = 0; i < net->nodes; i++) {
 		int free_now = 0;
 
 		for (int k = 0; k < net->dynamics.releases; k++)
 			free_now |= net->dynamics.release[k] == i;
 		if (net->node[i].support && !free_now)
-			held[helds++] = i;
+			held[count++] = i;
 	}
-	if (!status)
-		status = hawser__animate(path, &(struct hawser__animation){
-			.time = film->time, .x = (const double (*)[3])film->x, .rows = film->rows,
-			.points = film->nodes, .frames = film->room, .mark = (const double (*)[3])film->mark,
-			.end = (const int (*)[2])film->end, .elements = film->elements, .held = held,
-			.helds = helds, .surface = net->surface, .surfaces = net->surfaces,
-			.note = *film->note ? film->note : NULL}, report);
-	free(held);
+	return count;
+}
+
+enum hawser_status cli_film_write(const char *path, const struct cli_film *film,
+                                  const struct hawser_net *net, struct hawser_report *report)
+{
+	int *held = net ? calloc((size_t)net->nodes + 1, sizeof *held) : film->held;
+	enum hawser_status status;
+
+	if (!held)
+		return hawser__no_memory(report, "animation");
+	status = hawser__animate(path, &(struct hawser__animation){
+		.time = film->time, .x = (const double (*)[3])film->x, .rows = film->rows,
+		.points = film->nodes, .frames = film->room, .mark = (const double (*)[3])film->mark,
+		.end = (const int (*)[2])film->end, .elements = film->elements, .held = held,
+		.helds = net ? find_held(held, net) : film->helds, .surface = net ? net->surface : NULL,
+		.surfaces = net ? net->surfaces : 0, .note = *film->note ? film->note : NULL}, report);
+	if (net)
+		free(held);
 	return status;
 }

@@ -13,7 +13,8 @@ struct cli_film {
 	double *time;   /* [room] s */
 	double (*mark)[3]; /* [room] m: what has a mark and a trail; by the caller or cli_film_magnify */
 	char note[48];  /* after the time */
-	int rows, nodes, elements;
+	int *held;      /* [helds] nodes that are shown as held; the caller's */
+	int rows, nodes, elements, helds;
 	int room;       /* frames at most; given */
 	double last;    /* number of the last row of the run; given */
 };
@@ -23,6 +24,7 @@ int cli_film_add(struct cli_film *film, const struct hawser_net_frame *frame);
 /* Where motions are too small to be seen, enlarge them about the mean of all rows by a round number,
  * which the note tells. The node that moves most has the mark. */
 void cli_film_magnify(struct cli_film *film);
+/* net: has its supports, in place of `held`, and its surfaces; or NULL. */
 enum hawser_status cli_film_write(const char *path, const struct cli_film *film,
                                   const struct hawser_net *net,
                                   struct hawser_report *report) HAWSER_MUST_CHECK;

@@ -201,7 +201,8 @@ static void warnings_json(struct hawser__json *json, json_t *into, const void *r
 
 	(void)into;
 	cli_warnings_json(json, cli_integrate_slack(text, sizeof text, row) ||
-	                        cli_integrate_moves(text, sizeof text, row) ? text : NULL);
+	                        cli_integrate_moves(text, sizeof text, row) ||
+	                        cli_integrate_wind(text, sizeof text, row) ? text : NULL);
 }
 
 static int coordinates(const void *context)

@@ -153,6 +153,36 @@ int cli_integrate_moves(char *text, size_t size, const struct cli_integrate_resu
 	       cli_motion_warning(text, size, result->model, result->forcing.begin);
 }
 
+/* Part of wind.speed at which a probe moves and from which the force to the third order is off by 1 %
+ * (doc/theory-rom.md). */
+#define FAST 0.25
+
+int cli_integrate_wind(char *text, size_t size, const struct cli_integrate_result *result)
+{
+	const struct cli_model *model = result->model;
+	const struct hawser_wind *wind = &model->scene.wind;
+	struct hawser__scale scale = cli_scale(model);
+	double most = 0.0;
+
+	if (!model->has_scene || !wind->present || !result->probed)
+		return 0;
+	for (size_t row = 0; row < rows_of(result); row++)
+		for (int k = 0; k < result->signals; k++)
+			most = fmax(most, fabs(cli_integrate_signal(result, k, row, 1)));
+	most = hawser__in_unit(most, HAWSER__M_S, &scale);
+	if (most == 0.0 && model->rom.harmonics == 0)
+		snprintf(text, size, "nothing moves: at rest the wind is in equilibrium with the cable, stable "
+		         "or not; give a state to start from (--initial), such as {\"u\": [0.01, ...]} "
+		         "for %d coordinates", model->rom.n);
+	else if (!model->rom.drag && !wind->wake.present && most > FAST*wind->speed)
+		snprintf(text, size, "the cable moves at %.3g m/s, %.2g of wind.speed, where the force of the "
+		         "wind to the third order (wind.form: cubic) is off by more than 1 %%: "
+		         "--set wind.form=exact has the whole force", most, most/wind->speed);
+	else
+		return 0;
+	return 1;
+}
+
 /* --- the error of the model --- */
 
 /* Why no period of the run stands for it, or NULL. */

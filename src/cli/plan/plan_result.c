@@ -49,7 +49,8 @@ static int key_text(char *text, size_t size, const struct hawser_scene *scene,
 	double value;
 
 	if (strncmp(key->type, "numbers", 7) == 0 ||
-	    (strcmp(key->type, "series") == 0 && scene->damping.ratios > 0))
+	    (strcmp(key->type, "series") == 0 &&
+	     hawser_scene_get(scene, &value, key->path, NULL) != HAWSER_OK))
 		return list_text(text, size, scene, key->path);
 	if (hawser_scene_get(scene, &value, key->path, NULL) == HAWSER_OK) {
 		snprintf(text, size, "%.10g", value);

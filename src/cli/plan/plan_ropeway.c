@@ -184,8 +184,8 @@ static enum hawser_status show(struct result *result, struct hawser_report *repo
 	if (!status && common->tsv)
 		status = cli_show(common, &showing, result, report);
 	else if (!status)
-		printf("hawser %s plan: %s\nstatics of a ropeway\n%s", hawser_version(), common->input,
-		       result->text);
+		printf("hawser %s plan: %s\nstatics of a ropeway\n%s", hawser_version(),
+		       cli_input_name(common), result->text);
 	free(result->text);
 	return status;
 }

@@ -130,6 +130,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		status = run_parts(&page, settings, report);
 	if (!status)
 		status = write_page(settings->output, &page, report);
+	if (!status && strcmp(settings->output, "-") != 0)
+		cli_progress_note(settings->common.quiet, "wrote %s", settings->output);
 	cli_document_within(NULL, NULL);
 	cli_report_folder_close();
 	cli_temporary(NULL);
@@ -142,17 +144,18 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 
 /* A report has no columns of its own; the list is that of its parts. */
 static const struct hawser__field part_field[] = {
-	{.key = "plan", .doc = "hawser plan: of spans and nets"},
 	{.key = "statics", .doc = "hawser statics: of all but towed bodies and beams"},
 	{.key = "worst", .doc = "hawser statics --worst: of ropeways"},
 	{.key = "cases", .doc = "hawser statics --cases: of spans with cases"},
 	{.key = "modes", .doc = "hawser modes: of spans, nets and ropeways"},
+	{.key = "damped", .doc = "hawser modes --damped: of spans with dampers"},
 	{.key = "irvine", .doc = "hawser irvine: of spans at rest"},
 	{.key = "campbell", .doc = "hawser campbell: of travelling cables"},
 	{.key = "frf", .doc = "hawser frf: of spans with a load, moving ends or a fluctuating speed"},
 	{.key = "tow", .doc = "hawser tow steady: of a towed cable"},
 	{.key = "trajectory", .doc = "hawser trajectory: of a path through waypoints"},
 	{.key = "beam", .doc = "hawser beam: of a travelling beam or string"},
+	{.key = "plan", .doc = "hawser plan: of spans and nets"},
 	HAWSER__END,
 };
 static const struct cli_listing listing[] = {{"Parts:", part_field, 1}, {NULL, NULL, 0}};

@@ -9,10 +9,41 @@
 #include "core/append.h"
 #include "core/report.h"
 
-/* Besides the kinds (enum cli_kind): of spans, and of paths of a towing point alone. */
-enum { LOADED = 2*CLI_FORCED, CASES = 2*LOADED, WAYPOINTS = 2*CASES };
+/* Besides the kinds (enum cli_kind): of spans, and of paths of a towing point alone. Results come
+ * first, and what was modelled last. */
+enum { LOADED = 2*CLI_FORCED, CASES = 2*LOADED, WAYPOINTS = 2*CASES, DAMPED = 2*WAYPOINTS };
 
 static const struct cli_report_part table[] = {
+	{"statics", "Static shape", "The static equilibrium, about which modes and motions are computed.",
+	 {"statics"}, 0, 1, 0, 0, 0},
+	{"worst", "Worst values", "The largest and smallest values over all places of the carriers.",
+	 {"statics", "--worst"}, CLI_ROPEWAY, 0, 0, 0, 0},
+	{"cases", "Load cases", "The static shape in each load case.",
+	 {"statics", "--cases"}, CASES, 0, 0, 0, 0},
+	{"modes", "Natural modes",
+	 "Small free vibrations about the static shape, each frequency with its estimated relative error.",
+	 {"modes"}, CLI_CABLE | CLI_TRAVELLING | CLI_OBSTACLES | CLI_NET | CLI_ROPEWAY, 0, 0, 1, 0},
+	{"modes", "Natural modes", "Small motions of the model about u = 0, and how they decay.",
+	 {"modes"}, CLI_MODEL, 0, 1, 0, 0},
+	{"damped", "Damped modes", "How the dampers of the scene damp each mode.",
+	 {"modes", "--damped"}, DAMPED, 0, 0, 1, 0},
+	{"irvine", "Frequencies over the tension",
+	 "Where frequencies cross or veer as the horizontal tension changes.",
+	 {"irvine"}, CLI_CABLE, 0, 0, 1, 0},
+	{"campbell", "Frequencies over the speed",
+	 "The natural frequencies as the travel speed increases.",
+	 {"campbell"}, CLI_TRAVELLING, 0, 0, 0, 0},
+	{"frf", "Frequency response",
+	 "Steady motions under the load of the scene: stable ones, and unstable ones, which are not "
+	 "observed. The table has the peaks.",
+	 {"frf", "--peaks"}, LOADED | CLI_MODEL, 0, 0, 1, 1},
+	{"tow", "Steady tow", "The state that does not change in the frame of the towing point.",
+	 {"tow", "steady"}, CLI_TOW, 1, 0, 0, 0},
+	{"trajectory", "Path of the towing point", "Place, speed and acceleration of the towing point.",
+	 {"trajectory"}, WAYPOINTS, 1, 0, 0, 0},
+	{"beam", "Eigenvalues and limit speed",
+	 "Growth and frequency of small motions, and the speed up to which they decay.",
+	 {"beam"}, CLI_BEAM, 1, 1, 0, 0},
 	{"plan", "What is modelled",
 	 "What a model of this scene contains, what it leaves out and why, and which settings are "
 	 "defaults.",
@@ -26,36 +57,17 @@ static const struct cli_report_part table[] = {
 	 "What the model of this line contains, what it leaves out and why, and which settings are "
 	 "defaults.",
 	 {"plan"}, CLI_ROPEWAY, 0, 1, 0, 0},
-	{"statics", "Static shape", "The static equilibrium, about which modes and motions are computed.",
-	 {"statics"}, 0, 1, 0, 0, 0},
-	{"worst", "Worst values", "The largest and smallest values over all places of the carriers.",
-	 {"statics", "--worst"}, CLI_ROPEWAY, 0, 0, 0, 0},
-	{"cases", "Load cases", "The static shape in each load case.",
-	 {"statics", "--cases"}, CASES, 0, 0, 0, 0},
-	{"modes", "Natural modes",
-	 "Small free vibrations about the static shape, each frequency with its estimated relative error.",
-	 {"modes"}, CLI_CABLE | CLI_TRAVELLING | CLI_OBSTACLES | CLI_NET | CLI_ROPEWAY, 0, 0, 1, 0},
-	{"modes", "Natural modes", "Small motions of the model about u = 0, and how they decay.",
-	 {"modes"}, CLI_MODEL, 0, 1, 0, 0},
-	{"irvine", "Frequencies over the tension",
-	 "Where frequencies cross or veer as the horizontal tension changes.",
-	 {"irvine"}, CLI_CABLE, 0, 0, 1, 0},
-	{"campbell", "Frequencies over the speed",
-	 "The natural frequencies as the travel speed increases.",
-	 {"campbell"}, CLI_TRAVELLING, 0, 0, 0, 0},
-	{"frf", "Frequency response",
-	 "Steady motions under the load of the scene: stable ones, and unstable ones, which are not "
-	 "observed; each point with its certificate.",
-	 {"frf"}, LOADED | CLI_MODEL, 0, 0, 1, 1},
-	{"tow", "Steady tow", "The state that does not change in the frame of the towing point.",
-	 {"tow", "steady"}, CLI_TOW, 1, 0, 0, 0},
-	{"trajectory", "Path of the towing point", "Place, speed and acceleration of the towing point.",
-	 {"trajectory"}, WAYPOINTS, 1, 0, 0, 0},
-	{"beam", "Eigenvalues and limit speed",
-	 "Growth and frequency of small motions, and the speed up to which they decay.",
-	 {"beam"}, CLI_BEAM, 1, 1, 0, 0},
 };
 enum { ROWS = sizeof table/sizeof *table };
+
+static int has_damper(const struct hawser_scene *scene)
+{
+	for (int i = 0; i < scene->attachments; i++)
+		for (int axis = 0; axis < 3; axis++)
+			if (scene->attach[i].damper[axis] > 0.0)
+				return 1;
+	return 0;
+}
 
 static unsigned kind_of_span(const struct hawser_scene *scene)
 {
@@ -65,6 +77,8 @@ static unsigned kind_of_span(const struct hawser_scene *scene)
 		return CLI_BEAM;
 	if (cli_is_forced(scene))
 		kind |= LOADED;
+	if (has_damper(scene))
+		kind |= DAMPED;
 	return kind | (scene->cases > 0 ? CASES : 0);
 }
 

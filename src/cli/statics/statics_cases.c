@@ -89,7 +89,7 @@ enum hawser_status cli_cases_fill(struct cli_cases *cases, const struct hawser_s
 		row->name = i < 0 ? "reference" : scene->load_case[i].name;
 		status = hawser_statics_case(one, scene, i < 0 ? 0 : i, report);
 		if (i < 0)
-			one->static_load.present = one->temperature.present = 0;
+			one->static_load.present = one->wind.present = one->temperature.present = 0;
 		if (!status)
 			fill(row, one);
 		row->why = row->report.message;

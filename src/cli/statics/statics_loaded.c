@@ -141,7 +141,8 @@ enum hawser_status cli_loaded_fill(struct cli_loaded *loaded, const struct hawse
 	struct hawser_held held[2];
 	double up[3], down[3], aside[3];
 
-	loaded->present = scene->static_load.present || scene->temperature.present;
+	loaded->present = scene->static_load.present || scene->wind.present ||
+	                  scene->temperature.present;
 	loaded->state = scene->tension.state;
 	loaded->elastic = hawser_statics_held(held, scene);
 	loaded->imbalance = st->imbalance;

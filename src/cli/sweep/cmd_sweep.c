@@ -41,7 +41,7 @@ static enum hawser_status store_over(void *field, const struct cli_option *optio
 }
 
 static const struct cli_option options[] = {
-	{"over", 0, "KEY=VALUES", "vary a key: FROM:TO:N or a,b,c; may be repeated",
+	{"over", 0, "KEY=VALUES", "vary a key: A:B:N, A:B, [a, b] or a,b; may be repeated",
 	 CLI_STORED(store_over, over)},
 	{"list", 0, "FILE", "a table of variations: a row of keys, then a row of values for each",
 	 CLI_TEXT(list)},
@@ -68,7 +68,8 @@ static const char *const notes[] = {
 	"Runs the command once for each combination of the values. The options of the sweep stand before",
 	"the --, those of the command after it. The varied keys are the first columns, then the status of",
 	"each run, then the values of its result; a run that fails is a row without these.",
-	"VALUES: \"60 kN:100 kN:9\", \"0.01:1:9:log\" (equal ratios), or \"taut,slack\".",
+	"VALUES: \"60 kN:100 kN:9\", \"0.01:1:9:log\" (equal ratios), \"[taut, slack]\";",
+	"without a number there are 21 values.",
 	NULL,
 };
 
@@ -425,8 +426,10 @@ static enum hawser_status prepare(struct cli_study *sweep, const struct settings
 		status = cli_part_read(&sweep->part, &sweep->parts, settings->part, "sweep",
 		                       settings->checkpoint, &settings->common, NULL, report);
 	if (!status)
-		status = cli_sweep_plan_open(&sweep->plan, settings->over.text, settings->over.count,
-		                             settings->list, report);
+		status = cli_sweep_plan_open(&sweep->plan, &settings->common, settings->over.text,
+		                             settings->over.count, settings->list, report);
+	if (!status)
+		status = cli_sweep_check(sweep, &settings->common, report);
 	if (!status && settings->common.plot)
 		status = cli_sweep_draw_check(&sweep->plan, report);
 	if (status)

@@ -36,11 +36,16 @@ struct cli_sweep_plan {
 	long count; /* variations */
 };
 /* over [overs]: values of --over; list: of --list, or NULL. Clear in any case. */
-enum hawser_status cli_sweep_plan_open(struct cli_sweep_plan *plan, const char *const *over,
-                                       int overs,
-                                       const char *list, struct hawser_report *report)
+enum hawser_status cli_sweep_plan_open(struct cli_sweep_plan *plan, const struct cli_common *common,
+                                       const char *const *over, int overs, const char *list,
+                                       struct hawser_report *report)
 	HAWSER_MUST_CHECK;
 void cli_sweep_plan_clear(struct cli_sweep_plan *plan);
+/* --- sweep_check.c: keys and values against the scene --- */
+
+/* Read the scene, with these keys set. */
+enum hawser_status cli_sweep_reads(const struct cli_common *own, char (*set)[CLI_SWEEP_SET], int sets,
+                                   struct hawser_report *report);
 /* The place of a key's value in a variation. */
 long cli_sweep_at(const struct cli_sweep_plan *plan, int key, long variation);
 /* "KEY=VALUE" of a key, as --set takes it. */
@@ -135,6 +140,10 @@ enum hawser_status cli_sweep_compute(struct cli_sweep_packed *packed, const stru
  * that is asked for. */
 enum hawser_status cli_sweep_run(struct cli_study *sweep, struct hawser_report *report)
 	HAWSER_MUST_CHECK;
+
+/* HAWSER_ERR_SCENE where no variation can be read: a key or a unit is wrong. */
+enum hawser_status cli_sweep_check(const struct cli_study *sweep, const struct cli_common *common,
+                                   struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* --- sweep_ranks.c: ranks, which compute the same in the same order up to cli_sweep_run --- */
 

@@ -94,22 +94,11 @@ static enum hawser_status read_range(struct cli_sweep_key *key, struct cli_sweep
 {
 	struct cli_key_sweep range = {.command = "sweep", .over = over, .most = CLI_SWEEP_MOST,
 	                              .example = "tension.T0=60 kN:100 kN:9"};
-	size_t length = strlen(over);
-	char *copy = NULL;
-	enum hawser_status status;
+	enum hawser_status status = cli_key_sweep_read(&range, report);
 
-	if (length > 4 && strcmp(over + length - 4, ":log") == 0) {
-		copy = strndup(over, length - 4);
-		if (!copy)
-			return hawser__no_memory(report, "sweep");
-		range.over = copy;
-		range.logarithmic = 1;
-	}
-	status = cli_key_sweep_read(&range, report);
-	free(copy);
+	key->number = range.value;
 	if (status)
 		return status;
-	key->number = range.value;
 	key->numbers = 1;
 	axis->values = range.points;
 	snprintf(key->unit, sizeof key->unit, "%s", trim(range.si));
@@ -144,8 +133,8 @@ static size_t part_length(const char *text)
 	return length;
 }
 
-static enum hawser_status read_values(struct cli_sweep_key *key, struct cli_sweep_axis *axis,
-                                      const char *values, struct hawser_report *report)
+static enum hawser_status read_parts(struct cli_sweep_key *key, struct cli_sweep_axis *axis,
+                                     const char *values, struct hawser_report *report)
 {
 	const char *from = values;
 
@@ -167,7 +156,23 @@ static enum hawser_status read_values(struct cli_sweep_key *key, struct cli_swee
 			                    key->key, values, i + 1);
 		from += length + 1;
 	}
-	return read_numbers(key, axis->values, "over", report);
+	return HAWSER_OK;
+}
+
+/* `listed`: the values are in brackets. */
+static enum hawser_status read_values(struct cli_sweep_key *key, struct cli_sweep_axis *axis,
+                                      const char *given, int listed, struct hawser_report *report)
+{
+	char *values = strdup(given + listed);
+	enum hawser_status status;
+
+	if (!values)
+		return hawser__no_memory(report, "sweep");
+	if (listed)
+		values[strlen(values) - 1] = '\0';
+	status = read_parts(key, axis, values, report);
+	free(values);
+	return status ? status : read_numbers(key, axis->values, "over", report);
 }
 
 static enum hawser_status new_key(struct cli_sweep_key **key, struct cli_sweep_plan *plan,
@@ -191,8 +196,20 @@ static enum hawser_status new_key(struct cli_sweep_key **key, struct cli_sweep_p
 	return HAWSER_OK;
 }
 
-static enum hawser_status add_over(struct cli_sweep_plan *plan, const char *over,
-                                   struct hawser_report *report)
+/* Whether the values are one list "[A, B, C]": not where the key has such a list as its value. */
+static int is_list(const struct cli_common *common, const char *over, const char *values)
+{
+	char set[1][CLI_SWEEP_SET];
+	size_t length = strlen(values);
+
+	if (*values != '[' || values[length - 1] != ']' || count_outside(values, ',') > 0)
+		return 0;
+	snprintf(set[0], sizeof set[0], "%s", over);
+	return cli_kind(common) == HAWSER_KIND_MODEL || cli_sweep_reads(common, set, 1, NULL);
+}
+
+static enum hawser_status add_over(struct cli_sweep_plan *plan, const struct cli_common *common,
+                                   const char *over, struct hawser_report *report)
 {
 	struct cli_sweep_axis *axis = &plan->axis[plan->axes++];
 	const char *equals = strchr(over, '=');
@@ -211,7 +228,7 @@ static enum hawser_status add_over(struct cli_sweep_plan *plan, const char *over
 	axis->keys = 1;
 	colons = count_outside(equals + 1, ':');
 	status = colons > 0 ? read_range(key, axis, over, report)
-	                    : read_values(key, axis, equals + 1, report);
+	                    : read_values(key, axis, equals + 1, is_list(common, over, equals + 1), report);
 	name_column(key);
 	return status;
 }
@@ -346,9 +363,9 @@ static enum hawser_status add_list(struct cli_sweep_plan *plan, const char *path
 
 /* --- all --- */
 
-enum hawser_status cli_sweep_plan_open(struct cli_sweep_plan *plan, const char *const *over,
-                                       int overs,
-                                       const char *list, struct hawser_report *report)
+enum hawser_status cli_sweep_plan_open(struct cli_sweep_plan *plan, const struct cli_common *common,
+                                       const char *const *over, int overs, const char *list,
+                                       struct hawser_report *report)
 {
 	enum hawser_status status = HAWSER_OK;
 
@@ -358,7 +375,7 @@ enum hawser_status cli_sweep_plan_open(struct cli_sweep_plan *plan, const char *
 	if (list)
 		status = add_list(plan, list, report);
 	for (int i = 0; i < overs && !status; i++)
-		status = add_over(plan, over[i], report);
+		status = add_over(plan, common, over[i], report);
 	plan->count = 1;
 	for (int k = 0; k < plan->axes && !status; k++) {
 		if (plan->axis[k].values > CLI_SWEEP_MOST/plan->count)

@@ -233,6 +233,28 @@ static void failures(struct hawser__table *table, const struct cli_sweep_result 
 	                     name, result->warning[first]);
 }
 
+static void add_columns(struct hawser__table *table, const struct cli_sweep_result *result)
+{
+	const struct cli_sweep_plan *plan = &result->sweep->plan;
+
+	for (int k = 0; k < plan->keys; k++) {
+		hawser__table_column(table, "%s", plan->key[k].column);
+		hawser__table_about(table, plan->key[k].key, "", "", plan->key[k].unit);
+	}
+	hawser__table_column(table, "status");
+	hawser__table_about(table, "status", "", "exit status", "");
+	for (int c = 0; c < result->columns; c++) {
+		const char *name = result->column[c];
+		enum hawser__unit unit = hawser__unit_of_column(name);
+		size_t end = strlen(hawser__unit_suffix(unit, &hawser__si));
+		char bare[HAWSER__NAME_SIZE];
+
+		hawser__table_column(table, "%s", name);
+		snprintf(bare, sizeof bare, "%.*s", (int)(strlen(name) - end), name);
+		hawser__table_about(table, bare, "", "", hawser__unit_name(unit));
+	}
+}
+
 static void table(struct hawser__table *table, const void *of)
 {
 	const struct cli_sweep_result *result = of;
@@ -245,11 +267,7 @@ static void table(struct hawser__table *table, const void *of)
 		hawser__table_remark(table, "set: %s", sweep->common->set[i]);
 	hawser__table_remark(table, "command: %s", sweep->line);
 	failures(table, result);
-	for (int k = 0; k < sweep->plan.keys; k++)
-		hawser__table_column(table, "%s", sweep->plan.key[k].column);
-	hawser__table_column(table, "status");
-	for (int c = 0; c < result->columns; c++)
-		hawser__table_column(table, "%s", result->column[c]);
+	add_columns(table, result);
 	hawser__table_rows(table, (size_t)result->lines, fill_row, result);
 }
 

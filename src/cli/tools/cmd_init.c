@@ -6,6 +6,7 @@
 
 #include "cli/frame/input.h"
 #include "cli/frame/kinds.h"
+#include "cli/tools/init_scenes.h"
 #include "core/file.h"
 
 static const struct cli_option options[] = {
@@ -13,10 +14,14 @@ static const struct cli_option options[] = {
 	CLI_NO_OPTION,
 };
 static const char *const notes[] = {
-	"A scene of the kind of the argument, or of a span of cable. It is complete, and goes to standard",
-	"output: hawser init net >net.yaml. Its first line says what to try.",
+	"A scene of the kind or structure of the argument, or of a span of cable. It is complete, and goes",
+	"to standard output: hawser init net >net.yaml. Its first line says what to try.",
 	NULL,
 };
+
+/* After the kinds that are written. */
+#define TEXT(name) cli_init_##name,
+static const char *const structure[] = {CLI_INIT_STRUCTURES(TEXT)};
 
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
@@ -24,14 +29,17 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	int index = 0;
 	enum hawser_status status = cli_choose_input(&index, &cli_init, common->input, report);
 
-	return status ? status : hawser__file_put("-", cli_kind_record(index)->text,
-	                                          strlen(cli_kind_record(index)->text), report);
+	const char *text = index < CLI_NUMBER_MODEL ? cli_kind_record(index)->text
+	                                            : structure[index - CLI_NUMBER_MODEL];
+
+	return status ? status : hawser__file_put("-", text, strlen(text), report);
 }
 
 #define FIRST(name, BIT) #name
 #define NEXT(name, BIT) "|" #name
+#define OR(name) "|" #name
 const struct cli_command cli_init = {
-	"init", "[" CLI_KINDS_WRITTEN(FIRST, NEXT) "]",
+	"init", "[" CLI_KINDS_WRITTEN(FIRST, NEXT) CLI_INIT_STRUCTURES(OR) "]",
 	"A scene with comments, to begin with", notes, options, NULL, sizeof(struct cli_common), 0, run,
 	NULL,
 	.takes = 0,

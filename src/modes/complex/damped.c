@@ -2,7 +2,8 @@
  *
  *   q, omega  coordinates of the Galerkin modes of a polynomial basis (basis.c): mass 1, stiffness
  *             omega^2. Attachments are edges of elements, so that the shapes have their kinks
- *   D         diag(d) + sum of w_i b_i b_i': d the damping of the scene, b_i = h.Phi at a damper
+ *   D         diag(d) + sum of w_i b_i b_i' + W: d the damping of the scene, b_i = h.Phi at a damper,
+ *             W that by a wind (wind.c)
  *   sigma     1/lambda; y = omega q
  *   sigma^2 y + sigma (D/omega omega') y + y/omega^2 = 0
  *   S         sqrt(m_a) times the stroke of an absorber, its displacement along a relative to the
@@ -29,6 +30,7 @@
 #include "core/report.h"
 #include "modes/cable.h"
 #include "modes/complex/damped.h"
+#include "modes/complex/wind.h"
 #include "modes/label.h"
 #include "modes/methods.h"
 
@@ -72,16 +74,6 @@ static void block_clear(struct block *t)
 	hawser__hold_clear(&t->hold);
 }
 
-/* The damping ratio of undamped mode `place`: the last one of a list is that of all further modes. */
-static double ratio_of(const struct hawser_scene *scene, int place)
-{
-	int last = scene->damping.ratios;
-
-	if (last < 2 || place < 2)
-		return scene->damping.ratio;
-	return scene->damping.ratio_next[(place < last ? place : last) - 2];
-}
-
 /* Damping of the scene in mode k, scaled; *alpha: that along the cable, which masses do not have. */
 static double own_damping(double *alpha, const struct hawser_scene *scene,
                           const struct hawser_modes *modes, int k)
@@ -98,7 +90,7 @@ static double own_damping(double *alpha, const struct hawser_scene *scene,
 	case HAWSER_DAMPING_RAYLEIGH:
 		return scene->damping.mass*t + scene->damping.stiffness/t*omega*omega;
 	case HAWSER_DAMPING_RATIO:
-		return 2.0*ratio_of(scene, modes->mode[k].place)*omega;
+		return 2.0*hawser__damping_ratio(scene, &modes->mode[k])*omega;
 	case HAWSER_DAMPING_NONE:
 		break;
 	}
@@ -246,9 +238,10 @@ static int add_absorbers(struct block *t, const struct hawser_statics *st, const
 	return info;
 }
 
-/* sigma (y, w) = A (y, w), with sigma w = L'y, L = R/omega. Returns LAPACK's info. */
+/* sigma (y, w) = A (y, w), with sigma w = L'y, L = R/omega. flow: damping of all modes by the wind, or
+ * NULL. Returns LAPACK's info. */
 static int assemble(struct block *t, const struct hawser_modes *modes, const struct hawser_statics *st,
-                     const struct hawser_scene *scene, const double *u)
+                     const struct hawser_scene *scene, const double *u, const double *flow)
 {
 	size_t n = (size_t)t->n, m = n + (size_t)t->absorbers, N = 2*m;
 	double alpha = 0.0, mass = scene && scene->damping.kind == HAWSER_DAMPING_RAYLEIGH
@@ -262,6 +255,10 @@ static int assemble(struct block *t, const struct hawser_modes *modes, const str
 		t->A[k*N + m + k] = 1.0/omega;
 	}
 	point_damping(t, modes, st, u, alpha, mass);
+	for (size_t j = 0; flow && j < n; j++)
+		for (size_t k = 0; k < n; k++)
+			t->A[k*N + j] -= flow[(size_t)t->mode[j]*(size_t)modes->n + (size_t)t->mode[k]]/
+			                 (modes->mode[t->mode[j]].omega*modes->mode[t->mode[k]].omega);
 	for (int v = 0; v < t->vectors; v++)
 		for (size_t j = 0; j < n; j++)
 			for (size_t k = 0; k < n; k++)
@@ -326,7 +323,8 @@ static void collect(struct list *list, const struct block *t,
 
 static enum hawser_status solve_block(struct list *list, const struct hawser_modes *modes,
                                       const struct hawser_statics *st,
-                                      const struct hawser_scene *scene, const double *u, int plane,
+                                      const struct hawser_scene *scene, const double *u,
+                                      const double *flow, int plane,
                                       struct hawser_report *report)
 {
 	enum hawser_status status = HAWSER_OK;
@@ -338,7 +336,7 @@ static enum hawser_status solve_block(struct list *list, const struct hawser_mod
 		block_clear(&t);
 		return hawser__no_memory(report, "modes");
 	}
-	info = assemble(&t, modes, st, scene, u);
+	info = assemble(&t, modes, st, scene, u, flow);
 	N = 2*(t.n + t.absorbers);
 	for (size_t i = 0; i < (size_t)N*(size_t)N; i++)
 		norm += t.A[i]*t.A[i];
@@ -362,18 +360,20 @@ static enum hawser_status values_of(struct list *list, const struct hawser_modes
                                     const struct hawser_scene *scene, struct hawser_report *report)
 {
 	enum hawser_status status = HAWSER_OK;
-	double *u = displacements(modes);
+	int failed;
+	double *u = displacements(modes), *flow = hawser__wind_damping(&failed, modes, scene);
 
 	*list = (struct list){.count = 0};
 	list->value = malloc(2*((size_t)modes->n + HAWSER_ATTACH_MAX + 1)*sizeof *list->value);
-	if (!u || !list->value)
+	if (!u || !list->value || failed)
 		status = hawser__no_memory(report, "modes");
-	else if (joins(modes, st, u))
-		status = solve_block(list, modes, st, scene, u, -1, report);
+	else if (flow || joins(modes, st, u))
+		status = solve_block(list, modes, st, scene, u, flow, -1, report);
 	else
 		for (int plane = 0; plane < HAWSER__PLANES && !status; plane++)
-			status = solve_block(list, modes, st, scene, u, plane, report);
+			status = solve_block(list, modes, st, scene, u, NULL, plane, report);
 	free(u);
+	free(flow);
 	if (status)
 		list_clear(list);
 	else
@@ -436,11 +436,11 @@ static double nearest(const struct list *list, const struct value *of)
 	return least/hypot(of->re, of->im);
 }
 
-/* The n modes of lowest damped frequency; *worst: the largest estimated error. */
+/* The n modes of lowest damped frequency; *worst: the largest estimated error. grows: they may have
+ * negative damping. */
 static enum hawser_status lowest(struct hawser_damped *damped, double *worst,
-                                 const struct list *fine,
-                                 const struct list *coarse, int n,
-                                 struct hawser_report *report)
+                                 const struct list *fine, const struct list *coarse, int n,
+                                 int grows, struct hawser_report *report)
 {
 	int number[HAWSER__PLANES] = {0}, first = 0;
 	double largest = 0.0;
@@ -454,7 +454,8 @@ static enum hawser_status lowest(struct hawser_damped *damped, double *worst,
 		first++;
 	for (int i = first; i < fine->count && damped->n < n; i++) {
 		const struct value *from = &fine->value[i];
-		double modulus = hypot(from->re, from->im), re = fmin(from->re, 0.0); /* but for round-off */
+		double modulus = hypot(from->re, from->im);
+		double re = grows ? from->re : fmin(from->re, 0.0); /* but for round-off */
 
 		damped->mode[damped->n++] = (struct hawser_damped_mode){
 			.omega = from->im, .re = re, .ratio = -re/modulus,
@@ -488,7 +489,7 @@ enum hawser_status hawser__damped_of(struct hawser_damped *damped, double *worst
 	if (!status)
 		status = values_of(&fine, &pair->fine, st, scene, report);
 	if (!status)
-		status = lowest(damped, worst, &fine, &coarse, n, report);
+		status = lowest(damped, worst, &fine, &coarse, n, scene && scene->wind.present, report);
 	list_clear(&fine);
 	list_clear(&coarse);
 	return status;

@@ -3,6 +3,10 @@
  * The basis is enlarged until two sizes agree. Bases don't depend on the dampers, so that a sweep over
  * the size of a damper has them once. Points of a sweep are independent and shared among threads.
  *
+ * In a wind, modes may grow. Their number is counted at each point. If it differs at two neighbours,
+ * the k-th largest growth, a continuous function of the key whatever modes have it, changes its sign
+ * between them for each k from the smaller number on, and its zero is an event.
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -10,13 +14,16 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "continuation/false_position.h"
 #include "core/report.h"
 #include "core/share.h"
 #include "modes/complex/damped.h"
 
-enum { TRIES = 8 };
+enum { TRIES = 8, LOCATE = 40 }; /* sizes of the basis; steps of an event */
 /* Largest estimated error of a result. */
 static const double acceptable = 1e-4;
+/* Growth over the frequency at an event, and the bracket of its value, relative. */
+static const double zero = 1e-13, located = 1e-12;
 
 void hawser_damped_settle(struct hawser_damped_options *options)
 {
@@ -32,7 +39,7 @@ void hawser_damped_clear(struct hawser_damped *damped)
 	*damped = (struct hawser_damped){.n = 0};
 }
 
-static enum hawser_status check(const struct hawser_statics *st,
+static enum hawser_status check(const struct hawser_statics *st, const struct hawser_scene *scene,
                                 const struct hawser_damped_options *options,
                                 struct hawser_report *report)
 {
@@ -43,6 +50,10 @@ static enum hawser_status check(const struct hawser_statics *st,
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
 		                    "a tolerance of damped modes of %g: give a relative error in (0, 1), or 0 "
 		                    "for 1e-8", options->tolerance);
+	if (scene && scene->wind.present && scene->wind.wake.present)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
+		                    "damped modes do not take the wakes of wind.wake, whose motion is not "
+		                    "small: set wind.wake=");
 	if (st->motion.nu != 0.0)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
 		                    "damped modes are those of a cable at rest: set travel.speed=0");
@@ -103,7 +114,7 @@ enum hawser_status hawser_damped_solve(struct hawser_damped *damped,
 
 	*damped = (struct hawser_damped){.n = 0};
 	hawser_damped_settle(&settled);
-	status = check(statics, &settled, report);
+	status = check(statics, scene, &settled, report);
 	if (!status)
 		status = solve(damped, &pair, statics, scene, &settled, report);
 	hawser__damped_pair_clear(&pair);
@@ -124,38 +135,136 @@ struct sweep {
 	int same;                           /* 1: all points have the same bases */
 };
 
-static double value_of(const struct hawser_damped_sweep_options *options, int i)
+static enum hawser_status solve_at(struct hawser_damped *state, const struct sweep *sweep, double value,
+                                   struct hawser__damped_pair *pair, struct hawser_report *report)
 {
-	double part = (double)i/(options->points - 1);
-
-	if (i == 0 || i == options->points - 1)
-		return i == 0 ? options->from : options->to;
-	return options->logarithmic ? options->from*pow(options->to/options->from, part)
-	                            : options->from + (options->to - options->from)*part;
-}
-
-static void point(void *context, long item, int worker)
-{
-	struct sweep *sweep = context;
 	const struct hawser_damped_sweep_options *options = sweep->options;
-	struct hawser__damped_pair *pair = &sweep->pair[worker];
-	struct hawser_report *report = &sweep->report[item];
 	struct hawser_scene scene = *sweep->scene; /* a copy that is not cleared */
 	struct hawser_statics st;
 	enum hawser_status status;
 
-	status = hawser_scene_set(&scene, options->key, sweep->to->value[item], report);
+	status = hawser_scene_set(&scene, options->key, value, report);
 	if (!status)
 		status = hawser_statics_scene(&st, &scene, report);
 	if (!status)
-		status = check(&st, &options->modes, report);
+		status = check(&st, &scene, &options->modes, report);
 	if (!status && !sweep->same)
 		hawser__damped_pair_clear(pair);
 	if (!sweep->same)
 		pair->functions = 0;
 	if (!status)
-		status = solve(&sweep->to->state[item], pair, &st, &scene, &options->modes, report);
-	sweep->status[item] = status;
+		status = solve(state, pair, &st, &scene, &options->modes, report);
+	return status;
+}
+
+static void point(void *context, long item, int worker)
+{
+	struct sweep *sweep = context;
+
+	sweep->status[item] = solve_at(&sweep->to->state[item], sweep, sweep->to->value[item],
+	                               &sweep->pair[worker], &sweep->report[item]);
+}
+
+/* --- events --- */
+
+/* Growth over the frequency that may be round-off. */
+static const double still = 1e-12;
+
+static double growth_of(const struct hawser_damped_mode *mode)
+{
+	return mode->re/mode->omega - still;
+}
+
+static int growing(const struct hawser_damped *state)
+{
+	int count = 0;
+
+	for (int i = 0; i < state->n; i++)
+		count += growth_of(&state->mode[i]) > 0.0;
+	return count;
+}
+
+/* The mode of the k-th largest growth, from 0. */
+static const struct hawser_damped_mode *ranked(const struct hawser_damped *state, int k)
+{
+	for (int i = 0; i < state->n; i++) {
+		int above = 0;
+
+		for (int j = 0; j < state->n; j++) {
+			double more = growth_of(&state->mode[j]) - growth_of(&state->mode[i]);
+
+			above += more > 0.0 || (more == 0.0 && j < i);
+		}
+		if (above == k)
+			return &state->mode[i];
+	}
+	return state->mode;
+}
+
+/* The zero of the k-th largest growth between points i and i + 1. */
+static enum hawser_status locate_event(struct hawser_damped_event *event, const struct sweep *sweep,
+                                       int i, int k, struct hawser_report *report)
+{
+	const struct hawser_damped *state = sweep->to->state + i;
+	const double *value = sweep->to->value + i;
+	int down = value[1] < value[0];
+	struct hawser__bracketed in = {.a = value[down], .b = value[!down],
+		.fa = growth_of(ranked(&state[down], k)), .fb = growth_of(ranked(&state[!down], k))};
+	struct hawser_damped now = {.n = 0};
+	enum hawser_status status = HAWSER_OK;
+
+	event->onset = growing(&state[1]) > growing(&state[0]);
+	for (int try = 0; !status && try < LOCATE; try++) {
+		double s = hawser__false_position(&in, try), growth;
+
+		hawser_damped_clear(&now);
+		status = solve_at(&now, sweep, s, sweep->pair, report);
+		if (status)
+			break;
+		growth = growth_of(ranked(&now, k));
+		event->value = s;
+		if (fabs(growth) < zero || in.b - in.a < located*fabs(s))
+			break;
+		hawser__false_position_take(&in, s, growth);
+	}
+	if (!status) {
+		const struct hawser_damped_mode *mode = ranked(&now, k);
+
+		event->frequency = mode->omega/now.time_unit/(2.0*M_PI);
+		event->plane = mode->plane;
+		event->number = mode->number;
+	}
+	hawser_damped_clear(&now);
+	return status;
+}
+
+static int compare_events(const void *a, const void *b)
+{
+	const struct hawser_damped_event *x = a, *y = b;
+
+	return (x->value > y->value) - (x->value < y->value);
+}
+
+/* The events between points i and i + 1, which share their room with those before. */
+static enum hawser_status events_between(const struct sweep *sweep, int i, struct hawser_report *report)
+{
+	struct hawser_damped_sweep *to = sweep->to;
+	int before = growing(&to->state[i]), after = growing(&to->state[i + 1]), first = to->events;
+	enum hawser_status status = HAWSER_OK;
+
+	for (int k = before < after ? before : after; !status && k < (before < after ? after : before);
+	     k++) {
+		struct hawser_damped_event *grown = realloc(to->event,
+		                                            ((size_t)to->events + 1)*sizeof *grown);
+
+		if (!grown)
+			return hawser__no_memory(report, "modes");
+		to->event = grown;
+		status = locate_event(&grown[to->events++], sweep, i, k, report);
+	}
+	if (to->events > first)
+		qsort(to->event + first, (size_t)(to->events - first), sizeof *to->event, compare_events);
+	return status;
 }
 
 /* The failure of the first point that failed. */
@@ -180,17 +289,14 @@ static enum hawser_status check_sweep(const struct hawser_scene *scene,
 
 	if (status)
 		return status;
-	if (options->points < 2)
+	if (options->points < 1)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
-		                    "a sweep of %d points: give at least 2", options->points);
-	if (!isfinite(options->from) || !isfinite(options->to) || options->from == options->to)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
-		                    "a sweep of %s from %g to %g: give two different finite numbers",
-		                    options->key, options->from, options->to);
-	if (options->logarithmic && !(options->from > 0.0 && options->to > 0.0))
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
-		                    "a logarithmic sweep of %s from %g to %g: give positive numbers",
-		                    options->key, options->from, options->to);
+		                    "a sweep of %d points: give at least one", options->points);
+	for (int i = 0; i < options->points; i++)
+		if (!isfinite(options->value[i]))
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
+			                    "a sweep of %s to %g: give finite numbers", options->key,
+			                    options->value[i]);
 	return HAWSER_OK;
 }
 
@@ -209,9 +315,11 @@ static enum hawser_status trace(struct sweep *sweep, int threads, struct hawser_
 	if (!status) {
 		sweep->to->points = points;
 		for (int i = 0; i < points; i++)
-			sweep->to->value[i] = value_of(sweep->options, i);
+			sweep->to->value[i] = sweep->options->value[i];
 		hawser__share(points, threads, point, sweep);
 		status = verdict(sweep, report);
+		for (int i = 0; !status && sweep->scene->wind.present && i + 1 < points; i++)
+			status = events_between(sweep, i, report);
 	}
 	for (int i = 0; sweep->pair && i < threads; i++)
 		hawser__damped_pair_clear(&sweep->pair[i]);
@@ -251,5 +359,6 @@ void hawser_damped_sweep_clear(struct hawser_damped_sweep *sweep)
 		hawser_damped_clear(&sweep->state[i]);
 	free(sweep->value);
 	free(sweep->state);
+	free(sweep->event);
 	*sweep = (struct hawser_damped_sweep){.points = 0};
 }

@@ -252,7 +252,8 @@ static void add_motion(struct hawser__mesh_balance *balance, const double *x, do
 
 	for (int i = 0; i < 3*mesh->nodes; i++)
 		add_linear(balance->out + i*width, x + i*width, width, inertia*mesh->mass[i/3],
-		           damping*balance->mass_rate*mesh->mass[i/3], ratio*mesh->mass[i/3]);
+		           damping*(balance->mass_rate*mesh->mass[i/3] + mesh->damper[i/3][i%3]),
+		           ratio*mesh->mass[i/3]);
 	for (int i = 0; i < 12*mesh->elements; i++) {
 		int e = i/12, to = mesh->end[e][i%2], from = mesh->end[e][i/2%2], k = i%12/4;
 		double share = to == from ? 5.0/12.0 : 1.0/12.0, mass = mesh->rho[e]*mesh->length0[e];

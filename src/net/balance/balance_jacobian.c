@@ -68,23 +68,21 @@ static void add_element(struct hawser__mesh_balance *balance, int e)
 		put(balance, e, i/2, i%2, balance->G);
 }
 
-/* Inertia and damping between two nodes, kg and kg/s. */
-static void add_mass(struct hawser__mesh_balance *balance, int to, int from, double mass,
+/* Inertia and damping between two nodes along an axis, kg and kg/s. */
+static void add_mass(struct hawser__mesh_balance *balance, int to, int from, int axis, double mass,
                      double damping)
 {
 	const struct hawser__mesh *mesh = balance->mesh;
 	int width = balance->width;
 	double *block, Omega = balance->Omega;
 
-	if (balance->blocks.row[to] < 0 || balance->blocks.row[from] < 0)
+	if (mesh->unknown[to][axis] < 0 || mesh->unknown[from][axis] < 0)
 		return;
 	block = hawser__nodal_at(&balance->blocks, balance->blocks.row[to], balance->blocks.row[from]);
-	for (int i = 0; i < 3*width; i++) {
-		int axis = i/width, c = i%width, k = (c + 1)/2, pair = c%2 ? i + 1 : i - 1;
+	for (int c = 1; c < width; c++) {
+		int i = axis*width + c, k = (c + 1)/2, pair = c%2 ? i + 1 : i - 1;
 		double speed = Omega*k*(damping + 2.0*balance->ratio*Omega*k*mass);
 
-		if (c == 0 || mesh->unknown[to][axis] < 0 || mesh->unknown[from][axis] < 0)
-			continue;
 		block[i*3*width + i] -= Omega*Omega*k*k*mass;
 		block[pair*3*width + i] += c%2 ? speed : -speed;
 	}
@@ -115,15 +113,16 @@ int hawser__mesh_balance_factor(struct hawser__mesh_balance *balance, const doub
 		double damping = balance->mass_rate*mass + mesh->alpha*mesh->length0[e];
 
 		add_element(balance, e);
-		for (int i = 0; i < 4; i++) {
-			double share = i/2 == i%2 ? 5.0/12.0 : 1.0/12.0;
+		for (int i = 0; i < 12; i++) {
+			int to = i/2%2, from = i%2;
+			double share = to == from ? 5.0/12.0 : 1.0/12.0;
 
-			add_mass(balance, mesh->end[e][i/2], mesh->end[e][i%2], share*mass, share*damping);
+			add_mass(balance, mesh->end[e][to], mesh->end[e][from], i/4, share*mass, share*damping);
 		}
 	}
-	for (int i = 0; i < mesh->nodes; i++)
-		if (mesh->mass[i] > 0.0)
-			add_mass(balance, i, i, mesh->mass[i], balance->mass_rate*mesh->mass[i]);
+	for (int i = 0; i < 3*mesh->nodes; i++)
+		add_mass(balance, i/3, i/3, i%3, mesh->mass[i/3],
+		         balance->mass_rate*mesh->mass[i/3] + mesh->damper[i/3][i%3]);
 	hold_rest(balance);
 	balance->factored = hawser__nodal_factor(&balance->blocks);
 	if (!balance->factored)

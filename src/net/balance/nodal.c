@@ -175,11 +175,6 @@ double hawser__nodal_work(const struct hawser__nodal *blocks, int width)
 	return sum*width*width*width;
 }
 
-double hawser__nodal_bytes(const struct hawser__nodal *blocks, int width)
-{
-	return sizeof(double)*((double)blocks->rows + 2.0*blocks->first[blocks->rows])*width*width;
-}
-
 enum hawser_status hawser__nodal_room(struct hawser__nodal *blocks, int width,
                                        struct hawser_report *report)
 {

@@ -25,9 +25,8 @@ enum hawser_status hawser__nodal_room(struct hawser__nodal *blocks, int width,
                                        struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser__nodal_clear(struct hawser__nodal *blocks);
 
-/* Floating-point operations of the factors, and bytes, with blocks of that width. */
+/* Floating-point operations of the factors with blocks of that width. */
 double hawser__nodal_work(const struct hawser__nodal *blocks, int width);
-double hawser__nodal_bytes(const struct hawser__nodal *blocks, int width);
 
 void hawser__nodal_zero(struct hawser__nodal *blocks);
 /* The block of two rows that are the same, or linked. */

@@ -179,19 +179,25 @@ static void push(double *row, const struct hawser__nexpand *t, int j, int k)
 	}
 }
 
-/* The component that the modes have in w_jk, of which they have none then. */
-static void remove_modes(double *row, const struct hawser__nexpand *t, int j, int k)
+/* Take out the components that the modes have in all w_jk, of which they have none then. */
+static enum hawser_status remove_modes(struct hawser__nexpand *t, struct hawser_report *report)
 {
-	const struct hawser__mesh *mesh = t->mesh;
+	double *part = hawser__numbers((size_t)t->pairs, (size_t)t->modes);
+	int unknowns = t->mesh->unknowns;
 
-	for (int s = 0; s < t->modes; s++) {
-		const double (*shape)[3] = (const double (*)[3])t->shape + (size_t)s*(size_t)mesh->nodes;
-		double part = t->third[(j*t->n + k)*t->n + s]/t->omega2[s];
+	if (!part)
+		return hawser__no_memory(report, "net rom");
+	for (int k = 0; k < t->n; k++)
+		for (int i = 0; i < (k + 1)*t->modes; i++) {
+			int j = i/t->modes, s = i%t->modes;
 
-		for (int i = 0; i < 3*mesh->nodes; i++)
-			if (mesh->unknown[i/3][i%3] >= 0)
-				row[mesh->unknown[i/3][i%3]] += part*shape[i/3][i%3];
-	}
+			part[hawser__pair(j, k)*t->modes + s] = t->third[(j*t->n + k)*t->n + s]/t->omega2[s];
+		}
+	if (t->modes > 0)
+		cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, t->pairs, unknowns, t->modes, 1.0, part,
+		            t->modes, t->mode, unknowns, 1.0, t->second, unknowns);
+	free(part);
+	return HAWSER_OK;
 }
 
 static enum hawser_status follow(struct hawser__nexpand *t, struct hawser_report *report)
@@ -204,9 +210,8 @@ static enum hawser_status follow(struct hawser__nexpand *t, struct hawser_report
 
 			push(row, t, j, k);
 			status = hawser__sparse_solve(row, t->sparse, report);
-			remove_modes(row, t, j, k);
 		}
-	return status;
+	return status ? status : remove_modes(t, report);
 }
 
 /* --- fourth derivatives --- */

@@ -15,6 +15,7 @@ struct hawser__nexpand {
 	double energy;           /* J */
 	int n, modes, pairs;     /* shapes, of which the first are modes, along which nothing follows */
 	const double *omega2;    /* [modes] their stiffness, in `energy` */
+	const double *mode;      /* [modes][unknowns] m, the same as shapes */
 	double (*shape)[3];      /* [n][nodes] m, displacements */
 	double *weight, *strain; /* [elements] EA L0 over `energy`; g - 1, of stretch g */
 	double (*axes)[3][3];    /* [elements] tangent, and two normals */
@@ -26,8 +27,8 @@ struct hawser__nexpand {
 	struct hawser__hold hold;
 };
 
-/* The elements, and room for n shapes, of which the caller fills `shape` and omega2. All elements that
- * move are taut. Clear it, on failure too. */
+/* The elements, and room for n shapes, of which the caller fills `shape`, omega2 and mode. All elements
+ * that move are taut. Clear it, on failure too. */
 enum hawser_status hawser__nexpand_open(struct hawser__nexpand *t,
                                         const struct hawser__net_modal *modal, double energy, int n,
                                         int modes, struct hawser_report *report) HAWSER_MUST_CHECK;

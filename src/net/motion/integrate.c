@@ -237,13 +237,15 @@ static enum hawser_status check(const struct hawser_net *net, struct hawser_repo
 	const char *key = net->ratio > 0.0 ? "damping.ratio" : net->mass_rate > 0.0
 	                  ? "damping.rayleigh" : NULL;
 
+	for (int i = 0; i < 3*net->nodes && !key; i++)
+		key = net->node[i/3].damper[i%3] > 0.0 ? "dampers" : NULL;
 	for (int i = 0; i < net->loads + net->motions && !key; i++)
 		key = (i < net->loads ? net->load[i] : net->motion[i - net->loads]).multiple > 0
 		      ? "multiple in place of Omega" : NULL;
 	return !key ? HAWSER_OK
 	       : hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s: %s is for models, as of frf: the "
-	                      "motion of the mesh has damping.alpha and damping.axial, and loads with "
-	                      "a frequency", net->name, key);
+	                      "motion of the mesh has damping.alpha, damping.axial and dampers of cables, "
+	                      "and loads with a frequency", net->name, key);
 }
 
 static enum hawser_status prepare(struct run *run, struct hawser_report *report)

@@ -79,6 +79,9 @@ static const struct hawser__tree_key net_rows[] = {
 	     "file with lines of t, x, y, z (s, m): motion by a table")
 	MAPPING("net.masses", OPTIONAL, "masses of nodes")
 	NUMBER("net.masses.*", OPTIONAL, "kg", NOT_NEGATIVE, NODE_AT(mass), NULL, "mass of this node")
+	MAPPING("net.dampers", OPTIONAL, "of models, as of frf, alone: dampers from nodes to the ground")
+	VECTOR("net.dampers.*", 3, OPTIONAL, "N.s/m", ANY, NODE_AT(damper), NULL,
+	       "force along x, y, z over the velocity of this node, 0 or more")
 	MAPPING("net.loads", OPTIONAL, "loads of nodes and cables")
 	VECTOR("net.loads.*", 3, OPTIONAL, "N", ANY, LOAD_AT(value), NULL, "force on a node")
 	MAPPING("net.loads.*", OPTIONAL, "load of a node")

@@ -12,6 +12,7 @@
 #include "core/append.h"
 #include "core/report.h"
 #include "net/read/read.h"
+#include "scene/tree_keys.h"
 
 enum { CALLED = HAWSER__TEXT_ROOM + 64 };
 
@@ -134,22 +135,43 @@ static enum hawser_status cables(struct hawser__reader *reader, struct hawser_ne
 	return status;
 }
 
-static enum hawser_status masses(struct hawser__reader *reader, struct hawser_net *net,
-                                 const struct hawser__tree *tree)
+/* A mapping of nodes, whose values have this key. */
+static enum hawser_status of_nodes(struct hawser__reader *reader, struct hawser_net *net,
+                                   const struct hawser__tree *tree, const char *path,
+                                   const char *example)
 {
+	const char *section = path + strlen("net.");
+	char key[32];
 	enum hawser_status status = HAWSER_OK;
 
 	if (tree->kind != HAWSER__MAPPING)
-		return hawser__reader_fail(reader, &tree->at, "masses must be a mapping of nodes, such as "
-		                           "{J: 12 kg}");
+		return hawser__reader_fail(reader, &tree->at, "%s must be a mapping of nodes, such as %s",
+		                           section, example);
+	snprintf(key, sizeof key, "%s.*", path);
 	for (const struct hawser__tree *one = tree->child; one && !status; one = one->next) {
 		int node;
 
-		status = hawser__net_find_node(reader, &node, net, one, one->name, "masses");
+		status = hawser__net_find_node(reader, &node, net, one, one->name, section);
 		if (!status)
-			status = hawser__tree_value(reader, &net->node[node], one, "masses", "net.masses.*");
+			status = hawser__tree_value(reader, &net->node[node], one, section, key);
+		for (int k = 0; k < 3 && !status; k++)
+			if (net->node[node].damper[k] < 0.0)
+				status = hawser__reader_fail(reader, &one->at, "dampers.%s is negative: dampers take "
+				                             "energy, with 0 or more", one->name);
 	}
 	return status;
+}
+
+static enum hawser_status masses(struct hawser__reader *reader, struct hawser_net *net,
+                                 const struct hawser__tree *tree)
+{
+	return of_nodes(reader, net, tree, "net.masses", "{J: 12 kg}");
+}
+
+static enum hawser_status dampers(struct hawser__reader *reader, struct hawser_net *net,
+                                  const struct hawser__tree *tree)
+{
+	return of_nodes(reader, net, tree, "net.dampers", "{J: [0, 300 N.s/m, 0]}");
 }
 
 static enum hawser_status release(struct hawser__reader *reader, struct hawser_net *net,
@@ -227,8 +249,7 @@ static enum hawser_status rules(struct hawser__reader *reader, const struct haws
 		if (hawser__net_node_of(net, name) >= 0)
 			status = hawser__reader_fail(reader, &one->at, "%s is the name of a node and of a cable: "
 			                             "give different ones", name);
-		else if (strcmp(name, net->cable[net->order[net->nodes + i]].name) != 0 &&
-		         hawser__net_cable_of(net, name) != i)
+		else if (hawser__net_cable_of(net, name) != i)
 			status = hawser__reader_fail(reader, &one->at, "two cables have the name %s: give "
 			                             "different ones", name);
 		if (!status)
@@ -237,7 +258,7 @@ static enum hawser_status rules(struct hawser__reader *reader, const struct haws
 	return status;
 }
 
-enum { DYNAMICS = 6 }; /* the first section below that spans have too */
+enum { DYNAMICS = 7 }; /* the first section below that spans have too */
 
 /* The sections of nets from number `from` on. */
 static enum hawser_status common(struct hawser__reader *reader, struct hawser_net *net,
@@ -249,7 +270,7 @@ static enum hawser_status common(struct hawser__reader *reader, struct hawser_ne
 		                           const struct hawser__tree *);
 		int required;
 	} part[] = {{"nodes", nodes, 1}, {"cables", cables, 1}, {"supports", hawser__net_supports, 1},
-	            {"masses", masses, 0}, {"loads", hawser__net_loads, 0},
+	            {"masses", masses, 0}, {"dampers", dampers, 0}, {"loads", hawser__net_loads, 0},
 	            {"passing", hawser__net_passing, 0}, {"dynamics", dynamics, 0},
 	            {"obstacles", hawser__net_obstacles, 0}, {"contact", hawser__net_contact, 0}};
 	static const char *const plain[] = {"g", "damping", "dynamics", "contact"};
@@ -281,19 +302,29 @@ static enum hawser_status common(struct hawser__reader *reader, struct hawser_ne
 	return status ? status : hawser__net_room(reader, net, root);
 }
 
+/* A word that is no kind's is read here. */
+static enum hawser_status check_kind(struct hawser__reader *reader, const struct hawser__tree *kind)
+{
+	char near[HAWSER__TEXT_ROOM], shown[HAWSER__SHOWN];
+
+	if (!kind || (kind->text && (!strcmp(kind->text, "net") || !strcmp(kind->text, "span"))))
+		return HAWSER_OK;
+	hawser__tree_nearest(near, kind->text ? kind->text : "", "span, net, ropeway, rod, tow");
+	return hawser__reader_fail(reader, &kind->at, "kind must be span, net, ropeway, rod or tow, not "
+	                           "%s%s%s%s", kind->text ? hawser__shown(shown, kind->text) : "a list",
+	                           *near ? ": did you mean " : "", near, *near ? "?" : "");
+}
+
 static enum hawser_status interpret(struct hawser__reader *reader, void *scene,
                                     const struct hawser__tree *root)
 {
 	struct hawser_net *net = scene;
-	const struct hawser__tree *kind = hawser__tree_find(root, "kind");
-	enum hawser_status status;
+	enum hawser_status status = check_kind(reader, hawser__tree_find(root, "kind"));
 
-	if (hawser__tree_find(root, "span")) {
+	if (!status && hawser__tree_find(root, "span")) {
 		status = hawser__net_of_span(reader, net, root);
 		return status ? status : common(reader, net, root, DYNAMICS);
 	}
-	status = !kind || (kind->text && strcmp(kind->text, "net") == 0) ? HAWSER_OK
-		: hawser__reader_fail(reader, &kind->at, "kind must be span, net, ropeway, rod or tow");
 	if (!status)
 		status = hawser__tree_keys(reader, root, "the scene", "net");
 	if (!status)
@@ -301,24 +332,7 @@ static enum hawser_status interpret(struct hawser__reader *reader, void *scene,
 	return status ? status : rules(reader, net, hawser__tree_find(root, "cables"));
 }
 
-static void clear(void *scene)
-{
-	hawser_net_clear(scene);
-}
-
-static const struct hawser__tree_form form = {
-	{"net", "a scene of kind net is a mapping with at least nodes, cables and supports (see "
-	"hawser-scene(5))", "cables.c1.EA=100 MN", 'c'},
-	sizeof(struct hawser_net), offsetof(struct hawser_net, name), interpret, clear};
-
-enum hawser_status hawser_net_of(struct hawser_net *net, const struct hawser_document *from,
-                                 const char *const *set, size_t nset, struct hawser_report *report)
-{
-	return hawser__tree_scene(net, &form, from, set, nset, report);
-}
-
-enum hawser_status hawser_net_open(struct hawser_net *net, const char *path,
-                                   const char *const *set, size_t nset, struct hawser_report *report)
-{
-	return hawser__tree_scene_open(net, &form, path, set, nset, report);
-}
+HAWSER__TREE_SCENES(net, "net",
+	"a scene of kind net is a mapping with at least nodes, cables and supports (see "
+	"hawser-scene(5))",
+	"cables.c1.EA=100 MN", 'c')

@@ -31,8 +31,7 @@ enum hawser_status hawser__net_of_span(struct hawser__reader *reader, struct haw
 	const struct hawser__tree *tension = hawser__tree_find(root, "tension");
 	struct hawser_net_cable *to;
 	struct hawser_net_node *node;
-	enum hawser_status status = hawser__tree_keys(reader, root, "a span with planes or segments",
-	                                              "mesh");
+	enum hawser_status status = hawser__tree_keys(reader, root, "the scene", "mesh");
 
 	if (!status && kind)
 		status = hawser__tree_value(reader, net, kind, "kind", "mesh.kind");

@@ -19,6 +19,7 @@
 #include "net/span/span.h"
 #include "statics/frame.h"
 #include "statics/load.h"
+#include "statics/wind.h"
 
 enum { ELEMENTS = 120, MOST = 1000000 };
 static const char where[] = "net";
@@ -66,6 +67,9 @@ static const char *damped(const char **key, const struct hawser_scene *scene)
 	*key = "damping.drag";
 	if (scene->damping.drag > 0.0)
 		return "a mesh of cable elements has no quadratic drag";
+	*key = "wind";
+	if (scene->wind.present)
+		return "a mesh of cable elements does not feel the wind change as it moves";
 	return NULL;
 }
 
@@ -158,6 +162,7 @@ static void cable(struct hawser_net *net, const struct hawser_scene *scene,
 {
 	struct hawser_net_cable *one = &net->cable[net->cables++];
 	int last = st->attachments;
+	double still[3];
 
 	if (last == 0)
 		snprintf(one->name, sizeof one->name, "cable");
@@ -170,12 +175,12 @@ static void cable(struct hawser_net *net, const struct hawser_scene *scene,
 	one->given = HAWSER_NET_LENGTH0;
 	one->value = to - from;
 	one->elements = elements;
-	if (scene->static_load.present) {
+	if (hawser__static_load(still, scene)) {
 		struct hawser_net_load *load = &net->load[net->loads++];
 
 		load->node = -1;
 		load->cable = i;
-		memcpy(load->value, scene->static_load.per_length, sizeof load->value);
+		memcpy(load->value, still, sizeof load->value);
 	}
 }
 

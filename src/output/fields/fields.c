@@ -86,6 +86,23 @@ const char *hawser__unit_name(enum hawser__unit unit)
 	return unit_text[unit].name;
 }
 
+enum hawser__unit hawser__unit_of_column(const char *column)
+{
+	size_t length = strlen(column), longest = 0;
+	enum hawser__unit found = HAWSER__NONE;
+
+	for (int unit = 0; unit < HAWSER__UNITS; unit++) {
+		size_t size = strlen(unit_text[unit].suffix);
+
+		if (size > longest && size < length &&
+		    strcmp(column + length - size, unit_text[unit].suffix) == 0) {
+			found = (enum hawser__unit)unit;
+			longest = size;
+		}
+	}
+	return found;
+}
+
 const void *hawser__member(const struct hawser__field *field, const struct hawser__at *at,
                            int count)
 {

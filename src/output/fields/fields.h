@@ -61,6 +61,8 @@ double hawser__in_unit(double value, enum hawser__unit unit, const struct hawser
 /* The suffix of a column, such as "_rad_s" or "", and the name of the unit, "rad/s". */
 const char *hawser__unit_suffix(enum hawser__unit unit, const struct hawser__scale *scale);
 const char *hawser__unit_name(enum hawser__unit unit);
+/* The unit with the longest suffix that the name of a column ends in. */
+enum hawser__unit hawser__unit_of_column(const char *column);
 
 enum hawser__kind {
 	HAWSER__REAL, HAWSER__INT, HAWSER__FLAG, HAWSER__NOT, /* NOT: true if the member is 0 */

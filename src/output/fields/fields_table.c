@@ -56,6 +56,9 @@ static void column_name(struct hawser__table *table, const char *before, const c
 		hawser__unit_cut(full, field->si(view->context));
 	hawser__table_column(table, "%s%s", full,
 	                     shown.changed ? end : suffix_of(field, unit, &view->scale));
+	if (unit == HAWSER__NONE && field->si)
+		hawser__unit_cut(full, field->si(view->context));
+	hawser__table_about(table, full, field->axis ? field->axis : "", field->doc, shown.name);
 }
 
 static void column_names(struct hawser__table *table, const struct hawser__field *field,

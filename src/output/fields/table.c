@@ -83,6 +83,42 @@ void hawser__table_column(struct hawser__table *table, const char *format, ...)
 	va_end(args);
 }
 
+/* The text without {/:Italic } around words; the caller frees it. */
+static char *without_markup(const char *text)
+{
+	static const char italic[] = "{/:Italic ";
+	char *plain = malloc(strlen(text) + 1), *end = plain;
+	int inside = 0;
+
+	while (plain && *text)
+		if (strncmp(text, italic, sizeof italic - 1) == 0) {
+			text += sizeof italic - 1;
+			inside = 1;
+		} else if (*text == '}' && inside) {
+			text++;
+			inside = 0;
+		} else {
+			*end++ = *text++;
+		}
+	if (plain)
+		*end = '\0';
+	return plain;
+}
+
+void hawser__table_about(struct hawser__table *table, const char *key, const char *title,
+                         const char *meaning, const char *unit)
+{
+	char *plain = without_markup(title);
+	json_t *one = table->failed || !plain ? NULL
+	            : json_pack("{s:s, s:s, s:s, s:s, s:s}", "name", table->column[table->columns - 1],
+	                        "key", key, "title", plain, "meaning", meaning, "unit", unit);
+
+	if (!table->about)
+		table->about = json_array();
+	table->failed |= !one || json_array_append_new(table->about, one);
+	free(plain);
+}
+
 static void put(struct hawser__table *table, struct hawser__cell cell)
 {
 	if (hawser__more(&table->cell, (long)table->cells, sizeof *table->cell)) {
@@ -243,5 +279,6 @@ void hawser__table_clear(struct hawser__table *table)
 	free_list(table->column, table->columns);
 	free(table->cell);
 	free(table->owned);
+	json_decref(table->about);
 	memset(table, 0, sizeof *table);
 }

@@ -220,7 +220,7 @@ static enum hawser_status count_as_stable(struct hawser__orbit *orbit)
 
 int hawser__station_draft(const struct hawser__orbit *orbit)
 {
-	return orbit->unjudged && orbit->rom->exact;
+	return orbit->unjudged > 1 && orbit->rom->exact;
 }
 
 enum hawser_status hawser__station_judge(struct hawser__station *station,

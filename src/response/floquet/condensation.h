@@ -9,6 +9,7 @@
 struct hawser__condensation {
 	int n, ns, nf, rows, order; /* order of the result */
 	int symmetric;              /* 1: K is, and D is constant */
+	int singular;               /* 1: K_ff was, at a phase, in a try */
 	int blocks;
 	struct hawser__block *block;        /* [n] */
 	size_t wide_F, wide_N;      /* of a row */

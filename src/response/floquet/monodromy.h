@@ -136,8 +136,10 @@ struct hawser__monodromy {
 	double follow;          /* frequency, relative to Omega, up to which no coordinate is condensed */
 	int *slow, *fast;       /* [n] coordinates that are kept, and those that are condensed */
 	struct hawser__block *block; /* [n] workspace */
-	int expected;           /* number of iterations of the condensation that are expected to
-	                         * converge */
+	int expected;           /* level: number of iterations of the condensation that are expected to
+	                         * converge. A model with rest has others: with less error, and more
+	                         * coordinates, below 0, with more error above HAWSER__EXPECTED */
+	int stay;               /* orbits before a higher level is tried */
 	double *frequency;      /* [n] of the mean stiffness */
 	double *reach;          /* [n] workspace */
 	double *room;           /* workspace of the condensation */

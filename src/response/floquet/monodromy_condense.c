@@ -54,13 +54,20 @@
 
 #define SETTLED 1e-9       /* relative change of N at which the iteration ends; chosen, far below the
                             * errors that are admitted */
-#define SETTLED_FAR 1e-6   /* the same for a model with rest: its iterations are long, and the
+#define SETTLED_FAR 1e-5   /* the same for a model with rest: its iterations are long, and the
                             * errors of events are those of sharper multipliers; chosen */
 #define SLIGHT 0.1         /* part of these errors by harmonics of N that are left out; chosen */
 #define MORE 6             /* harmonics of N beyond twice those of K; chosen */
 #define GUESS 10.0         /* of a model with rest: expected error up to which coordinates are tried,
                             * over the admitted one. It is mostly far above the error of the
                             * iteration, which decides; chosen */
+#define LEVEL 10.0         /* factor on GUESS from a level to the next higher one
+                            * (hawser__monodromy.expected); chosen */
+#define LOWEST (-3)        /* level, where few coordinates are condensed; chosen */
+#define HIGHEST (HAWSER__EXPECTED + 2) /* level of a model with rest; chosen */
+#define STAY 32            /* orbits before a higher level is tried, after one was too high; chosen */
+#define BEARABLE 1e-2      /* largest error of a model with rest: steps that do not resolve its fast
+                            * coordinates are worse; chosen */
 #define ASIDE 1.0          /* harmonics beyond the highest resonance that a hasty computation
                             * includes; chosen */
 
@@ -250,30 +257,25 @@ static double settled(const struct hawser__monodromy *monodromy)
 	return monodromy->sharper ? 0.1*HAWSER__SHARPER : monodromy->rest ? SETTLED_FAR : SETTLED;
 }
 
-/* Condenses the coordinates that `limit` and the expected number of iterations allow. Sets
- * monodromy->left_out, infinite if nothing can be condensed; *work has the result. */
+/* Condenses the fast coordinates. Sets monodromy->left_out, infinite if nothing can be condensed, or
+ * work->singular; *work has the result. */
 static enum hawser_status try_condense(struct hawser__condensation *work,
                                        struct hawser__monodromy *monodromy,
-                                       const struct hawser__variational *system, double limit,
-                                       int expected, struct hawser_report *report)
+                                       const struct hawser__variational *system,
+                                       struct hawser_report *report)
 {
 	enum hawser_status status;
 
 	monodromy->left_out = INFINITY;
 	work->last = 0.0;
-	monodromy->top = hawser__fast_split(monodromy, system, limit, expected, &work->ns);
-	work->nf = work->n - work->ns;
 	if (work->nf == 0 || work->ns == 0 || !hawser__fast_separate(monodromy, system, work->nf))
 		return HAWSER_OK;
 	divide(work, monodromy);
 	if ((status = make_room(work, monodromy, report)))
 		return status;
 	if (prepare(work, monodromy, system)) {
-		if (monodromy->finer)
-			return HAWSER_OK;
-		return hawser__fail(report, HAWSER_ERR_CONVERGENCE, "floquet",
-		                    "the stiffness of the fast coordinates is singular at some phase of "
-		                    "the motion at Omega %g: keep fewer modes", system->omega);
+		work->singular = 1;
+		return HAWSER_OK;
 	}
 	monodromy->left_out = hawser__condense_settle(work, monodromy, system->omega, settled(monodromy));
 	work->last = transform(work, monodromy->top);
@@ -285,8 +287,8 @@ static enum hawser_status try_condense(struct hawser__condensation *work,
  * the last of these is not negligible, as many as for comparison. */
 static enum hawser_status try_orders(struct hawser__condensation *work,
                                      struct hawser__monodromy *monodromy,
-                                     const struct hawser__variational *system, double limit,
-                                     int expected, struct hawser_report *report)
+                                     const struct hawser__variational *system,
+                                     struct hawser_report *report)
 {
 	int order = system->order > system->order_d ? system->order : system->order_d;
 	int most = MORE + order*(monodromy->haste && !monodromy->rough ? 6 : 2);
@@ -297,12 +299,59 @@ static enum hawser_status try_orders(struct hawser__condensation *work,
 		work->order = most;
 	for (;;) {
 		work->rows = hawser__planner_rows(2*work->order + 1);
-		status = try_condense(work, monodromy, system, limit, expected, report);
+		status = try_condense(work, monodromy, system, report);
 		if (status || work->order >= most ||
 		    !(work->last > fmax(SETTLED, settled(monodromy))))
 			return status;
 		work->order = most;
 	}
+}
+
+/* The slow and fast coordinates of a level. */
+static void split(struct hawser__condensation *work, struct hawser__monodromy *monodromy,
+                  const struct hawser__variational *system, double limit, int level)
+{
+	int expected = level < 0 ? 0 : level < HAWSER__EXPECTED ? level : HAWSER__EXPECTED;
+
+	monodromy->top = hawser__fast_split(monodromy, system, limit*pow(LEVEL, level - expected),
+	                                    expected, &work->ns);
+	work->nf = work->n - work->ns;
+}
+
+/* Levels downwards until the error is at most `most`, or the one of the least error. The first is that
+ * of the last orbit, since the next one is similar, or a higher one. */
+static enum hawser_status descend(struct hawser__condensation *work,
+                                  struct hawser__monodromy *monodromy,
+                                  const struct hawser__variational *system, double limit, double most,
+                                  struct hawser_report *report)
+{
+	int along = monodromy->rest && !monodromy->sharper, lowest = along ? LOWEST : 0, tried = 0;
+	int higher = along && monodromy->stay == 0 && monodromy->expected < HIGHEST;
+	int begin = (int)fmax(lowest, monodromy->expected + higher), level = begin, best = begin;
+	double least = INFINITY;
+	enum hawser_status status = HAWSER_OK;
+
+	for (;; level--) {
+		split(work, monodromy, system, limit, level);
+		if (work->ns != tried)
+			status = try_orders(work, monodromy, system, report);
+		tried = work->ns;
+		if (monodromy->left_out < least) {
+			least = monodromy->left_out;
+			best = level;
+		}
+		if (status || least <= most || level == lowest || work->nf == 0)
+			break;
+	}
+	if (!status && monodromy->left_out > least) {
+		split(work, monodromy, system, limit, level = best);
+		status = try_orders(work, monodromy, system, report);
+	}
+	if (along)
+		monodromy->stay = level < begin ? STAY : monodromy->stay > 0 ? monodromy->stay - 1 : 0;
+	if (!monodromy->sharper)
+		monodromy->expected = level;
+	return status;
 }
 
 enum hawser_status hawser__monodromy_condense(struct hawser__monodromy *monodromy,
@@ -343,15 +392,17 @@ enum hawser_status hawser__monodromy_condense(struct hawser__monodromy *monodrom
 		monodromy->fastest += ASIDE*system->omega;
 	work.symmetric = system->order_d == 0 && hawser__fast_symmetric(system);
 	work.next_D = system->order_d > 0 ? (size_t)n*n : 0;
-	for (int expected = monodromy->expected;; expected--) {
-		status = try_orders(&work, monodromy, system, guess*limit, expected, report);
-		if (!monodromy->sharper) /* the next orbit is similar */
-			monodromy->expected = expected;
-		if (status || monodromy->left_out <= most || expected == 0)
-			break;
-	}
-	if (status || monodromy->left_out > most)
+	status = descend(&work, monodromy, system, guess*limit, most, report);
+	if (status)
 		return status;
+	if (monodromy->left_out > (monodromy->rest && !monodromy->sharper ? BEARABLE : most)) {
+		monodromy->top = top;
+		if (!work.singular || monodromy->finer)
+			return HAWSER_OK;
+		return hawser__fail(report, HAWSER_ERR_CONVERGENCE, "floquet",
+		                    "the stiffness of the fast coordinates is singular at some phase of "
+		                    "the motion at Omega %g: keep fewer modes", system->omega);
+	}
 	*system = (struct hawser__variational){.n = work.ns, .K = work.result[0], .D = work.result[1],
 		.omega = system->omega};
 	most = SLIGHT*(monodromy->sharper ? HAWSER__SHARPER : settled(monodromy));

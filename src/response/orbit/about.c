@@ -26,7 +26,7 @@
 #include "rom/terms/drag.h"
 #include "rom/terms/terms.h"
 
-#define TOLERANCE 1e-11 /* of the orbit: well below the 1e-10 of multipliers; chosen */
+#define TOLERANCE 1e-8 /* of the orbit: well below the 1e-10 of multipliers; chosen */
 #define NOTHING 1e-13   /* harmonics of T below this times Omega^2 change no exponent by more than the
                          * error of the orbit; chosen */
 

@@ -173,6 +173,8 @@ int hawser__balance_matrix_room(struct hawser__balance *balance);
  * its cosine and sine, unless it is NULL. */
 double hawser__balance_missing(const struct hawser__balance *balance, double *answer, int h, int j,
                                double omega);
+/* Rms of a pair's part of the state of the last orbit. */
+double hawser__balance_amplitude(const struct hawser__balance *balance, int h, int j);
 enum hawser_status hawser__balance_refine(struct hawser__orbit *orbit, int *again, double tolerance,
                                           double omega, struct hawser_report *report);
 enum hawser_status hawser__balance_relax(struct hawser__orbit *orbit, double tolerance,
@@ -181,6 +183,10 @@ enum hawser_status hawser__balance_enrich(struct hawser__orbit *orbit, int most,
                                           struct hawser_report *report);
 enum hawser_status hawser__balance_sharpen(struct hawser__orbit *orbit, int on,
                                            struct hawser_report *report);
+
+/* balance_state.c: make the harmonics of y up to `order` active that are not small;
+ * hawser__balance_arrange() follows. */
+void hawser__balance_adopt(struct hawser__balance *balance, const double *y, int order);
 enum hawser_status hawser__balance_from_state(struct hawser__orbit *orbit, double *y,
                                               const double *x, double omega,
                                               struct hawser_report *report);

@@ -20,9 +20,7 @@
 
 #include "core/report.h"
 #include "response/orbit/balance.h"
-#include "response/time/flow.h"
 #include "response/time/planner.h"
-#include "response/orbit/shooting.h"
 #include "rom/energy/kernel.h"
 #include "rom/terms/terms.h"
 
@@ -46,9 +44,6 @@
  * factor of ten in one or two harmonics. */
 #define TOP 4
 #define NOTHING 1e-15   /* missing amplitude of pairs that symmetry excludes, relative to the orbit */
-#define GUESS_ORDER 30  /* largest number of harmonics of the load taken from a state */
-#define FINER 4         /* shorter steps for states of several of the load's periods; chosen */
-#define GUESS_PART 1e-4 /* smallest harmonic taken from a state, relative to the orbit */
 
 /* --- layout --- */
 
@@ -233,8 +228,7 @@ double hawser__balance_missing(const struct hawser__balance *balance, double *an
 	return sqrt((c*c + s*s)*(h ? 0.5 : 1.0)*(1.0 + w2))/resists;
 }
 
-/* Rms of a pair's part of the state of the last orbit. */
-static double amplitude(const struct hawser__balance *balance, int h, int j)
+double hawser__balance_amplitude(const struct hawser__balance *balance, int h, int j)
 {
 	int n = balance->base.n;
 	double omega = hawser__orbit_omega(&balance->base, balance->at);
@@ -253,10 +247,10 @@ static double importance(const struct hawser__balance *balance, int h, int j)
 	double omega = hawser__orbit_omega(&balance->base, balance->at), c, s;
 
 	if (!t)
-		return amplitude(balance, h, j);
+		return hawser__balance_amplitude(balance, h, j);
 	c = t[hawser__cos(n, h, j)];
 	s = h ? t[hawser__sin(n, h, j)] : 0.0;
-	return fmax(amplitude(balance, h, j),
+	return fmax(hawser__balance_amplitude(balance, h, j),
 	            AHEAD*sqrt((c*c + s*s)*(h ? 0.5 : 1.0)*(1.0 + h*h*omega*omega)));
 }
 
@@ -424,74 +418,4 @@ enum hawser_status hawser__balance_sharpen(struct hawser__orbit *orbit, int on,
 	balance->monodromy.sharper = 1;
 	activate(balance, omega, fmax(SHARPER*balance->open, FINEST*orbit->X));
 	return hawser__balance_arrange(balance, report);
-}
-
-/* --- from a state --- */
-
-/* Coefficients y of u at `rows` phases, samples [rows][n], after subtraction of the drift over the
- * period, `gap` [n]. Pairs above GUESS_PART become active. */
-static void analyse(struct hawser__balance *balance, double *y, const double *samples,
-                    const double *gap, int rows, double omega)
-{
-	int n = balance->base.n, order = (rows - 1)/2;
-	double whole = 0.0;
-
-	order = (int)fmin(fmin(order, balance->top), GUESS_ORDER*hawser__balance_lowest(balance->base.rom));
-	memset(y, 0, (size_t)(balance->base.size - 1)*sizeof *y);
-	for (int i = 0; i < rows; i++)
-		for (int h = 0; h <= order; h++) {
-			double c = cos(2.0*M_PI*(double)((long)i*h%rows)/rows)*(h ? 2.0 : 1.0)/rows;
-			double s = sin(2.0*M_PI*(double)((long)i*h%rows)/rows)*2.0/rows;
-
-			for (int j = 0; j < n; j++) {
-				double u = samples[(size_t)i*n + j] - gap[j]*i/rows;
-
-				y[hawser__cos(n, h, j)] += u*c;
-				if (h)
-					y[hawser__sin(n, h, j)] += u*s;
-			}
-		}
-	memset(balance->active, 1, (size_t)(order + 1)*n);
-	memcpy(balance->at, y, (size_t)(balance->base.size - 1)*sizeof *y);
-	balance->at[balance->base.size - 1] = omega;
-	for (int e = 0; e < (order + 1)*n; e++)
-		whole += pow(amplitude(balance, e/n, e%n), 2);
-	for (int e = 0; e < (order + 1)*n; e++)
-		balance->active[e] = amplitude(balance, e/n, e%n) > GUESS_PART*sqrt(whole);
-}
-
-enum hawser_status hawser__balance_from_state(struct hawser__orbit *orbit, double *y,
-                                              const double *x, double omega,
-                                              struct hawser_report *report)
-{
-	struct hawser__balance *balance = (struct hawser__balance *)orbit;
-	int n = orbit->n, k = hawser__balance_lowest(orbit->rom);
-	/* many periods add up the errors of the steps of one */
-	int rows = hawser__shooting_steps(orbit->rom, omega, 1)*(k > 1 ? FINER : 1);
-	struct hawser__stretch period;
-	struct hawser__flow flow;
-	double *samples, *end;
-	enum hawser_status status;
-
-	rows = (int)fmax(rows, 2.0*GUESS_ORDER*k);
-	period = (struct hawser__stretch){.h = 2.0*M_PI/rows, .steps = rows, .count = 1};
-	samples = malloc((size_t)rows*n*sizeof *samples);
-	end = malloc((size_t)orbit->m*sizeof *end);
-	status = hawser__flow_init(&flow, orbit->rom, report);
-	if (!status && (!samples || !end))
-		status = hawser__no_memory(report, "orbit");
-	if (!status) {
-		memcpy(end, x, (size_t)orbit->m*sizeof *end);
-		hawser__flow_map(&flow, end, samples, &period, omega);
-		for (int j = 0; j < n; j++)
-			end[j] -= x[j];
-		analyse(balance, y, samples, end, rows, omega);
-		y[orbit->size - 1] = omega;
-		hawser__balance_seed(balance);
-		status = hawser__balance_arrange(balance, report);
-	}
-	hawser__flow_clear(&flow);
-	free(samples);
-	free(end);
-	return status;
 }

@@ -87,7 +87,7 @@ struct hawser__orbit {
 	double patience;      /* contraction that the corrector bears; 0: its own limit (newton.c) */
 	double goal;          /* largest relative residual of the next solutions, where the method solves by
 	                       * iteration; 0: what a step of the corrector needs */
-	int unjudged;         /* 1: no multipliers are wanted: each orbit counts as stable */
+	int unjudged;         /* not 0: no multipliers are wanted: each orbit counts as stable */
 	double rate;          /* factor by which a step with a guessed Jacobian reduces the defects */
 	double *step, *spare; /* [size] workspace of the corrector and of the metric */
 	struct hawser_orbit_cost cost;

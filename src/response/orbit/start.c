@@ -31,6 +31,9 @@
 enum { LEAPS = 6 };
 /* Where only the orbit that grows out of rest is wanted; chosen: */
 #define BOLD 0.5        /* first step of the load */
+#define AIM 0.1         /* distance of an orbit from the predicted one, relative to it, for which the
+                         * next step is meant */
+#define FASTER 4.0      /* largest ratio of two steps */
 #define ON_THE_WAY 1e-3 /* tolerance of orbits below the whole load, harmonics too: narrow
                          * resonances of high ones are passed, 1e-6 takes five times as long */
 #define NEAR 0.3        /* largest distance of an orbit from the scaled one before, relative to it: one
@@ -166,8 +169,8 @@ static int leap(double *y, double *good, double *load, struct hawser__orbit *orb
 	return beyond;
 }
 
-/* Whether y is near `from`, both [count]. */
-static int is_near(const double *y, const double *from, int count)
+/* Distance of y from `from`, relative to it; both [count]. */
+static double distance(const double *y, const double *from, int count)
 {
 	double off = 0.0, all = 0.0;
 
@@ -175,7 +178,23 @@ static int is_near(const double *y, const double *from, int count)
 		off += pow(y[i] - from[i], 2);
 		all += from[i]*from[i];
 	}
-	return off <= NEAR*NEAR*all;
+	return sqrt(off/fmax(all, DBL_MIN));
+}
+
+/* The orbit at the whole load, or on the way there: `guess` corrected. Of a lone one an orbit that is
+ * rough and near the guess comes first, since a fine one takes more harmonics. *growth becomes the
+ * ratio of the next step to this one. Returns what correct_at does. */
+static int correct_lone(double *y, struct hawser__orbit *orbit, double *growth,
+                        struct hawser__correction *correction, const double *guess, double omega,
+                        double tolerance, int whole, struct hawser_report *report)
+{
+	int failed = correct_at(y, orbit, correction, omega, fmax(tolerance, ON_THE_WAY), report);
+	double off = failed ? 0.0 : distance(y, guess, orbit->size - 1);
+
+	if (failed || !(off <= NEAR))
+		return failed ? failed : 1;
+	*growth = fmin(FASTER, sqrt(AIM/fmax(off, DBL_EPSILON)));
+	return whole ? correct_at(y, orbit, correction, omega, tolerance, report) : 0;
 }
 
 /* Increase the load from zero to its value, in steps that grow while Newton's method converges, from
@@ -209,18 +228,18 @@ static enum hawser_status raise_load(double *y, struct hawser__orbit *orbit, int
 		if (load == 0.0 && (status = linear_response(y, orbit, omega, report)))
 			break;
 		memcpy(guess, y, size*sizeof *guess);
-		*failed = correct_at(y, orbit, correction, omega, raised->lone && next < 1.0
-		                     ? fmax(tolerance, ON_THE_WAY) : tolerance, report);
-		if (!*failed && raised->lone && !is_near(y, guess, (int)size - 1))
-			*failed = 1;
+		*failed = raised->lone
+		          ? correct_lone(y, orbit, &growth, correction, guess, omega, tolerance,
+		                         next == 1.0, report)
+		          : correct_at(y, orbit, correction, omega, tolerance, report);
 		if (!*failed) {
 			other = last;
 			last = good;
 			good = other;
 			last_load = load;
 			memcpy(good, y, size*sizeof *good);
+			step = growth*(next - load);
 			load = next;
-			step *= growth;
 		} else if (*failed == 1 && raised->lone && step < LEAP && load != leapt &&
 		           leap(y, good, &load, orbit, correction, &weak, omega, tolerance, report)) {
 			memcpy(good, y, size*sizeof *good);
@@ -231,7 +250,6 @@ static enum hawser_status raise_load(double *y, struct hawser__orbit *orbit, int
 			break;
 		} else if (raised->lone) {
 			leapt = step < 0.5*LEAP ? load : leapt; /* from the same load it fails again */
-			growth = 1.0; /* near a fold longer steps would fail as well */
 		}
 	}
 	if (status == HAWSER_ERR_CONVERGENCE && *failed == 1) {
@@ -310,11 +328,14 @@ enum hawser_status hawser__start(double *y, struct hawser__orbit *orbit,
 	               : linear_response(y, orbit, omega, report);
 	if (status)
 		return status;
-	failed = correct_at(y, orbit, correction, omega, tolerance, report);
+	failed = correct_at(y, orbit, correction, omega, raised->lone ? fmax(tolerance, ON_THE_WAY)
+	                                                              : tolerance, report);
 	if (failed == 3)
 		return HAWSER_ERR_MEMORY;
 	if (!failed && raised->lone && (status = strayed(&far, y, orbit, omega, report)))
 		return status;
+	if (!failed && raised->lone && !far)
+		failed = correct_at(y, orbit, correction, omega, tolerance, report);
 	if (failed != 1 && !far)
 		return failed ? HAWSER_ERR_CONVERGENCE : HAWSER_OK;
 	if (start)

@@ -32,6 +32,8 @@
 #include "rom/energy/project.h"
 #include "rom/condense/support.h"
 #include "rom/terms/travel.h"
+#include "rom/terms/wake.h"
+#include "rom/terms/wind.h"
 #include "statics/frame.h"
 
 /* Probes, as fractions of the unstretched length. */
@@ -346,8 +348,9 @@ static enum hawser_status condense(struct hawser__condensed *condensed, struct h
 /* --- models --- */
 
 /* Complete; the same without the prepared forces; for a linear problem, K, D and the harmonics, without
- * tensors; that without the terms of the energy by what moves. */
-enum { WHOLE, ENTRIES, LINEAR, FORCES };
+ * tensors; that without the terms of the energy by what moves; complete, with coordinates that are no
+ * motions of the cable. */
+enum { WHOLE, ENTRIES, LINEAR, FORCES, WAKES };
 
 static enum hawser_status compile(struct hawser_rom *rom, const struct hawser_modes *modes,
                                   const struct hawser__condensed *condensed, int what,
@@ -355,6 +358,10 @@ static enum hawser_status compile(struct hawser_rom *rom, const struct hawser_mo
 {
 	enum hawser_status status;
 
+	if (what == WAKES) {
+		status = hawser__entries_merge(rom, report);
+		return status ? status : hawser_rom_compile(rom, report);
+	}
 	if (what != ENTRIES)
 		return what == WHOLE ? hawser__rom_compile_cable(rom, modes, condensed, report)
 		                     : hawser_rom_compile(rom, report);
@@ -387,6 +394,8 @@ static enum hawser_status build_with(struct hawser_rom *rom, const struct hawser
 		status = hawser__rom_tensors(rom, modes, pairs, report);
 	if (!status)
 		status = hawser__rom_finish(rom, modes, scene, report);
+	if (!status)
+		status = hawser__wind_add(rom, modes, scene, whole, report);
 	if (!status && pairs)
 		status = set_second(rom, modes, pairs, report);
 	if (!status && condensed)
@@ -397,8 +406,10 @@ static enum hawser_status build_with(struct hawser_rom *rom, const struct hawser
 		status = hawser__support_forces(rom, modes, kept->n, condensed, scene, report);
 	if (!status && what != FORCES)
 		status = hawser__support_energy(rom, modes, kept, condensed ? &loads : NULL, scene, report);
+	if (!status && whole)
+		status = hawser__wake_add(rom, modes, scene, report);
 	if (!status)
-		status = compile(rom, modes, pairs, what, report);
+		status = compile(rom, modes, pairs, rom->n > modes->n && what == WHOLE ? WAKES : what, report);
 	hawser__condensed_clear(&others);
 	hawser__load_fields_clear(&loads);
 	hawser_modes_clear(&with);

@@ -123,11 +123,17 @@ static enum hawser_status fill_products(struct entries *w, const struct hawser__
 			const double *own = shape ? shape + (size_t)x*by->width : pair_row(by, w->pair[x]);
 			const double *other = shape ? shape + (size_t)y*by->width : pair_row(by, w->pair[y]);
 			double factor = w->factor[x]*w->factor[y];
+			int at = x*w->count + y, mirror = y*w->count + x;
 
-			w->cross[x*w->count + y] = factor*by->mass(by->of, pair_row(by, w->pair[x]), other);
-			w->mass[x*w->count + y] = factor*by->mass(by->of, own, other);
-			w->stiffness[x*w->count + y] = factor*by->stiffness(by->of, own, other);
+			if (shape)
+				w->cross[at] = factor*by->mass(by->of, pair_row(by, w->pair[x]), other);
+			if (y > x)
+				continue;
+			w->mass[at] = w->mass[mirror] = factor*by->mass(by->of, own, other);
+			w->stiffness[at] = w->stiffness[mirror] = factor*by->stiffness(by->of, own, other);
 		}
+	if (!shape)
+		memcpy(w->cross, w->mass, sizeof w->cross);
 	free(shape);
 	return status;
 }

@@ -52,8 +52,10 @@ static double amplitude(const void *of, int j)
 static double mass(const void *of, const double *x, const double *y)
 {
 	const struct hawser__line_inertia *inertia = of;
+	double product;
 
-	return inertia->driven.product(inertia->driven.of, x, y);
+	inertia->driven.products(inertia->driven.of, &product, x, 1, y);
+	return product;
 }
 
 static double stiffness(const void *of, const double *x, const double *y)

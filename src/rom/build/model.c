@@ -28,7 +28,8 @@ enum hawser_status hawser__rom_init_most(struct hawser_rom *rom, int n, int most
 	memset(rom, 0, sizeof *rom);
 	if (n < 1 || n > most)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
-		                    "a model of %d coordinates: it must have 1 to %d", n, most);
+		                    "a model of %d coordinates: it must have 1 to %d (model.modes, or -n)", n,
+		                    most);
 	rom->n = n;
 	rom->length = rom->time = rom->force = 1.0;
 	rom->D = calloc((size_t)n*n, sizeof *rom->D);

@@ -160,19 +160,11 @@ static enum hawser_status find_modes(struct hawser__net_source *source,
 static void remove_kept(const struct hawser__net_source *source, double *row)
 {
 	int unknowns = source->modal.mesh.unknowns;
+	double part[HAWSER_NET_ROM_MODES];
 
-	for (int j = 0; j < source->n; j++) {
-		const double *mode = source->mode + (size_t)j*(size_t)unknowns;
-
-		double part = hawser__net_mass(source, mode, row)/hawser__net_unit(source);
-
-		cblas_daxpy(unknowns, -part, mode, 1, row, 1);
-	}
-}
-
-static double product(const void *of, const double *x, const double *y)
-{
-	return hawser__net_mass(of, x, y)/hawser__net_unit(of);
+	hawser__net_masses(source, part, source->mode, source->n, row);
+	cblas_dgemv(CblasRowMajor, CblasTrans, source->n, unknowns, -1.0, source->mode, unknowns, part, 1,
+	            1.0, row, 1);
 }
 
 static enum hawser_status follow(const void *of, double *to, const double *from,
@@ -194,10 +186,12 @@ static enum hawser_status hold(double *row, const struct hawser__net_source *sou
                                struct hawser_report *report)
 {
 	enum hawser_status status = hawser__sparse_solve(row, source->modal.eigen.sparse, report);
-	double before = hawser__net_mass(source, row, row);
+	double before, left;
 
+	hawser__net_masses(source, &before, row, 1, row);
 	remove_kept(source, row);
-	if (!(hawser__net_mass(source, row, row) > nothing*before))
+	hawser__net_masses(source, &left, row, 1, row);
+	if (!(left > nothing*before))
 		memset(row, 0, (size_t)source->modal.mesh.unknowns*sizeof *row);
 	return status;
 }
@@ -213,7 +207,7 @@ static void add_field(struct hawser__answers *answers, int k, int sine)
 static enum hawser_status answer(struct hawser__answers *answers, struct hawser__net_source *source,
                                  struct hawser_report *report)
 {
-	const struct hawser__driven_by by = {.of = source, .product = product, .follow = follow,
+	const struct hawser__driven_by by = {.of = source, .products = hawser__net_masses, .follow = follow,
 	                                     .width = (size_t)source->modal.mesh.unknowns};
 	enum hawser_status status = HAWSER_OK;
 
@@ -257,6 +251,7 @@ static enum hawser_status expand(struct hawser__net_source *source,
 	if (!omega2)
 		return hawser__no_memory(report, "net rom");
 	t->omega2 = omega2;
+	t->mode = source->mode;
 	for (int j = 0; j < source->n; j++) {
 		omega2[j] = hawser__net_omega(source, j)*hawser__net_omega(source, j);
 		hawser__net_spread(t->shape + (size_t)j*(size_t)nodes, source,

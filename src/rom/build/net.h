@@ -73,9 +73,9 @@ enum hawser_status hawser__net_multiples(struct hawser__mesh *mesh, const char *
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
 enum hawser_status hawser__net_loads_of(struct hawser__net_source *source,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
-/* x'M y of rows, and, of nodes' displacements x and a row y, x'D y of all damping but by ratio; kg
- * m^2, and per s. */
-double hawser__net_mass(const struct hawser__net_source *source, const double *x, const double *y);
+/* x'M y of each of the rows x [count][unknowns], in part [count], of a coordinate's mass; and, of
+ * nodes' displacements x and a row y, x'D y of all damping but by ratio, kg m^2/s. `of`: a source. */
+void hawser__net_masses(const void *of, double *part, const double *x, int count, const double *y);
 double hawser__net_damping(const struct hawser__net_source *source, const double (*x)[3],
                            const double *y);
 /* shape [nodes][3] of a row. */

@@ -52,9 +52,10 @@ static double amplitude(const void *of, int j)
 
 static double mass(const void *of, const double *x, const double *y)
 {
-	const struct hawser__net_source *source = of;
+	double product;
 
-	return hawser__net_mass(source, x, y)/hawser__net_unit(source);
+	hawser__net_masses(of, &product, x, 1, y);
+	return product;
 }
 
 static double stiffness(const void *of, const double *x, const double *y)

@@ -28,12 +28,14 @@ void hawser__net_spread(double (*shape)[3], const struct hawser__net_source *sou
 		hawser__eigen_place(shape[i], row, &source->modal.mesh, i);
 }
 
-double hawser__net_mass(const struct hawser__net_source *source, const double *x, const double *y)
+void hawser__net_masses(const void *of, double *part, const double *x, int count, const double *y)
 {
-	const struct hawser__mesh *mesh = &source->modal.mesh;
+	const struct hawser__net_source *source = of;
+	int unknowns = source->modal.mesh.unknowns;
 
-	hawser__eigen_mass(source->scratch, x, mesh, 7U);
-	return cblas_ddot(mesh->unknowns, source->scratch, 1, y, 1);
+	hawser__eigen_mass(source->scratch, y, &source->modal.mesh, 7U);
+	cblas_dgemv(CblasRowMajor, CblasNoTrans, count, unknowns, 1.0/hawser__net_unit(source), x, unknowns,
+	            source->scratch, 1, 0.0, part, 1);
 }
 
 /* row += factor times m x at the two nodes of an element, m the mean of the consistent and the lumped
@@ -82,6 +84,9 @@ static void add_damping(double *row, const struct hawser__net_source *source, do
 	const struct hawser__mesh *mesh = &source->modal.mesh;
 
 	add_mass(row, mesh, factor*source->net->mass_rate, x);
+	for (int i = 0; i < 3*mesh->nodes; i++)
+		if (mesh->unknown[i/3][i%3] >= 0)
+			row[mesh->unknown[i/3][i%3]] += factor*mesh->damper[i/3][i%3]*x[i/3][i%3];
 	for (int e = 0; e < mesh->elements; e++) {
 		double slope[3];
 

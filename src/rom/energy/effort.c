@@ -74,24 +74,3 @@ double hawser__function_flops(const struct hawser__size *size, int tangent)
 
 	return tangent ? sum + 2.0*tangent_operations(size) + stiff_point*size->points + 2.0*n*n : sum;
 }
-
-double hawser__count_cubics(const int *out, const int *anti, int moving)
-{
-	double count = 0.0, behind[4] = {0.0}; /* modes behind k, by out and anti */
-
-	for (int k = moving - 1; k >= 0; k--) {
-		int kind = 2*out[k] + (anti ? anti[k] : 0);
-
-		for (int j = 0; j <= k; j++)
-			for (int i = 0; i <= j; i++) {
-				int rest = kind ^ (2*out[j] + (anti ? anti[j] : 0)) ^
-				           (2*out[i] + (anti ? anti[i] : 0));
-				int different = 1 + (j < k) + (i < j);
-
-				/* each equation of the monomial has an entry */
-				count += (different + 1.0)*behind[rest] + (rest == kind ? different : 0.0);
-			}
-		behind[kind] += 1.0;
-	}
-	return count;
-}

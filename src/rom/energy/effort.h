@@ -34,9 +34,4 @@ void hawser__effort(struct hawser__effort *effort, const struct hawser__size *si
 /* Additions and multiplications of a force, or of force and tangent, by functions. */
 double hawser__function_flops(const struct hawser__size *size, int tangent);
 
-/* Number of entries of C for n coordinates, of which the first `moving` are modes: out[n] is 1 for
- * those out of the plane, anti[n] (or NULL) for those that are antisymmetric about mid-span. An
- * entry whose indices belong to an odd number of either is zero. */
-double hawser__count_cubics(const int *out, const int *anti, int moving);
-
 #endif

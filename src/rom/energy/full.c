@@ -37,12 +37,17 @@ static int all_finite(const struct hawser_rom_exact *exact)
 	return isfinite(sum);
 }
 
-/* `order`: quadrature points in each element of the grid, see exact.c. */
+/* `order`: quadrature points in each element of the grid, see exact.c. The force of a wind is exact
+ * too: its terms would be too many. */
 static enum hawser_status build(struct hawser_rom *rom, const struct hawser_modes *modes,
-                                const struct hawser_scene *scene, int order,
+                                const struct hawser_scene *given, int order,
                                 struct hawser_report *report)
 {
+	struct hawser_scene own = given ? *given : (struct hawser_scene){.g = 0.0};
+	const struct hawser_scene *scene = given ? &own : NULL;
 	enum hawser_status status;
+
+	own.wind.form = HAWSER_WIND_EXACT;
 
 	*rom = (struct hawser_rom){0};
 	status = hawser__rom_begin(rom, modes, scene, report);
@@ -54,6 +59,10 @@ static enum hawser_status build(struct hawser_rom *rom, const struct hawser_mode
 		                      "the slopes of the modes are not finite: solve the modes first");
 	if (!status)
 		status = hawser__rom_finish(rom, modes, scene, report);
+	if (!status && scene && scene->wind.present && scene->wind.wake.present)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+		                      "wind.wake contradicts the exact strain energy: set "
+		                      "model.energy=quartic");
 	if (!status && hawser__support_moves(scene))
 		status = hawser__support_forces(rom, modes, modes->n, 0, scene, report);
 	if (!status && hawser__support_moves(scene))

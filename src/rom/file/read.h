@@ -85,6 +85,9 @@ enum hawser_status hawser__read_own(const struct hawser__parser *reader, struct 
                                     json_t *root);
 enum hawser_status hawser__read_terms(const struct hawser__parser *reader, struct hawser_term **term,
                                       int *terms, int n, const json_t *list, const char *name);
+/* The equations times the inverse [n][n] of a mass matrix; row [n] is room. */
+enum hawser_status hawser__rom_divide(struct hawser_rom *rom, const double *inverse, double *row,
+                                      struct hawser_report *report);
 enum hawser_status hawser__quads_to_terms(struct hawser_harmonic *h, struct hawser_report *report);
 enum hawser_status hawser__cubics_to_terms(struct hawser_harmonic *h, const struct hawser_cubic *C,
                                            int cubics, struct hawser_report *report);

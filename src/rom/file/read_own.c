@@ -163,8 +163,8 @@ static void divide(double *x, const double *inverse, double *row, int n, int col
 		(count) = to;                                                                 \
 	} while (0)
 
-static enum hawser_status divide_model(struct hawser_rom *rom, const double *inverse, double *row,
-                                       struct hawser_report *report)
+enum hawser_status hawser__rom_divide(struct hawser_rom *rom, const double *inverse, double *row,
+                                      struct hawser_report *report)
 {
 	int n = rom->n;
 
@@ -217,7 +217,7 @@ static enum hawser_status read_mass(const struct hawser__parser *reader, struct 
 			status = hawser__wrong(reader, "M is singular (reciprocal condition number %.1e): "
 			                       "eliminate coordinates without mass", rcond);
 		else
-			status = divide_model(rom, inverse, inverse + n2, reader->report);
+			status = hawser__rom_divide(rom, inverse, inverse + n2, reader->report);
 	}
 	free(inverse);
 	free(pivot);

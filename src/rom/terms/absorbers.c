@@ -30,7 +30,6 @@
 #include "core/report.h"
 #include "modes/label.h"
 #include "rom/terms/absorbers.h"
-#include "rom/terms/damping.h"
 
 /* Held modes beyond those of the model: the products fall off as 1/omega^2 of the mode. Chosen. */
 enum { BEYOND = 16 };

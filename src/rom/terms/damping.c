@@ -4,19 +4,10 @@
 
 #include <math.h>
 
+#include "modes/label.h"
 #include "rom/terms/absorbers.h"
 #include "rom/build/build.h"
 #include "rom/terms/dampers.h"
-#include "rom/terms/damping.h"
-
-double hawser__damping_ratio(const struct hawser_scene *scene, const struct hawser_mode *mode)
-{
-	int last = scene->damping.ratios, place = mode->number ? mode->place : last;
-
-	if (last < 2 || place < 2)
-		return scene->damping.ratio;
-	return scene->damping.ratio_next[(place < last ? place : last) - 2];
-}
 
 enum hawser_status hawser__rom_damping(struct hawser_rom *rom, const struct hawser_modes *modes,
                                        const struct hawser_scene *scene,

@@ -1,4 +1,4 @@
-/* rom/terms/drag.c - quadratic drag of air at rest.
+/* rom/terms/drag.c - quadratic drag of air at rest, and the exact force of a wind.
  *
  *   c      kg/m^2: force per unstretched length over the square of the velocity; density, drag
  *          coefficient and diameter of the cable multiplied, over 2
@@ -7,7 +7,9 @@
  *          of it and is left out (Morison's formula)
  *
  *   F_j = -c' integral of |v| (v . Phi_j) ds,   c' = c d/rho   (scaled)
- *   dF_j/du_k' = -c' integral of [ |v| Phi_j . Phi_k + (v . Phi_j) (v . Phi_k)/|v| ] ds
+ *
+ * This is a flow of speed 0 (modes/complex/wind.c), and what a wind adds to the force on the cable at
+ * rest is summed by the same routine.
  *
  * In a cos(omega tau) of mode j alone it does the work of the linear damping
  * d = 8/(3 pi) c'' omega a, c'' = c' integral of |Phi_j|^3 ds (the describing function). At
@@ -98,35 +100,28 @@ double hawser__drag_equal(const struct hawser_modes *modes, const struct hawser_
 enum hawser_status hawser__drag_make(struct hawser_rom *rom, const struct hawser_modes *modes,
                                      const struct hawser_scene *scene, struct hawser_report *report)
 {
-	const struct hawser_grid *grid = &modes->grid;
-	size_t n = (size_t)modes->n, points = (size_t)grid->points;
+	static const double rest[2] = {0.0};
 	struct hawser_rom_drag *drag;
 	enum hawser_status status;
+	int wind = scene && scene->wind.present && scene->wind.form == HAWSER_WIND_EXACT;
 
-	if (!scene || !(scene->damping.drag > 0.0))
+	if (!scene || (!wind && !(scene->damping.drag > 0.0)))
 		return HAWSER_OK;
-	status = check(scene, report);
+	status = wind ? HAWSER_OK : check(scene, report);
 	if (status)
 		return status;
 	drag = rom->drag = calloc(1, sizeof *drag);
-	if (!drag)
+	if (!drag || !hawser__flow_points(&drag->flow, modes, scene))
 		return hawser__no_memory(report, "rom");
-	drag->n = modes->n;
-	drag->points = grid->points;
-	drag->weight = malloc(points*sizeof *drag->weight);
-	drag->shape = malloc(points*2*n*sizeof *drag->shape);
-	if (!drag->weight || !drag->shape)
+	drag->wind = scene->wind.speed;
+	if (!wind)
+		drag->flow.section = (struct hawser__section){
+			.half = scene->damping.drag, .drag = {.powers = 1, .power = {1.0}}, .lift = {.powers = 1}};
+	drag->still = hawser__hold(&drag->flow.hold, (size_t)drag->flow.points, 2*sizeof(double));
+	if (!drag->still)
 		return hawser__no_memory(report, "rom");
-	for (size_t i = 0; i < points; i++) {
-		drag->weight[i] = grid->weight[i]*scene->damping.drag*rom->length/modes->statics.span.rho;
-		for (size_t j = 0; j < n; j++) {
-			double at[3];
-
-			hawser_modes_at(modes, at, NULL, (int)j, grid->s[i]);
-			drag->shape[(2*i)*n + j] = at[1];
-			drag->shape[(2*i + 1)*n + j] = at[2];
-		}
-	}
+	for (int i = 0; i < drag->flow.points; i++)
+		hawser__section_force(drag->still + 2*i, NULL, &drag->flow.section, drag->flow.speed[i], rest);
 	return HAWSER_OK;
 }
 
@@ -134,58 +129,58 @@ void hawser__drag_free(struct hawser_rom_drag *drag)
 {
 	if (!drag)
 		return;
-	free(drag->weight);
-	free(drag->shape);
+	hawser__flow_points_clear(&drag->flow);
 	free(drag);
 }
 
-/* The velocity at a point. */
-static double speed_at(double *vq, double *vb, const double *Q, const double *B, const double *v,
-                       int n, int stride)
+/* The velocity at point i, m/s. */
+static void velocity_at(double to[2], const struct hawser__flow_points *flow, int i, const double *v,
+                        int stride)
 {
-	double q = 0.0, b = 0.0;
+	const double *along = flow->shape + (size_t)2*i*flow->n, *across = along + flow->n;
 
-	for (int k = 0; k < n; k++) {
-		q += Q[k]*v[k*stride];
-		b += B[k]*v[k*stride];
+	to[0] = to[1] = 0.0;
+	for (int k = 0; k < flow->n; k++) {
+		to[0] += along[k]*v[k*stride];
+		to[1] += across[k]*v[k*stride];
 	}
-	*vq = q;
-	*vb = b;
-	return hypot(q, b);
 }
 
 void hawser__drag_add(const struct hawser_rom_drag *drag, double *force, const double *v, int stride)
 {
-	int n = drag->n;
+	const struct hawser__flow_points *flow = &drag->flow;
 
-	for (int i = 0; i < drag->points; i++) {
-		const double *Q = drag->shape + (size_t)2*i*n, *B = Q + n;
-		double q, b, w = drag->weight[i]*speed_at(&q, &b, Q, B, v, n, stride);
+	for (int i = 0; i < flow->points; i++) {
+		const double *along = flow->shape + (size_t)2*i*flow->n, *across = along + flow->n;
+		double at[2], f[2];
 
-		for (int j = 0; j < n; j++)
-			force[j*stride] -= w*(q*Q[j] + b*B[j]);
+		velocity_at(at, flow, i, v, stride);
+		hawser__section_force(f, NULL, &flow->section, flow->speed[i], at);
+		for (int c = 0; c < 2; c++)
+			f[c] = flow->weight[i]*(f[c] - drag->still[2*i + c]);
+		for (int j = 0; j < flow->n; j++)
+			force[j*stride] += f[0]*along[j] + f[1]*across[j];
 	}
 }
 
 void hawser__drag_slope(const struct hawser_rom_drag *drag, double sign, double *matrix,
                         const double *v, int stride)
 {
-	int n = drag->n;
+	const struct hawser__flow_points *flow = &drag->flow;
+	int n = flow->n;
 
-	for (int i = 0; i < drag->points; i++) {
-		const double *Q = drag->shape + (size_t)2*i*n, *B = Q + n;
-		double q, b, speed = speed_at(&q, &b, Q, B, v, n, stride), w = sign*drag->weight[i];
+	for (int i = 0; i < flow->points; i++) {
+		const double *along = flow->shape + (size_t)2*i*n, *across = along + n;
+		double at[2], f[2], by_v[2][2], w = -sign*flow->weight[i];
 
-		if (speed == 0.0)
-			continue; /* the derivative is 0 */
-		q /= speed;
-		b /= speed;
+		velocity_at(at, flow, i, v, stride);
+		hawser__section_force(f, by_v, &flow->section, flow->speed[i], at);
 		for (int j = 0; j < n; j++) {
-			double normal = w*speed*(Q[j] + q*(q*Q[j] + b*B[j]));
-			double binormal = w*speed*(B[j] + b*(q*Q[j] + b*B[j]));
+			double first = w*(along[j]*by_v[0][0] + across[j]*by_v[1][0]);
+			double second = w*(along[j]*by_v[0][1] + across[j]*by_v[1][1]);
 
 			for (int k = 0; k < n; k++)
-				matrix[(j*n + k)*stride] += normal*Q[k] + binormal*B[k];
+				matrix[(j*n + k)*stride] += first*along[k] + second*across[k];
 		}
 	}
 }
@@ -196,7 +191,10 @@ enum hawser_status hawser__drag_refuse(const struct hawser_rom *rom, const char 
 	if (rom && !rom->drag)
 		return HAWSER_OK;
 	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
-	                    "%s has no quadratic drag, which only hawser integrate and hawser frf have "
-	                    "(by shooting): set damping.drag=0, and give a linear damping with the same "
-	                    "loss at the amplitude of interest", what);
+	                    rom && rom->drag->wind > 0.0
+	                    ? "%s has no exact force of the wind, which only hawser integrate and hawser "
+	                      "frf have (by shooting): set wind.form=cubic"
+	                    : "%s has no quadratic drag, which only hawser integrate and hawser frf have "
+	                      "(by shooting): set damping.drag=0, and give a linear damping with the same "
+	                      "loss at the amplitude of interest", what);
 }

@@ -1,4 +1,4 @@
-/* rom/terms/drag.h - quadratic drag of air at rest. See drag.c.
+/* rom/terms/drag.h - quadratic drag of air at rest, and the exact force of a wind. See drag.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_ROM_DRAG_H
 #define HAWSER_ROM_DRAG_H
@@ -6,20 +6,23 @@
 #include <hawser/modes.h>
 #include <hawser/rom.h>
 
+#include "modes/complex/wind.h"
+
 struct hawser_rom_drag {
-	int n, points;
-	double *weight; /* [points] of the quadrature along the cable, times the scaled coefficient */
-	double *shape;  /* [points][2][n] Q, B of each coordinate */
+	struct hawser__flow_points flow;
+	double *still;  /* [points][2] force on the cable at rest, N/m, which is part of the statics */
+	double wind;    /* m/s; 0: air at rest */
 };
 
-/* Fill rom->drag from the scene; nothing if it has no drag. HAWSER_ERR_ARGUMENT (a cable that travels,
- * moving supports, a wind), HAWSER_ERR_MEMORY. */
+/* Fill rom->drag from the scene; nothing if it has neither drag nor a wind of exact form.
+ * HAWSER_ERR_ARGUMENT (drag and a cable that travels, moving supports, a static wind),
+ * HAWSER_ERR_MEMORY. */
 enum hawser_status hawser__drag_make(struct hawser_rom *rom, const struct hawser_modes *modes,
                                      const struct hawser_scene *scene,
                                      struct hawser_report *report);
 void hawser__drag_free(struct hawser_rom_drag *drag);
 
-/* force [n] += the drag at the velocities v [n]. The values of one quantity are `stride` apart. */
+/* force [n] += the force at the velocities v [n]. The values of one quantity are `stride` apart. */
 void hawser__drag_add(const struct hawser_rom_drag *drag, double *force, const double *v, int stride);
 
 /* matrix [n][n] += sign times minus the derivative of that force by v, which is not negative. */

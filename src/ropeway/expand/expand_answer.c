@@ -14,20 +14,21 @@
 /* --- products --- */
 
 /* x'y in the inner product of M. */
-static double product(const void *of, const double *x, const double *y)
+static void products(const void *of, double *part, const double *x, int count, const double *y)
 {
 	const struct hawser__lexpand_work *w = of;
-	double sum = 0.0;
+	size_t width = hawser__lexpand_width(w->rope);
 
+	memset(part, 0, (size_t)count*sizeof *part);
 	for (int i = 0; i < w->rope->systems; i++) {
 		const struct hawser__lmode_system *system = &w->rope->system[i];
 
-		hawser__lmode_inertia(w->load, x, system);
-		sum += hawser__lmode_product(w->load, y, system);
+		hawser__lmode_inertia(w->load, y, system);
+		for (int j = 0; j < count; j++)
+			part[j] += hawser__lmode_product(w->load, x + (size_t)j*width, system);
 		x += system->size;
 		y += system->size;
 	}
-	return sum;
 }
 
 double hawser__lexpand_stiffness(const void *work, const double *x, const double *y)
@@ -140,7 +141,7 @@ enum hawser_status hawser__lexpand_by(struct hawser__driven_by *by, struct hawse
 	*w = (struct hawser__lexpand_work){.rope = &t->rope, .modes = t,
 	                                   .load = hawser__numbers(most, 1)};
 	*by = (struct hawser__driven_by){.of = w, .width = hawser__lexpand_width(&t->rope),
-	                                 .product = product, .follow = follow};
+	                                 .products = products, .follow = follow};
 	return w->load ? HAWSER_OK : hawser__no_memory(report, "line rom");
 }
 

@@ -191,30 +191,10 @@ static enum hawser_status interpret(struct hawser__reader *reader, void *scene,
 	return status || !contact ? status : path(reader, of, contact);
 }
 
-static void clear(void *scene)
-{
-	hawser_obstacles_clear(scene);
-}
-
-static const struct hawser__tree_form form = {
-	{"obstacles", "the scene of a span with obstacles is a mapping with the sections cable, span, "
-	"tension and obstacles (see hawser-scene(5), OBSTACLES)", "obstacles.s0.friction=0.2", 's'},
-	sizeof(struct hawser_obstacles), offsetof(struct hawser_obstacles, name), interpret, clear};
-
-enum hawser_status hawser_obstacles_of(struct hawser_obstacles *of,
-                                       const struct hawser_document *from,
-                                       const char *const *set, size_t nset,
-                                       struct hawser_report *report)
-{
-	return hawser__tree_scene(of, &form, from, set, nset, report);
-}
-
-enum hawser_status hawser_obstacles_open(struct hawser_obstacles *of, const char *path,
-                                         const char *const *set, size_t nset,
-                                         struct hawser_report *report)
-{
-	return hawser__tree_scene_open(of, &form, path, set, nset, report);
-}
+HAWSER__TREE_SCENES(obstacles, "obstacles",
+	"the scene of a span with obstacles is a mapping with the sections cable, span, "
+	"tension and obstacles (see hawser-scene(5), OBSTACLES)",
+	"obstacles.s0.friction=0.2", 's')
 
 void hawser_obstacles_clear(struct hawser_obstacles *of)
 {

@@ -174,29 +174,10 @@ static enum hawser_status interpret(struct hawser__reader *reader, void *scene,
 	return status ? status : cases(reader, rw, hawser__tree_find(tree, "cases"));
 }
 
-static void clear(void *scene)
-{
-	hawser_ropeway_clear(scene);
-}
-
-static const struct hawser__tree_form form = {
-	{"ropeway", "a scene of kind ropeway is a mapping with the section ropeway (see hawser-scene(5), "
-	"ROPEWAYS)",
-	"ropeway.towers.p3.friction=0.02", 'p'},
-	sizeof(struct hawser_ropeway), offsetof(struct hawser_ropeway, name), interpret, clear};
-
-enum hawser_status hawser_ropeway_of(struct hawser_ropeway *rw, const struct hawser_document *from,
-                                     const char *const *set, size_t nset, struct hawser_report *report)
-{
-	return hawser__tree_scene(rw, &form, from, set, nset, report);
-}
-
-enum hawser_status hawser_ropeway_open(struct hawser_ropeway *rw, const char *path,
-                                       const char *const *set, size_t nset,
-                                       struct hawser_report *report)
-{
-	return hawser__tree_scene_open(rw, &form, path, set, nset, report);
-}
+HAWSER__TREE_SCENES(ropeway, "ropeway",
+	"a scene of kind ropeway is a mapping with the section ropeway (see "
+	"hawser-scene(5), ROPEWAYS)",
+	"ropeway.towers.p3.friction=0.02", 'p')
 
 void hawser_ropeway_clear(struct hawser_ropeway *rw)
 {

@@ -13,7 +13,7 @@
 /* Factor on first-order measures for the terms of higher order; calibrated by bench/accuracy.c. */
 #define HAWSER__SAFETY 3.0
 /* The same on those that add all terms of first order with their signs; by bench/practical.py too. */
-#define HAWSER__SAFETY_ORDER 1.5
+#define HAWSER__SAFETY_ORDER 1.75
 
 /* What every search begins with: the accuracy that is asked for, and the candidates. */
 enum hawser_status hawser__accuracy_begin(struct hawser_accuracy *a,

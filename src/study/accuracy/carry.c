@@ -25,8 +25,6 @@
 #define FAR 0.1    /* largest distance from an orbit to its counterpart, relative; chosen */
 #define PATIENCE 100.0 /* contraction that is borne, hardly a limit: in the metric of the orbit, what
                         * was at rest counts most, and the first steps may grow; FAR decides; chosen */
-#define PART 1e-5  /* smallest harmonic that is taken over, relative to the orbit, both by the roots of
-                    * their energies: small motions along the cable stretch it; chosen */
 
 static size_t length_of(const struct hawser__series *series, int n)
 {
@@ -123,31 +121,6 @@ static void take(const struct hawser__balance *balance, double *y, const double 
 	y[balance->base.size - 1] = from[(2*(size_t)order + 1)*(size_t)n];
 }
 
-static double stiffness_of(const struct hawser__balance *balance, int j)
-{
-	return fabs(balance->base.rom->K[(size_t)j*((size_t)balance->base.n + 1)]);
-}
-
-/* Make the harmonics of y active that are not small. */
-static enum hawser_status adopt(struct hawser__balance *balance, const double *y, int order,
-                                struct hawser_report *report)
-{
-	int n = balance->base.n, pairs;
-	double whole = 0.0;
-
-	order = order < balance->top ? order : balance->top;
-	pairs = (order + 1)*n;
-	for (int i = 0; i < (2*order + 1)*n; i++)
-		whole += stiffness_of(balance, i%n)*y[i]*y[i];
-	for (int e = 0; e < pairs; e++) {
-		double c = y[hawser__cos(n, e/n, e%n)], s = e < n ? 0.0 : y[hawser__sin(n, e/n, e%n)];
-
-		if (sqrt(stiffness_of(balance, e%n))*hypot(c, s) > PART*sqrt(whole))
-			balance->active[e] = 1;
-	}
-	return hawser__balance_arrange(balance, report);
-}
-
 /* How far y is from `start`, relative to that, in Omega or in all coefficients. The metric of the
  * orbits is of no use here: it sizes each coordinate by its own motion, and those that only the second
  * model has begin at rest. */
@@ -220,7 +193,8 @@ enum hawser_status hawser__carry(struct hawser_frf *frf, int *lost, const struct
 		take(balance, station.y, from->y, from->order, map, orbits->n);
 		take(balance, station.t, from->y + length_of(from, orbits->n), from->order, map, orbits->n);
 		station.arc = from->arc;
-		status = adopt(balance, station.y, from->order, report);
+		hawser__balance_adopt(balance, station.y, from->order);
+		status = hawser__balance_arrange(balance, report);
 		if (!status)
 			status = correct(&station, lost, orbit, start, options->tolerance, &last);
 		if (!status && !*lost)

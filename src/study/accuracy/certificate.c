@@ -93,8 +93,16 @@ static enum hawser_status lift(struct work *w, const double *state, double omega
 	struct hawser_trajectory run;
 	enum hawser_status status = hawser_integrate(&run, w->rom, &options, report);
 
-	for (size_t t = 0; !status && t < PHASES; t++)
-		memcpy(w->u + t*n, run.state + 2*t*n, n*sizeof *w->u);
+	for (size_t t = 0; !status && t < PHASES; t++) {
+		const double *own = run.state + 2*t*n;
+		int to = w->both.source.n;
+
+		if (w->both.turn)
+			cblas_dgemv(CblasRowMajor, CblasNoTrans, to, w->both.turned, 1.0, w->both.turn,
+			            w->both.turned, own, 1, 0.0, w->u + t*(size_t)to, 1);
+		else
+			memcpy(w->u + t*n, own, n*sizeof *w->u);
+	}
 	hawser_trajectory_clear(&run);
 	if (!status)
 		status = hawser__net_lift(w->row, &w->both.source, &w->both.answers, w->u, PHASES, 1,
@@ -389,7 +397,8 @@ static enum hawser_status find_order(struct work *w, const int *point, struct ha
 
 	w->row = hawser__hold(&w->hold, PHASES*unknowns, sizeof *w->row);
 	w->series = hawser__hold(&w->hold, WIDTH*unknowns, sizeof *w->series);
-	w->u = hawser__hold(&w->hold, PHASES*(size_t)w->rom->n, sizeof *w->u);
+	w->u = hawser__hold(&w->hold, PHASES*(size_t)(w->both.turn ? w->both.source.n : w->rom->n),
+	                    sizeof *w->u);
 	if (w->hold.short_of_memory)
 		return hawser__no_memory(report, "certificate");
 	for (int i = 0; i < w->to->count && !status; i++) {
@@ -414,13 +423,15 @@ static void clear(struct work *w)
 	free(w);
 }
 
-static enum hawser_status certify(struct work *w, const int *point, const struct hawser_net *net,
-                                  const struct hawser_net_rom_options *options, double bearable,
+static enum hawser_status certify(struct work *w, const int *point,
+                                  const struct hawser__certified_by *by, double bearable,
                                   struct hawser_report *report)
 {
 	struct hawser_certificate *to = w->to;
-	enum hawser_status status = hawser__finites_open(&w->both, net, options, report);
+	enum hawser_status status = hawser__finites_open(&w->both, by, report);
 
+	if (!status && by->modes)
+		status = hawser__finites_turn(&w->both, by->modes, w->rom, report);
 	if (!status)
 		status = find_order(w, point, report);
 	if (!status)
@@ -438,12 +449,10 @@ static enum hawser_status certify(struct work *w, const int *point, const struct
 	return status;
 }
 
-enum hawser_status hawser_net_certify(struct hawser_certificate *certificate,
-                                      const struct hawser_net *net,
-                                      const struct hawser_net_rom_options *options,
-                                      const struct hawser_rom *rom, const struct hawser_frf *frf,
-                                      const struct hawser_landmark *peak, int peaks, double bearable,
-                                      struct hawser_report *report)
+enum hawser_status hawser__certified(struct hawser_certificate *certificate,
+                                   const struct hawser__certified_by *by, const struct hawser_rom *rom,
+                                   const struct hawser_frf *frf, const struct hawser_landmark *peak,
+                                   int peaks, double bearable, struct hawser_report *report)
 {
 	double start = now(), elements = 0.0;
 	struct work *w = calloc(1, sizeof *w);
@@ -458,15 +467,27 @@ enum hawser_status hawser_net_certify(struct hawser_certificate *certificate,
 	w->frf = frf;
 	if (frf->points > 2 && frf->period == 1)
 		status = choose(w, point, peak, peaks, report);
-	for (int c = 0; c < net->cables; c++)
-		elements += net->cable[c].elements;
+	for (int c = 0; c < by->net->cables; c++)
+		elements += by->net->cable[c].elements;
 	certificate->foreseen = factors*certificate->count*elements*chain/speed;
 	if (bearable > 0.0 && certificate->foreseen > bearable)
 		certificate->count = 0;
 	if (!status && certificate->count > 0)
-		status = certify(w, point, net, options, bearable, report);
+		status = certify(w, point, by, bearable, report);
 	clear(w);
 	certificate->error = margin*certificate->distance + certificate->harmonics + certificate->lengths;
 	certificate->seconds = now() - start;
 	return status;
+}
+
+enum hawser_status hawser_net_certify(struct hawser_certificate *certificate,
+                                      const struct hawser_net *net,
+                                      const struct hawser_net_rom_options *options,
+                                      const struct hawser_rom *rom, const struct hawser_frf *frf,
+                                      const struct hawser_landmark *peak, int peaks, double bearable,
+                                      struct hawser_report *report)
+{
+	const struct hawser__certified_by by = {.net = net, .options = options};
+
+	return hawser__certified(certificate, &by, rom, frf, peak, peaks, bearable, report);
 }

@@ -15,12 +15,31 @@ struct hawser__finites {
 	struct hawser__mesh coarse;       /* in equilibrium, as that one */
 	int *from;                        /* [nodes of coarse] the same ones of the other mesh */
 	int *node[2];                     /* [probes] nodes of the model's points, of both meshes */
+	double *turn;                     /* [source.n][turned] coordinates of the mesh by those of a
+	                                   * span's model; NULL: they are the same */
+	int turned;
 	struct hawser__hold hold;
 };
+/* What is certified. */
+struct hawser__certified_by {
+	const struct hawser_net *net, *halved; /* halved: with half the elements; NULL: made of net */
+	const struct hawser_net_rom_options *options; /* of the model, or of one of the same mesh */
+	const struct hawser_modes *modes; /* of a span's model; NULL: it is the net's */
+};
 /* *all is zero; it must not be moved. Clear it, on failure too. */
-enum hawser_status hawser__finites_open(struct hawser__finites *all, const struct hawser_net *net,
-                                        const struct hawser_net_rom_options *options,
+enum hawser_status hawser__finites_open(struct hawser__finites *all,
+                                        const struct hawser__certified_by *by,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+/* certificate_span.c: the coordinates and the points of a span's model. */
+enum hawser_status hawser__finites_turn(struct hawser__finites *all, const struct hawser_modes *modes,
+                                        const struct hawser_rom *rom,
+                                        struct hawser_report *report) HAWSER_MUST_CHECK;
+/* certificate.c: as hawser_net_certify. */
+enum hawser_status hawser__certified(struct hawser_certificate *certificate,
+                                   const struct hawser__certified_by *by, const struct hawser_rom *rom,
+                                   const struct hawser_frf *frf, const struct hawser_landmark *peak,
+                                   int peaks, double bearable,
+                                   struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser__finites_clear(struct hawser__finites *all);
 
 /* One of these meshes with a number of harmonics, a motion and its tangent, and the second derivative

@@ -172,13 +172,15 @@ static void pair_nodes(struct hawser__finites *w)
 }
 
 /* The second mesh, in equilibrium. */
-static enum hawser_status open_second(struct hawser__finites *w, const struct hawser_net *net,
+static enum hawser_status open_second(struct hawser__finites *w,
+                                      const struct hawser__certified_by *by,
                                       struct hawser_report *report)
 {
 	const struct hawser__mesh_options choice = {.method = NULL};
 	struct hawser__equilibrium found;
 	double *T;
-	enum hawser_status status = hawser__net_finer(&w->half, net, 1, report);
+	enum hawser_status status = hawser__net_finer(&w->half, by->halved ? by->halved : by->net,
+	                                              !by->halved, report);
 
 	if (!status)
 		status = hawser__mesh_build(&w->coarse, &w->half, report);
@@ -190,7 +192,7 @@ static enum hawser_status open_second(struct hawser__finites *w, const struct ha
 		return hawser__no_memory(report, "certificate");
 	status = hawser__mesh_form(&w->coarse, T, &found, &w->half, &choice, report);
 	if (!status)
-		status = hawser__net_multiples(&w->coarse, net->name, report);
+		status = hawser__net_multiples(&w->coarse, by->net->name, report);
 	pair_nodes(w);
 	return status;
 }
@@ -220,15 +222,15 @@ static enum hawser_status find_nodes(struct hawser__finites *w, struct hawser_re
 	return status;
 }
 
-enum hawser_status hawser__finites_open(struct hawser__finites *w, const struct hawser_net *net,
-                                        const struct hawser_net_rom_options *options,
+enum hawser_status hawser__finites_open(struct hawser__finites *w,
+                                        const struct hawser__certified_by *by,
                                         struct hawser_report *report)
 {
-	enum hawser_status status = hawser__net_source_open(&w->source, &w->fine, &w->answers, net, options,
-	                                                    report);
+	enum hawser_status status = hawser__net_source_open(&w->source, &w->fine, &w->answers, by->net,
+	                                                    by->options, report);
 
 	if (!status)
-		status = open_second(w, net, report);
+		status = open_second(w, by, report);
 	return status ? status : find_nodes(w, report);
 }
 

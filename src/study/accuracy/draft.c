@@ -162,7 +162,8 @@ static enum hawser_status draw(struct hawser__draft *draft, struct hawser__trace
 
 	*traced = (struct hawser__traced){.functions = 0};
 	keep = hawser__orbits_watch(&traced->orbits);
-	frf.unjudged = frf.skip_events = 1;
+	frf.unjudged = 2;
+	frf.skip_events = 1;
 	frf.samples = HAWSER_NONE;
 	frf.most_unstable = 0;
 	frf.step_max = LONG;

@@ -32,6 +32,8 @@ enum { stencil = HAWSER__STENCIL };
 #define PROMINENCE 0.02 /* default: drop of the amplitude on either side of a peak */
 static const double share = 0.05; /* error of Omega of an orbit, relative to the error of the orbit;
                                    * chosen */
+static const double round_off = 1e-9; /* change of a tension, relative, that is none of the motion;
+                                       * chosen */
 
 void hawser_landmark_settle(struct hawser_landmark_options *options)
 {
@@ -422,7 +424,7 @@ enum hawser_status hawser__landmark_peaks(struct hawser_landmark **peak, int *co
 		struct signal signal = signal_of(frf, &like);
 		double most = largest(&signal);
 
-		if (most > 0.0)
+		if (most > round_off*fabs(like.rest))
 			failed = find_peaks(&list, frf, &like, slope, choice.smallest*most,
 			                    choice.prominence);
 		like.kind = HAWSER_LANDMARK_LEAST_TENSION;

@@ -126,6 +126,42 @@ enum hawser_status hawser_primary_derive(struct hawser_primary *primary,
 	return status;
 }
 
+/* What u_j^2 or u_j u_m does in an equation: the coefficient of the term in Q. */
+static double quadratic(const struct hawser_rom *rom, int j, int k, int l)
+{
+	for (int i = 0; i < rom->quads; i++)
+		if (rom->Q[i].j == j && rom->Q[i].k == (k < l ? k : l) && rom->Q[i].l == (k < l ? l : k))
+			return rom->Q[i].value;
+	return 0.0;
+}
+
+/* |w^2 - p^2 + i c p| of mode j at the frequency p. */
+static double impedance(const struct hawser_rom *rom, int j, double p)
+{
+	return hypot(hawser__stiffness(rom, j) - p*p, rom->D[(size_t)j*((size_t)rom->n + 1)]*p);
+}
+
+int hawser_primary_rival(double *strength, const struct hawser_primary *primary,
+                         const struct hawser_rom *rom)
+{
+	double W = primary->omega, a = primary->peak; /* such a rival spoils peak_omega */
+	int m = primary->mode, rival = -1;
+
+	*strength = 1.0;
+	for (int j = 0; j < rom->n; j++) {
+		/* driven by c a^2/2 cos 2 W t; by a stiffness c a cos W t */
+		double driven = 0.5*fabs(quadratic(rom, j, m, m))*a/impedance(rom, j, 2.0*W);
+		double excited = 0.5*fabs(quadratic(rom, j, j, m))*a/impedance(rom, j, 0.5*W);
+		double most = hawser__stiffness(rom, j) > W*W ? driven : excited;
+
+		if (j != m && most > *strength) {
+			*strength = most;
+			rival = j;
+		}
+	}
+	return rival;
+}
+
 void hawser_primary_clear(struct hawser_primary *primary)
 {
 	if (!primary)

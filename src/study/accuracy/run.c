@@ -131,6 +131,50 @@ static void take_names(struct hawser_study_curve *curve, const struct hawser_rom
 		snprintf(curve->probe[p], sizeof curve->probe[p], "%s", rom->shapes.name[p]);
 }
 
+/* The response of *rom and its landmarks. */
+static enum hawser_status respond(struct hawser_study_curve *curve, struct hawser_rom *rom,
+                                  const struct hawser_statics *statics,
+                                  const struct hawser_scene *scene,
+                                  const struct hawser_frf_options *options)
+{
+	struct hawser_frf_options settled = *options, again;
+	double start = hawser__wall_seconds(), busy = hawser__processor_seconds();
+	enum hawser_status status;
+
+	hawser_frf_settle(&settled);
+	again = settled;
+	status = curve->choice.fidelity->respond(curve, rom, statics, scene, &settled, &curve->report);
+	curve->n = rom->n;
+	curve->quads = rom->quads;
+	curve->cubics = rom->cubics;
+	take_names(curve, rom);
+	curve->respond_seconds = hawser__wall_seconds() - start;
+	curve->processor_seconds += hawser__processor_seconds() - busy;
+	/* part of the comparison, not of the cost of the response; omitted if the run was interrupted */
+	again.method = curve->frf.method;
+	if (!status && curve->frf.points > 0 && curve->frf.end != HAWSER_END_INTERRUPTED &&
+	    curve->frf.end != HAWSER_END_MAX_POINTS)
+		status = hawser__study_sharpen(curve, rom, &again, &sharpening, &curve->report);
+	find_tension(curve);
+	return status;
+}
+
+static void begin(struct hawser_study_curve *curve, const struct hawser_fidelity_choice *choice)
+{
+	memset(curve, 0, sizeof *curve);
+	curve->choice = *choice;
+	curve->tension = curve->least_tension = curve->estimated = NAN;
+}
+
+static enum hawser_status end(struct hawser_study_curve *curve, enum hawser_status status,
+                              struct hawser_report *report)
+{
+	curve->status = status;
+	if (status && report)
+		*report = curve->report;
+	return status;
+}
+
 enum hawser_status hawser_study_run(struct hawser_study_curve *curve,
                                     const struct hawser_statics *statics,
                                     const struct hawser_scene *scene,
@@ -138,44 +182,30 @@ enum hawser_status hawser_study_run(struct hawser_study_curve *curve,
                                     const struct hawser_frf_options *options,
                                     struct hawser_report *report)
 {
-	struct hawser_frf_options settled = *options, again;
 	struct hawser_rom rom = {.n = 0};
-	enum hawser_status status;
-	double start = hawser__wall_seconds(), busy = hawser__processor_seconds(), built;
+	double start = hawser__wall_seconds(), busy = hawser__processor_seconds();
+	enum hawser_status status = HAWSER_OK;
 
-	hawser_frf_settle(&settled);
-	options = &settled;
-	again = settled;
-	memset(curve, 0, sizeof *curve);
+	begin(curve, choice);
 	if (scene->damping.drag > 0.0)
 		return hawser__drag_refuse(NULL, "a comparison of responses", report);
-	curve->choice = *choice;
-	curve->tension = curve->least_tension = curve->estimated = NAN;
-	status = choice->fidelity->build
-	         ? choice->fidelity->build(&rom, statics, scene, choice->number, &curve->report)
-	         : HAWSER_OK;
-	built = hawser__wall_seconds();
-	curve->build_seconds = built - start;
-	if (!status) {
-		status = choice->fidelity->respond(curve, &rom, statics, scene, options, &curve->report);
-		curve->n = rom.n;
-		curve->quads = rom.quads;
-		curve->cubics = rom.cubics;
-		take_names(curve, &rom);
-		curve->respond_seconds = hawser__wall_seconds() - built;
-		curve->processor_seconds = hawser__processor_seconds() - busy;
-	}
-	/* part of the comparison, not of the cost of the response; omitted if the run was interrupted */
-	again.method = curve->frf.method;
-	if (!status && curve->frf.points > 0 && curve->frf.end != HAWSER_END_INTERRUPTED &&
-	    curve->frf.end != HAWSER_END_MAX_POINTS)
-		status = hawser__study_sharpen(curve, &rom, &again, &sharpening, &curve->report);
-	find_tension(curve);
+	if (choice->fidelity->build)
+		status = choice->fidelity->build(&rom, statics, scene, choice->number, &curve->report);
+	curve->build_seconds = hawser__wall_seconds() - start;
+	curve->processor_seconds = hawser__processor_seconds() - busy;
+	if (!status)
+		status = respond(curve, &rom, statics, scene, options);
 	hawser_rom_clear(&rom);
-	curve->status = status;
-	if (status && report)
-		*report = curve->report;
-	return status;
+	return end(curve, status, report);
+}
+
+enum hawser_status hawser_study_model(struct hawser_study_curve *curve, struct hawser_rom *rom,
+                                      const struct hawser_fidelity_choice *choice,
+                                      const struct hawser_frf_options *options,
+                                      struct hawser_report *report)
+{
+	begin(curve, choice);
+	return end(curve, respond(curve, rom, NULL, NULL, options), report);
 }
 
 void hawser_study_clear(struct hawser_study_curve *curve)

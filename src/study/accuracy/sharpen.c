@@ -27,7 +27,7 @@ enum { most_points = 400, beyond = 3 };
 enum { few = 8 };
 /* Relative to the error of the orbits: a smaller interpolation error would not reduce the error of
  * the peak; chosen. */
-static const double orbits = 5.0;
+static const double least = 5.0;
 
 /* State of the computation. */
 struct job {
@@ -99,6 +99,7 @@ static enum hawser_status trace(struct hawser_frf *piece, struct job *job,
 	again.start = frf->state + (size_t)window->first*2*frf->n;
 	again.step_max = job->how->step > 0.0 ? job->how->step : step;
 	again.max_points = most_points;
+	again.unjudged = 1;
 	again.progress = (struct hawser_progress){watch, job};
 	/* shorter steps change the arclength, since chords are shorter than arcs */
 	job->length = 1.1*(frf->point[window->last].arc - first->arc);
@@ -115,7 +116,7 @@ static void look(struct hawser_landmark *peak, struct job *job, const struct haw
 	struct window window = {best - 2, best + 2};
 
 	if (!best || job->stopped || fmax(peak->omega_error, peak->size_error) <=
-	                             job->how->wanted + orbits*piece->point[best].error)
+	                             job->how->wanted + least*piece->point[best].error)
 		return;
 	if (!trace(&smaller, job, piece, &window, piece->method))
 		(void)hawser__peak_again(peak, &smaller, smaller.point[0].arc + piece->point[best].arc -
@@ -145,7 +146,9 @@ static void follow(struct job *job, const struct window *window)
 	hawser_frf_clear(&piece);
 }
 
-/* Mark in near [points] `reach` points on either side of each peak that is not accurate enough. */
+/* Mark in near [points] `reach` points on either side of each peak that is not accurate enough and,
+ * unless all are wanted (known: 0), whose error is not mostly that of the orbits, which shorter steps
+ * do not reduce. */
 static void mark(char *near, const struct hawser_study_curve *curve, int reach, double known)
 {
 	const struct hawser_frf *frf = &curve->frf;
@@ -153,7 +156,9 @@ static void mark(char *near, const struct hawser_study_curve *curve, int reach, 
 	for (int k = 0; k < curve->landmarks; k++) {
 		const struct hawser_landmark *peak = &curve->landmark[k];
 
-		if (peak->kind == HAWSER_LANDMARK_FOLD || hawser__peak_unread(peak) < known)
+		double orbits = known > 0.0 ? peak->size_orbits + peak->omega_orbits : 0.0;
+
+		if (peak->kind == HAWSER_LANDMARK_FOLD || hawser__peak_unread(peak) < fmax(known, orbits))
 			continue;
 		for (int i = 0; i < frf->points; i++) {
 			int before = i > reach ? i - reach : 0;

@@ -42,6 +42,12 @@ static inline int hawser__scene_driven(const struct hawser_scene *scene)
 void hawser__count_entries(struct hawser_plan_row *row, const struct hawser_survey *survey,
                            const int *index, int n);
 
+/* Which modes the wind of the scene makes grow, a text each; gallop.c. */
+enum { HAWSER__GALLOPS = 6, HAWSER__GALLOP_TEXT = 240 };
+enum hawser_status hawser__plan_gallop(char text[HAWSER__GALLOPS][HAWSER__GALLOP_TEXT], int *count,
+                                       const struct hawser_survey *survey,
+                                       struct hawser_report *report) HAWSER_MUST_CHECK;
+
 double hawser__plan_slowness(void);
 /* Points and seconds of a row: one traced curve, of a full-order model, with a given number of chosen
  * modes, to an accuracy, and closed forms. */

@@ -281,6 +281,10 @@ static enum hawser_status read_key(struct hawser__basins *basins, int k, struct 
 	long j = (*key == 'u' || *key == 'v') && isdigit((unsigned char)key[1])
 	         ? strtol(key + 1, &end, 10) : 0;
 
+	if (j > 1 && rom->n == 1)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
+		                    "%.60s: the axes of basins are components of the initial state: u1 "
+		                    "(displacement) and v1 (velocity)", key);
 	if (j < 1 || j > rom->n || *end)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
 		                    "%.60s: the axes of basins are components of the initial state: u1 to "
@@ -345,8 +349,8 @@ enum hawser_status hawser_map_basin_open(struct hawser_map_field *field,
 	for (int k = 0; k < 2 && !status; k++)
 		status = read_key(basins, k, report);
 	if (!status && basins->component[0] == basins->component[1])
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "map", "both axes are %s",
-		                      source->key[0]);
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "map", "both axes are %s: give --y "
+		                      "another key", source->key[0]);
 	if (!status) {
 		double x = fmax(fabs(source->from[0]), fabs(source->to[0]))*basins->scaled[0];
 		double y = fmax(fabs(source->from[1]), fabs(source->to[1]))*basins->scaled[1];

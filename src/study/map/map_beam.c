@@ -127,7 +127,8 @@ static enum hawser_status check(const struct hawser_map_source *source, struct h
 		                    "%.40s is no quantity of a beam: write growth or unstable",
 		                    source->quantity);
 	if (strcmp(source->key[0], source->key[1]) == 0)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map", "both axes are %s", source->key[0]);
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map", "both axes are %s: give --y another "
+		                    "key", source->key[0]);
 	for (int k = 0; k < 2; k++) {
 		if (strncmp(source->key[k], "beam.", 5) != 0)
 			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",

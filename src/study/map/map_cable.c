@@ -103,8 +103,8 @@ static enum hawser_status check(struct hawser__map_cable *cable, struct hawser_r
 	excited = source->omega > 0.0 || hawser__map_omega_is_axis(cable);
 	cable->moves = cable->quantity->resonant && excited && !source->rest && driven(source);
 	if (strcmp(source->key[0], source->key[1]) == 0)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map", "both axes are %s",
-		                    source->key[0]);
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map", "both axes are %s: give --y another "
+		                    "key", source->key[0]);
 	if (cable->quantity->about.needs_omega && !excited)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
 		                    "the quantity %s needs a forcing frequency: give Omega, or make it an "

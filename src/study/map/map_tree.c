@@ -2,7 +2,9 @@
  *
  * A cell is split if its corners differ (in number or code), if its value varies much, or if a
  * boundary or a narrow instability crosses one of its edges. It is split at the middle node of each
- * side; the halves need not be equal. All cells of a level are split together, so that the criterion
+ * side; the halves need not be equal. Where its value varies along one axis only, as beside a
+ * resonance that hardly moves with the other parameter, and is far from the threshold, only the sides
+ * along this axis are divided. All cells of a level are split together, so that the criterion
  * for the variation, which is relative to all nodes so far, does not depend on the order.
  *
  * A boundary may then enter a large cell from a smaller neighbour without a difference of the
@@ -23,6 +25,8 @@
 
 #define REAL 1e-3     /* largest sine of the argument of a multiplier that counts as real; chosen */
 #define ROUND_OFF 1e-9 /* variation over the map, relative to the values, that is round-off */
+
+enum { ALONG_X = 1, ALONG_Y = 2 };
 
 const struct hawser_map_sample *hawser__map_sample(const struct hawser__mapper *mapper, long index)
 {
@@ -73,9 +77,10 @@ static enum hawser_status push(struct hawser__map_cells *cells, int i0, int i1, 
 	return HAWSER_OK;
 }
 
-static int small(const struct hawser__map_cell *cell)
+/* The axes along which the cell has sides of several smallest cells. */
+static int divisible(const struct hawser__map_cell *cell)
 {
-	return cell->i1 - cell->i0 == 1 && cell->j1 - cell->j0 == 1;
+	return (cell->i1 - cell->i0 > 1 ? ALONG_X : 0) | (cell->j1 - cell->j0 > 1 ? ALONG_Y : 0);
 }
 
 /* Divide a range of `points` nodes into cells of about the coarse size. */
@@ -108,11 +113,12 @@ static enum hawser_status first_cells(struct hawser__map_cells *cells,
 	return status;
 }
 
+/* `axes`: which sides are divided. */
 static enum hawser_status split(struct hawser__map_cells *into, const struct hawser__map_cell *cell,
-                                struct hawser_report *report)
+                                int axes, struct hawser_report *report)
 {
-	int i[3] = {cell->i0, (cell->i0 + cell->i1)/2, cell->i1};
-	int j[3] = {cell->j0, (cell->j0 + cell->j1)/2, cell->j1};
+	int i[3] = {cell->i0, axes & ALONG_X ? (cell->i0 + cell->i1)/2 : cell->i0, cell->i1};
+	int j[3] = {cell->j0, axes & ALONG_Y ? (cell->j0 + cell->j1)/2 : cell->j0, cell->j1};
 	enum hawser_status status = HAWSER_OK;
 
 	for (int b = 0; b < 2; b++)
@@ -180,27 +186,40 @@ static void widen(struct hawser__mapper *mapper, const struct hawser__map_cells 
 		}
 }
 
-/* Whether the corners require smaller cells. */
+/* Axes along which the values at the corners, whose numbers are the same, vary by more than allowed. */
+static int steep(const struct hawser__mapper *mapper, const struct hawser_map_sample *const *corner)
+{
+	double most = fmax(mapper->options->jump*(mapper->high - mapper->low),
+	                   ROUND_OFF*fmax(fabs(mapper->high), fabs(mapper->low)));
+	double value[4], low = INFINITY, high = -INFINITY;
+	double threshold = measure(mapper, mapper->field->threshold);
+
+	for (int k = 0; k < 4; k++) {
+		value[k] = measure(mapper, corner[k]->value);
+		low = fmin(low, value[k]);
+		high = fmax(high, value[k]);
+	}
+	if (!(high - low > most))
+		return 0;
+	if (fmax(low - threshold, threshold - high) < high - low) /* a boundary may be in it */
+		return ALONG_X | ALONG_Y;
+	return (fmax(fabs(value[1] - value[0]), fabs(value[3] - value[2])) > 0.5*most ? ALONG_X : 0) |
+	       (fmax(fabs(value[2] - value[0]), fabs(value[3] - value[1])) > 0.5*most ? ALONG_Y : 0);
+}
+
+/* The axes along which the corners require smaller cells. */
 static int varied(const struct hawser__mapper *mapper, const struct hawser__map_cell *cell)
 {
 	const struct hawser_map_sample *corner[4] = {
 		at(mapper, cell->i0, cell->j0), at(mapper, cell->i1, cell->j0),
 		at(mapper, cell->i0, cell->j1), at(mapper, cell->i1, cell->j1)};
-	double jump = mapper->options->jump, low = INFINITY, high = -INFINITY;
 
 	for (int k = 1; k < 4; k++)
 		if (hawser__map_differ(mapper, node_of(mapper, cell->i0, cell->j0),
 		                       node_of(mapper, k & 1 ? cell->i1 : cell->i0,
 		                               k & 2 ? cell->j1 : cell->j0)))
-			return 1;
-	if (corner[0]->code != HAWSER_MAP_OK || !(jump > 0.0))
-		return 0;
-	for (int k = 0; k < 4; k++) {
-		low = fmin(low, measure(mapper, corner[k]->value));
-		high = fmax(high, measure(mapper, corner[k]->value));
-	}
-	return high - low > fmax(jump*(mapper->high - mapper->low),
-	                         ROUND_OFF*fmax(fabs(mapper->high), fabs(mapper->low)));
+			return ALONG_X | ALONG_Y;
+	return corner[0]->code == HAWSER_MAP_OK && mapper->options->jump > 0.0 ? steep(mapper, corner) : 0;
 }
 
 /* Expected number of further points: at each level a boundary crosses twice as many cells. */
@@ -232,10 +251,10 @@ static int entered(const struct hawser__mapper *mapper, const struct hawser__map
 {
 	for (int i = cell->i0; i < cell->i1; i++)
 		if (stands_out(mapper, cell, i, cell->j0, 0) || stands_out(mapper, cell, i, cell->j1, 0))
-			return 1;
+			return ALONG_X | ALONG_Y;
 	for (int j = cell->j0; j < cell->j1; j++)
 		if (stands_out(mapper, cell, cell->i0, j, 1) || stands_out(mapper, cell, cell->i1, j, 1))
-			return 1;
+			return ALONG_X | ALONG_Y;
 	return 0;
 }
 
@@ -254,9 +273,12 @@ static enum hawser_status level(struct hawser__mapper *mapper, struct hawser__ma
 	}
 	for (size_t c = 0; c < cells->count && !status && !mapper->memo.interrupted; c++) {
 		const struct hawser__map_cell *cell = &cells->cell[c];
+		int axes = divisible(cell);
 
-		if (!small(cell) && (varied(mapper, cell) || entered(mapper, cell)))
-			status = split(next, cell, report);
+		if (axes)
+			axes &= varied(mapper, cell) | entered(mapper, cell);
+		if (axes)
+			status = split(next, cell, axes, report);
 		else
 			status = push(&mapper->leaf, cell->i0, cell->i1, cell->j0, cell->j1, report);
 	}
@@ -289,8 +311,8 @@ static enum hawser_status reopen(struct hawser__mapper *mapper, struct hawser__m
 	for (size_t c = 0; c < leaf->count && !status; c++) {
 		struct hawser__map_cell cell = leaf->cell[c];
 
-		if (!small(&cell) && entered(mapper, &cell))
-			status = split(cells, &cell, report);
+		if (divisible(&cell) && entered(mapper, &cell))
+			status = split(cells, &cell, ALONG_X | ALONG_Y, report);
 		else
 			leaf->cell[kept++] = cell;
 	}

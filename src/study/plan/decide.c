@@ -11,6 +11,7 @@
 #include "core/report.h"
 #include "rom/terms/dampers.h"
 #include "rom/terms/load.h"
+#include "statics/wind.h"
 #include "study/accuracy/survey.h"
 
 enum { most_decisions = 32 };
@@ -154,15 +155,40 @@ static void decide_static_load(struct hawser_plan *plan, const struct hawser_sce
 	const struct hawser_statics *st = &plan->modes.statics;
 	int still = scene->tension.state == HAWSER_STATE_LOADED;
 
-	if (scene->static_load.present)
+	if (scene->static_load.present || scene->wind.present)
 		decide(plan, "static load", 1, "%.4g N/m with the weight, %.4g kg/m in motion; the plane of "
 		    "the cable, to which \"in the plane\" refers, swings by %.3g rad",
 		    hawser_statics_actual(st).span.rho*st->span.g,
 		    scene->cable.rho + scene->static_load.mass, st->turned ? st->swing : 0.0);
-	if (scene->static_load.present || scene->temperature.present)
+	if (scene->static_load.present || scene->wind.present || scene->temperature.present)
 		decide(plan, "given tension", 1, "that of the %s state (tension.state), with the length of "
 		    "cable of %s state%s", still ? "loaded" : "reference", still ? "this" : "that",
 		    scene->temperature.present ? ", changed by the temperature" : "");
+}
+
+static enum hawser_status decide_wind(struct hawser_plan *plan, const struct hawser_survey *survey,
+                                      struct hawser_report *report)
+{
+	char text[HAWSER__GALLOPS][HAWSER__GALLOP_TEXT];
+	const struct hawser_wind *wind = &survey->scene->wind;
+	double force[3];
+	int count = 0;
+	enum hawser_status status;
+
+	if (wind->present && wind->wake.present)
+		decide(plan, "vortices", 1, "an oscillator %s, a coordinate each, at %.4g Hz behind a cable at "
+		    "rest", wind->wake.places ? "at each of the places" : "for each mode that moves across the "
+		    "flow", wind->wake.strouhal*wind->speed/wind->diameter);
+	if (!wind->present || wind->wake.present || !hawser__static_load(force, survey->scene))
+		return HAWSER_OK;
+	decide(plan, "wind", 1, "quasi-steady drag and lift of %g m/s, %s in the velocity of the cable "
+	    "(wind.form); at rest, with load.static, %.4g, %.4g and %.4g N/m along x, y and z; sections do "
+	    "not turn, modes that are not kept do not feel it", wind->speed,
+	    wind->form == HAWSER_WIND_EXACT ? "exact" : "of third order", force[0], force[1], force[2]);
+	status = hawser__plan_gallop(text, &count, survey, report);
+	for (int i = 0; !status && i < count; i++)
+		decide(plan, "galloping", 1, "%s", text[i]);
+	return status;
 }
 
 /* Of each kind the number of attachments that have it. */
@@ -249,6 +275,7 @@ enum hawser_status hawser__decide(struct hawser_plan *plan, const struct hawser_
                                   struct hawser_report *report)
 {
 	const struct hawser_scene *scene = survey->scene;
+	enum hawser_status status;
 
 	plan->decision = calloc(most_decisions, sizeof *plan->decision);
 	if (!plan->decision)
@@ -257,6 +284,7 @@ enum hawser_status hawser__decide(struct hawser_plan *plan, const struct hawser_
 	decide_rest(plan, scene, &survey->inertia);
 	decide_load(plan, scene);
 	decide_static_load(plan, scene);
+	status = decide_wind(plan, survey, report);
 	decide_attachments(plan);
 	decide_always(plan, scene);
 	if (*survey->range)
@@ -266,5 +294,5 @@ enum hawser_status hawser__decide(struct hawser_plan *plan, const struct hawser_
 		decide(plan, "forces from strains", strncmp(survey->forces, "from strains", 12) == 0, "%s",
 		    survey->forces);
 	decide_response(plan, survey);
-	return HAWSER_OK;
+	return status;
 }

@@ -148,6 +148,7 @@ static enum hawser_status build(struct hawser_survey *survey, struct hawser_plan
 	enum hawser_status status;
 
 	scene.model.condense = HAWSER_CONDENSE_NONE;
+	scene.wind.present = 0; /* gallop.c */
 	status = hawser__rom_of_modes(&survey->raw, &plan->modes, &scene, report);
 	if (status)
 		return status;

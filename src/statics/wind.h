@@ -1,0 +1,50 @@
+/* statics/wind.h - drag and lift of a section in a flow, and the wind of a scene. See wind.c.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_STATICS_WIND_H
+#define HAWSER_STATICS_WIND_H
+
+#include <hawser/statics.h>
+
+/* A coefficient over its argument: a sum of powers, or a natural cubic spline. */
+struct hawser__coefficient {
+	int powers; /* 0: the spline */
+	double power[HAWSER_WIND_POWERS];
+	int knots;
+	double x[HAWSER_WIND_ROWS], y[HAWSER_WIND_ROWS], bend[HAWSER_WIND_ROWS]; /* bend: y'' */
+};
+
+/* A section: all zero, it has no force. */
+struct hawser__section {
+	double half;   /* density times diameter over 2, kg/m^2 */
+	double angle;  /* of attack at rest, rad */
+	int turns;     /* 1: drag or lift depend on the angle of attack or on the speed */
+	struct hawser__coefficient drag, lift, reynolds; /* reynolds.knots 0: none */
+	double reference; /* drag at the angle 0, whose place `reynolds` takes */
+	double per_speed; /* Reynolds' number over the speed, s/m */
+};
+
+void hawser__section_make(struct hawser__section *section, const struct hawser_wind *wind);
+
+/* The force f [2] per length, N/m, along the flow and across it, on a section that moves at v [2] in a
+ * flow of this speed, m/s; and its derivative by v, unless NULL. */
+void hawser__section_force(double f[2], double (*by_v)[2], const struct hawser__section *section,
+                           double speed, const double v[2]);
+
+/* Its series to the third order in v, for a speed > 0: f[i] is the sum over t of series[i][t]
+ * v[0]^hawser__wind_power[t][0] v[1]^hawser__wind_power[t][1]. */
+enum { HAWSER__WIND_TERMS = 10 };
+extern const int hawser__wind_power[HAWSER__WIND_TERMS][2];
+void hawser__section_series(double series[2][HAWSER__WIND_TERMS],
+                            const struct hawser__section *section, double speed);
+
+/* The constant load on a span along x, y, z: load.static, and the wind on the straight chord at rest.
+ * Returns 0 if the scene has neither. */
+int hawser__static_load(double force[3], const struct hawser_scene *scene);
+
+/* Mass per unstretched length of the fluid that moves with the cable, without weight. */
+double hawser__added_mass(const struct hawser_scene *scene);
+
+/* Speed at this fraction of the unstretched length over wind.speed. */
+double hawser__wind_profile(const struct hawser_wind *wind, double part);
+
+#endif
