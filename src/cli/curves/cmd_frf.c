@@ -378,9 +378,8 @@ static enum hawser_status check_over(const struct settings *settings, const stru
 {
 	if (over->omega == 0.0 || (!settings->branches && !settings->switched))
 		return HAWSER_OK;
-	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
-	                    "--over does not go with --%s: leave out one of them",
-	                    settings->branches ? "branches" : "switch");
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf", "--over does not go with --%s: leave out "
+	                    "one of them", settings->branches ? "branches" : "switch");
 }
 
 static enum hawser_status run(void *context, struct hawser_report *report)

@@ -90,7 +90,8 @@ static const char *tell_hopf(char *text, size_t size, const struct cli_frf_resul
 		snprintf(text, size, ", frequency %.12g%s, l1 = %.9g (%s), d(A_%d^2) = %.6g",
 		         event->hopf.omega*cli_per_omega(result->model), cli_unit(result->model, " rad/s"),
 		         event->hopf.l1, event->hopf.l1 < 0.0 ? "supercritical" : event->hopf.l1 > 0.0
-		         ? "subcritical" : "undecided", event->hopf.coordinate + 1, event->hopf.swing);
+		         ? "subcritical" : "undecided", event->hopf.coordinate + 1,
+		         event->hopf.swing*pow(result->model->rom.length, 2));
 	return text;
 }
 
@@ -139,7 +140,8 @@ static void comment_branch(struct hawser__table *table, const struct cli_frf_res
 		hawser__table_comment(table, "branch %d: of period %d, from branch %d at %s", frf->branch,
 		                      frf->period, frf->parent,
 		                      cli_frf_place(result, frf->born, frf->born_at).text);
-	cli_fixed_comments(table, &result->error, result->frf->branch);
+	if (!frf->swing)
+		cli_fixed_comments(table, &result->error, result->frf->branch);
 	for (int k = 0; k < frf->events; k++)
 		comment_event(table, result, k);
 }
