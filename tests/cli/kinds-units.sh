@@ -78,7 +78,10 @@ in_units() {
 	run "$@" --json si.json --reproducible -q
 	run "$@" --units "$units" --json us.json --tsv us.tsv --reproducible -q
 	try "$name" said 0 loud
-	try "  JSON in SI" cmp si.json us.json
+	for file in si us; do # what it says of the columns of the table is in its units
+		sed '/"columns": \[/,/^ *\]/d' $file.json >$file-numbers
+	done
+	try "  JSON in SI" cmp si-numbers us-numbers
 	try "  neither columns nor comments" no_si
 }
 

@@ -144,7 +144,8 @@ cat >first.json <<'JSON'
 JSON
 echo '{"hawser_rom": 1, "n": 1, "first_order": true, "K": [[1]], "harmonics": [{"k": 1, "f": [1]}]}' >linear.json
 works "a Brusselator" integrate first.json --Omega 0.8 --until 100T --every 100T --json first-time.json -q
-works "its response" frf first.json --from 3 --to 2.5 --json first-response.json -q
+run frf first.json --from 3 --to 2.5 --json first-response.json -q
+try "its response, of which no motion is stable" like 0 'stability: none of these [0-9]* motions is stable'
 works "over B" frf first.json --Omega 3 --over B=1.14:1.18 --json first-over.json -q
 works "with half the load" frf first.json --set a=0.025 --Omega 3 --over B=1.14:1.18 --json first-half.json -q
 python "its Hopf bifurcation at B = 1 + A^2 is a torus point, which the load moves by its square" <<'PY'

@@ -382,6 +382,12 @@ static enum hawser_status check_over(const struct settings *settings, const stru
 	                    "one of them", settings->branches ? "branches" : "switch");
 }
 
+/* Whether the motion at which the response begins was given. */
+static int goes_on(const struct settings *settings)
+{
+	return settings->label || settings->start || settings->switched || settings->resume;
+}
+
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
 	const struct settings *settings = context;
@@ -402,7 +408,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	                                .sweep = list, .multipliers = settings->multipliers,
 	                                .scale = settings->scale, .overlay = overlay,
 	                                .certificate = &certificate, .allowed = CLI_BEARABLE,
-	                                .label_every = settings->label_every};
+	                                .label_every = settings->label_every, .chosen = goes_on(settings)};
 	enum hawser_status status = check(settings, report), written = HAWSER_OK;
 
 	if (!status)

@@ -175,6 +175,25 @@ static int unsearched(char *text, size_t size, const struct cli_frf_result *resu
 	return result->unsearched;
 }
 
+/* Responses of which no motion is stable, branches included. */
+static int none_stable(char *text, size_t size, const struct cli_frf_result *result)
+{
+	int points = 0;
+
+	for (int c = 0; c <= result->others; c++) {
+		const struct hawser_frf *frf = c ? result->other[c - 1].frf : result->frf;
+
+		for (int i = 0; i < frf->points; i++)
+			if (frf->point[i].unstable <= 0)
+				return 0;
+		points += frf->points;
+	}
+	snprintf(text, size, "stability: none of these %d motions is stable, and what is observed is "
+	         "another one: hawser integrate finds it, --start follows it from there, --branches and "
+	         "--tori what begins on this curve", points);
+	return points > 1 && !result->over && !result->chosen;
+}
+
 int cli_frf_damped(const struct cli_frf_result *result)
 {
 	const struct hawser_rom *rom = &result->model->rom;
@@ -225,7 +244,8 @@ int cli_frf_caution(char *text, size_t size, const struct cli_frf_result *result
 int cli_frf_note(char *text, size_t size, const struct cli_frf_result *result, int k)
 {
 	static int (*const note[])(char *, size_t, const struct cli_frf_result *) = {
-		slack, cli_frf_lift, lost, unstable, work, gaps, unsearched, undecided};
+		slack, cli_frf_lift, lost, unstable, work, gaps, unsearched, undecided,
+		none_stable};
 
 	return k < (int)(sizeof note/sizeof *note) ? note[k](text, size, result) : -1;
 }

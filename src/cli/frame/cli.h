@@ -444,6 +444,7 @@ struct cli_frf_result {
 	int others, gaps, misses, label_every; /* label_every: 0: of events alone */
 	int observed;   /* most unstable multipliers of further branches, not asked for; 0: no limit */
 	int unsearched; /* 1: further branches are not searched for, since the model is too far off */
+	int chosen;     /* 1: the motion at which it begins was given */
 	int costly;     /* 1: the search for them ended at its limit of work */
 	double allowed; /* that of the curve and that of further branches, s */
 };
