@@ -142,6 +142,11 @@ sound statics
 shows statics "Height y (m)" "Distance x (m)" "Tension T (kN)" chord cable
 draw modes modes "$chairlift" -n 7
 shows modes "Arclength S (m)" "axial P" "normal Q" "out of plane B" "1: 0.2307 Hz, out-of-plane" "7:" "P × "
+# a caution in the legend
+"$HAWSER" init stay >stay.yaml
+run frf stay.yaml --from 20.2 --to 20.6 --plot beyond.svg -q
+try "beyond the modes of the model" like 0 'the model knows no modes above'
+shows beyond "beyond the modes of the model"
 works "longitudinal modes" modes "$chairlift" -n 12 --set cable.EA="2.1 MN" --set tension.T0="100 kN" \
 	--plot longitudinal.svg
 shows longitudinal "longitudinal" "out-of-plane"

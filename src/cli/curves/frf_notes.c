@@ -225,7 +225,7 @@ int cli_frf_caution(char *text, size_t size, const struct cli_frf_result *result
 		snprintf(text, size, "may be off by %s%.0f %%", off < 1.0 ? "" : "more than ", 100.0*off);
 		return worst != NULL;
 	case 1:
-		snprintf(text, size, "beyond the model's modes");
+		snprintf(text, size, "beyond the modes of the model");
 		return cli_known_lacks(unused, sizeof unused, result->model, fmax(result->from, result->to));
 	case 2:
 		snprintf(text, size, ends_slack(result) ? "ends slack" : "slack in parts");

@@ -26,7 +26,7 @@ static const struct cli_report_part table[] = {
 	{"modes", "Natural modes", "Small motions of the model about u = 0, and how they decay.",
 	 {"modes"}, CLI_MODEL, 0, 1, 0, 0},
 	{"damped", "Damped modes", "How the dampers of the scene damp each mode.",
-	 {"modes", "--damped"}, DAMPED, 0, 0, 1, 0},
+	 {"modes", "--damped"}, DAMPED, 0, 1, 1, 0},
 	{"irvine", "Frequencies over the tension",
 	 "Where frequencies cross or veer as the horizontal tension changes.",
 	 {"irvine"}, CLI_CABLE, 0, 0, 1, 0},
