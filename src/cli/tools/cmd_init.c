@@ -29,10 +29,13 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	int index = 0;
 	enum hawser_status status = cli_choose_input(&index, &cli_init, common->input, report);
 
-	const char *text = index < CLI_NUMBER_MODEL ? cli_kind_record(index)->text
-	                                            : structure[index - CLI_NUMBER_MODEL];
+	const char *text;
 
-	return status ? status : hawser__file_put("-", text, strlen(text), report);
+	if (status)
+		return status;
+	text = index < CLI_NUMBER_MODEL ? cli_kind_record(index)->text
+	                                : structure[index - CLI_NUMBER_MODEL];
+	return hawser__file_put("-", text, strlen(text), report);
 }
 
 #define FIRST(name, BIT) #name
