@@ -26,10 +26,9 @@ static const char *const structure[] = {CLI_INIT_STRUCTURES(TEXT)};
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
 	const struct cli_common *common = context;
+	const char *text;
 	int index = 0;
 	enum hawser_status status = cli_choose_input(&index, &cli_init, common->input, report);
-
-	const char *text;
 
 	if (status)
 		return status;
