@@ -226,8 +226,13 @@ static int wants_log(const char *scale, double *work, size_t count)
 
 static int is_logarithmic(const struct cli_frf_picture *of)
 {
+	const struct cli_over *over = of->result->over;
 	int points = of->result->frf->points, logarithmic;
-	double *work = malloc((size_t)(of->curves*points + 1)*sizeof *work);
+	double *work;
+
+	if (over && over->omega == 0.0 && strcmp(of->result->scale, "auto") == 0)
+		return 0; /* equilibria, out of which cycles grow */
+	work = malloc((size_t)(of->curves*points + 1)*sizeof *work);
 
 	if (!work)
 		return 0;
