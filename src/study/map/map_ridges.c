@@ -228,21 +228,22 @@ static enum hawser_status ends(struct hawser__ridge_edge *ends, int *complete, s
 {
 	struct hawser__mapper *mapper = list->mapper;
 	int along = list->next.along;
+	long node[2], near[2];
 	enum hawser_status status = HAWSER_OK;
 
 	*ends = (struct hawser__ridge_edge){.n = mapper->field->exponents};
 	*complete = 1;
 	for (int k = 0; k < 2 && !status; k++) {
-		long node = mapper->node[(long)at[k][1]*mapper->nx + at[k][0]], near;
-
-		status = want_near(&near, &ends->step[k], mapper, at[k][0], at[k][1], along, report);
+		node[k] = mapper->node[(long)at[k][1]*mapper->nx + at[k][0]];
+		status = want_near(&near[k], &ends->step[k], mapper, at[k][0], at[k][1], along, report);
 		ends->step[k] /= list->length;
-		*complete &= hawser__map_sample(mapper, node)->code == HAWSER_MAP_OK;
-		if (status || !list->nears)
-			continue;
-		ends->end[k] = hawser__map_marks(mapper, node) + HAWSER__MARGINS;
-		if (hawser__map_sample(mapper, near)->code == HAWSER_MAP_OK)
-			ends->near[k] = hawser__map_marks(mapper, near) + HAWSER__MARGINS;
+		*complete &= hawser__map_sample(mapper, node[k])->code == HAWSER_MAP_OK;
+	}
+	/* marks move in memory while points are wanted */
+	for (int k = 0; k < 2 && !status && list->nears; k++) {
+		ends->end[k] = hawser__map_marks(mapper, node[k]) + HAWSER__MARGINS;
+		if (hawser__map_sample(mapper, near[k])->code == HAWSER_MAP_OK)
+			ends->near[k] = hawser__map_marks(mapper, near[k]) + HAWSER__MARGINS;
 	}
 	return status;
 }
