@@ -338,7 +338,8 @@ static enum hawser_status write_result(struct cli_frf_result *result, struct cli
 	cli_label_all(result);
 	said = cli_frf_warnings(model, result);
 	result->said = said;
-	status = cli_show(result->common, &showing, result, report);
+	status = model->starved ? hawser__no_memory(report, "frf")
+	                        : cli_show(result->common, &showing, result, report);
 	for (char *line = said, *end; !status && line && (end = strchr(line, '\n')); line = end + 1) {
 		*end = '\0';
 		cli_warn(line);

@@ -125,6 +125,7 @@ struct cli_model {
 	struct cli_made *made; /* model/made.h: what it is made from; NULL: of a span, or of a file */
 	struct hawser_rom_source source; /* its text, if it has parameters; else all zero */
 	int reproducible; /* 1: no times in the results */
+	int starved;     /* 1: out of memory while its range was judged (cli_range_warn) */
 	int automatic;   /* 1: modes are to be chosen; until then rom contains its units only */
 	struct hawser_accuracy accuracy; /* the choice, if automatic; not to be moved in memory */
 	double *natural; /* [naturals] natural.c: natural frequencies, scaled, ascending */

@@ -314,14 +314,16 @@ void cli_range_warn(struct cli_model *model, double *reached)
 {
 	struct hawser_rom *rom = &model->rom;
 	char text[CLI_WARNING_SIZE];
+	enum hawser_status status = HAWSER_OK;
 	int j = -1;
 
 	/* who asks for modes at rest, to repeat a source, knows that the model is too stiff; what cannot
 	 * be judged is not known, and nothing is said */
 	if (reached && !cli_interrupted() &&
 	    (!model->has_scene || (model->scene.model.condense == HAWSER_CONDENSE_STATIC &&
-	                           !hawser_law_range(rom, &model->statics, reached, NULL))))
+	                           !(status = hawser_law_range(rom, &model->statics, reached, NULL)))))
 		j = hawser_law_exceeded(rom, reached);
+	model->starved = status == HAWSER_ERR_MEMORY;
 	if (j < 0) {
 		free(reached);
 		return;

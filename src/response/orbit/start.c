@@ -338,7 +338,7 @@ enum hawser_status hawser__start(double *y, struct hawser__orbit *orbit,
 	if (!failed && raised->lone && !far)
 		failed = correct_at(y, orbit, correction, omega, tolerance, report);
 	if (failed != 1 && !far)
-		return failed ? HAWSER_ERR_CONVERGENCE : HAWSER_OK;
+		return failed == 3 ? HAWSER_ERR_MEMORY : failed ? HAWSER_ERR_CONVERGENCE : HAWSER_OK;
 	if (start)
 		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "frf",
 		                       correction->iterations, correction->residual,
