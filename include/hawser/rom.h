@@ -304,6 +304,10 @@ double hawser_rom_full_error(int *worst, const struct hawser_rom *full,
 enum hawser_status hawser_rom_modal(struct hawser_rom *rom, double *V,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
 
+/* The largest entry of K off the diagonal, over the largest on it: up to 1e-12 K is diagonal for what
+ * needs modes. */
+double hawser_rom_off_diagonal(const struct hawser_rom *rom);
+
 /* Read and write the reduced-model file (JSON, hawser-rom(5)). "-" is a standard stream. Reading
  * checks shapes and indices: HAWSER_ERR_SCENE with file, key and entry, HAWSER_ERR_ARGUMENT if the
  * file does not exist, HAWSER_ERR_IO if it cannot be read. If writing fails (HAWSER_ERR_IO), no

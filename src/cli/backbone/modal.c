@@ -2,7 +2,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
-#include <math.h>
 #include <stdlib.h>
 
 #include "cli/backbone/backbone.h"
@@ -10,17 +9,6 @@
 #include "core/report.h"
 
 enum { SAID = 600, NAMED = 6 }; /* characters; modes whose shapes are said */
-static const double diagonal = 1e-12; /* of the largest entry: as where the methods refuse it */
-
-static int is_diagonal(const struct hawser_rom *rom)
-{
-	double off = 0.0, most = 0.0;
-
-	for (int j = 0; j < rom->n; j++)
-		for (int k = 0; k < rom->n; k++)
-			*(j == k ? &most : &off) = fmax(j == k ? most : off, fabs(rom->K[j*rom->n + k]));
-	return off <= diagonal*most;
-}
 
 /* "mode 1 = 0.707 u_1 + 0.707 u_2; ..." */
 static void say(const double *V, int n)
@@ -45,7 +33,7 @@ enum hawser_status cli_model_load_modal(struct cli_model *model, const struct cl
 	enum hawser_status status = cli_model_load(model, common, n, report);
 	double *V;
 
-	if (status || model->automatic || is_diagonal(&model->rom))
+	if (status || model->automatic || hawser_rom_off_diagonal(&model->rom) <= 1e-12)
 		return status;
 	V = malloc((size_t)model->rom.n*(size_t)model->rom.n*sizeof *V);
 	status = V ? hawser_rom_modal(&model->rom, V, report) : hawser__no_memory(report, "rom");

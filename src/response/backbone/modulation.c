@@ -47,17 +47,12 @@ static int place_of(const struct hawser_resonance *resonance, int s)
 enum hawser_status hawser__modal(const struct hawser_rom *rom, const char *function,
                                  struct hawser_report *report)
 {
-	double off = 0.0, largest = 0.0;
+	double off = hawser_rom_off_diagonal(rom);
 
-	for (int j = 0; j < rom->n; j++)
-		for (int k = 0; k < rom->n; k++) {
-			double K = fabs(rom->K[j*rom->n + k]);
-
-			*(j == k ? &largest : &off) = fmax(K, j == k ? largest : off);
-		}
-	return off > 1e-12*largest ? hawser__fail(report, HAWSER_ERR_ARGUMENT, function,
-	                                          "K is not diagonal (%.3g off the diagonal): give the "
-	                                          "model in its modes' coordinates", off) : HAWSER_OK;
+	return off > 1e-12 ? hawser__fail(report, HAWSER_ERR_ARGUMENT, function, "K is not diagonal (%.3g "
+	                                  "of its largest entry off the diagonal): give the model in its "
+	                                  "modes' coordinates, as hawser nnm and mms take it", off)
+	                   : HAWSER_OK;
 }
 
 static enum hawser_status check(const struct hawser_rom *rom,

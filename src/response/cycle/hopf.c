@@ -2,8 +2,8 @@
  *
  *    x = (u, u') [m], of equations of first order u; x' = A x + B(x, x)/2 + C(x, x, x)/6 + ...
  *    q, p    A q = i w q, A' p = -i w p, <q, q> = <p, q> = 1
- *    l1      Re[<p, C(q, q, q*)> - 2 <p, B(q, A^-1 B(q, q*))> + <p, B(q*, (2 i w - A)^-1 B(q,
- * q))>]/(2 w)
+ *    l1      Re[<p, C(q, q, q*)> - 2 <p, B(q, A^-1 B(q, q*))>
+ *               + <p, B(q*, (2 i w - A)^-1 B(q, q))>]/(2 w)
  *
  * On the centre manifold z' = (g + i w) z + w l1 z |z|^2, where g is the growth rate and x = z q +
  * z* q*, so that the square of the amplitude of coordinate j changes by -4 |q_j|^2 g'/(w l1) per

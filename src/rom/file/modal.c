@@ -20,6 +20,16 @@
 enum { MOST = 24 };                            /* n^4 entries of C, and as many products each */
 static const double symmetric = 1e-9, small = 1e-13; /* relative; what is smaller is round-off */
 
+double hawser_rom_off_diagonal(const struct hawser_rom *rom)
+{
+	double off = 0.0, most = 0.0;
+
+	for (int j = 0; j < rom->n; j++)
+		for (int k = 0; k < rom->n; k++)
+			*(j == k ? &most : &off) = fmax(j == k ? most : off, fabs(rom->K[j*rom->n + k]));
+	return off > 0.0 ? off/most : 0.0;
+}
+
 struct change {
 	int n;
 	double *V, *W; /* [n][n] V[j*n + i]: coordinate j in mode i; W[i*n + j] */
