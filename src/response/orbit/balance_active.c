@@ -20,6 +20,7 @@
 
 #include "core/report.h"
 #include "response/orbit/balance.h"
+#include "response/time/flow.h"
 #include "response/time/planner.h"
 #include "rom/energy/kernel.h"
 #include "rom/terms/terms.h"
