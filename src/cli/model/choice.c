@@ -124,9 +124,9 @@ void cli_choice_comments(struct hawser__table *table, const struct cli_model *mo
 
 	if (model->made)
 		model->made->by->comments(table, model);
-	if (model->made && isfinite(cli_modes_end(model)))
-		hawser__table_comment(table, "a range without --to ends at %.9g rad/s, past the highest of "
-		                      "these modes (-n keeps more), or at 3.3w1",
+	if (isfinite(cli_modes_end(model)))
+		hawser__table_comment(table, "a range without --to ends at %.9g rad/s, where these modes end "
+		                      "(-n keeps more), or at 3.3w1",
 		                      cli_modes_end(model)*cli_per_omega(model));
 	if (!model->automatic)
 		return;
