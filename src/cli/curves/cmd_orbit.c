@@ -229,7 +229,7 @@ static enum hawser_status of_result(struct settings *settings, char *scene, size
 	settings->label = common->input;
 	status = cli_label_scene(scene, size, &modes, from, settings->label, report);
 	common->input = scene;
-	cli_made_as(&common->lane, settings->n, *from);
+	cli_made_as(common, settings->n, *from);
 	if (settings->n == 0)
 		settings->n = modes;
 	return status;
