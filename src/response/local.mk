@@ -83,6 +83,8 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/locus/locus_events.c \
 	%D%/locus/locus_hill.c \
 	%D%/locus/locus_phase.c \
+	%D%/locus/locus_responses.c \
+	%D%/locus/locus_responses.h \
 	%D%/locus/locus_sample.c \
 	%D%/locus/locus_second.c \
 	%D%/locus/locus_system.c \

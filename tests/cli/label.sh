@@ -213,6 +213,8 @@ refuses_like 1 "the motion of the label is at Omega = .*: leave --Omega out" \
 	frf pair.json --over factor.load=0.5:2 --Omega 1.77 --from-label pair-frf.json#2
 refuses_like 1 "a motion of several periods of the load is followed over the frequency only" \
 	frf cascade.json --over factor.load=0.5:2 --from-label cascade-frf.json#16
+refuses_like 1 "a motion of several periods of the load is followed over the frequency only: hawser frf" \
+	locus cascade.json --from 1.6 --to 0.7 --from-label cascade-frf.json#16
 cat >half.json <<'END'
 {"n": 1, "periods": 2, "K": [[1]], "D": [[0.4]], "Q": [[0, 0, 0, -1]],
  "harmonics": [{"k": 2, "phase": "cos", "f": [0.25]}]}
