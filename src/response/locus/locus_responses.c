@@ -64,7 +64,8 @@ static enum hawser_status trace_back(struct hawser__locus_responses *all,
 	return trace_one(&all->cover, rom, &back, report);
 }
 
-static enum hawser_status trace_others(struct hawser__locus_responses *all, const struct hawser_rom *rom,
+static enum hawser_status trace_others(struct hawser__locus_responses *all,
+                                       const struct hawser_rom *rom,
                                        const struct hawser_frf_options *choice,
                                        struct hawser_report *report)
 {
