@@ -37,6 +37,7 @@
 #include <hawser/drag.h>
 #include <hawser/tow.h>
 #include <hawser/transient.h>
+#include <hawser/water.h>
 #include <hawser/locus.h>
 #include <hawser/basin.h>
 #include <hawser/lyapunov.h>
@@ -378,6 +379,8 @@ static const struct row {
 	ROW(hawser_transient_place),
 	ROW(hawser_transient_range),
 	ROW(hawser_transient_row),
+	ROW(hawser_water),
+	ROW(hawser_water_level),
 };
 
 size_t hawser_sizeof(const char *name)

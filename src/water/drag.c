@@ -1,4 +1,4 @@
-/* tow/drag.c - drag of a line and of a ring.
+/* water/drag.c - drag of a line and of a ring.
  *
  *   t      unit tangent; p normal part of the flow u, a = u.t its part along the line
  *   P      1 - t t^T, the derivative of t by x' is P/|x'|
@@ -14,7 +14,7 @@
 
 #include <hawser/drag.h>
 
-#include "rod/so3.h"
+#include "core/vec3.h"
 
 #define PI 3.14159265358979323846 /* to the digits of a double */
 
