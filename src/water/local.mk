@@ -1,5 +1,7 @@
 noinst_LTLIBRARIES += %D%/libwater.la
 %C%_libwater_la_SOURCES = \
 	%D%/drag.c \
+	%D%/sea.c \
 	%D%/water.c \
-	%D%/water.h
+	%D%/water.h \
+	%D%/waves.c
