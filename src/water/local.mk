@@ -1,6 +1,9 @@
 noinst_LTLIBRARIES += %D%/libwater.la
 %C%_libwater_la_SOURCES = \
 	%D%/drag.c \
+	%D%/near.c \
+	%D%/near.h \
+	%D%/profile.h \
 	%D%/sea.c \
 	%D%/water.c \
 	%D%/water.h \

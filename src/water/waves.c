@@ -10,6 +10,8 @@
 
 #include <hawser/waves.h>
 
+#include "water/profile.h"
+
 /* Newton's method for f(K) = K tanh K - v with K = k h, v = omega^2 h/g. f is convex below K = 1.2 and
  * nearly linear above, and both starts are above its root: K tanh K > v for K = v/sqrt(tanh v), as tanh
  * is concave. */
@@ -30,63 +32,42 @@ double hawser_wave_number(double omega, double depth, double g)
 	return K/depth;
 }
 
-/* Value of C and S at y above the mean surface and h - depth below it, as the stretching has it. */
-struct profile {
-	double C, S;
-};
-
-static struct profile formula(double k, double y, double h)
+struct hawser__profile hawser__wave_profile(double k, double y, double depth)
 {
-	double up = exp(k*y)/-expm1(-2.0*k*h), back = exp(-2.0*k*(y + h));
+	double up = exp(k*y)/-expm1(-2.0*k*depth), back = exp(-2.0*k*(y + depth));
 
-	return (struct profile){up*(1.0 + back), up*(1.0 - back)};
+	return (struct hawser__profile){up*(1.0 + back), up*(1.0 - back)};
 }
 
-static struct profile profile(double k, double y, const struct hawser_waves *waves)
+double hawser__wave_height(double *beyond, const struct hawser_waves *waves, double y,
+                           double elevation)
 {
-	double h = waves->depth;
-
-	if (y > 0.0 && waves->stretching == HAWSER_STRETCH_EXTRAPOLATE) {
-		struct profile at = formula(k, 0.0, h);
-
-		return (struct profile){at.C + k*y*at.S, at.S + k*y*at.C};
-	}
-	return formula(k, y, h);
-}
-
-/* The height above the mean surface at which the formulas are taken, for y above it. */
-static double taken(const struct hawser_waves *waves, double y, double elevation)
-{
-	double h = waves->depth;
-
+	*beyond = waves->stretching == HAWSER_STRETCH_EXTRAPOLATE ? fmax(y, 0.0) : 0.0;
 	if (waves->stretching == HAWSER_STRETCH_WHEELER)
-		y = (y - elevation)/(1.0 + elevation/h);
-	else if (waves->stretching == HAWSER_STRETCH_VERTICAL)
+		y = (y - elevation)/(1.0 + elevation/waves->depth);
+	else if (waves->stretching != HAWSER_STRETCH_NONE)
 		y = fmin(y, 0.0);
-	return fmax(y, -h);
+	return fmax(y, -waves->depth);
 }
 
-/* The factor by which the waves grow, and its rate. */
-static double growth(double *rate, double t, double ramp)
+double hawser__wave_growth(double *rate, const struct hawser_waves *waves, double t)
 {
-	double q = t/ramp;
+	double q = t/waves->ramp;
 
 	*rate = 0.0;
-	if (ramp <= 0.0 || q >= 1.0)
+	if (waves->ramp <= 0.0 || q >= 1.0)
 		return 1.0;
 	if (q <= 0.0)
 		return 0.0;
-	*rate = 30.0*q*q*(1.0 - q)*(1.0 - q)/ramp;
+	*rate = 30.0*q*q*(1.0 - q)*(1.0 - q)/waves->ramp;
 	return q*q*q*(10.0 - 15.0*q + 6.0*q*q);
 }
 
 double hawser_waves_elevation(const struct hawser_waves *waves, const double x[3], double t)
 {
-	double rate, grown = growth(&rate, t, waves->ramp), eta = 0.0;
+	double rate, grown = hawser__wave_growth(&rate, waves, t), eta = 0.0;
 	double s = waves->along[0]*x[0] + waves->along[1]*x[2];
 
-	if (grown == 0.0)
-		return 0.0;
 	for (int i = 0; i < waves->count; i++) {
 		const struct hawser_wave *wave = &waves->wave[i];
 
@@ -95,33 +76,35 @@ double hawser_waves_elevation(const struct hawser_waves *waves, const double x[3
 	return grown*eta;
 }
 
+void hawser__wave_flow(struct hawser_wave_flow *flow, const struct hawser_waves *waves,
+                       const double u[2], const double du[2], double t)
+{
+	double rate, grown = hawser__wave_growth(&rate, waves, t);
+	const double along[3] = {waves->along[0], 1.0, waves->along[1]};
+
+	for (int k = 0; k < 3; k++) {
+		flow->u[k] = along[k]*grown*u[k & 1];
+		flow->du[k] = along[k]*(grown*du[k & 1] + rate*u[k & 1]);
+	}
+}
+
 void hawser_waves_at(struct hawser_wave_flow *flow, const struct hawser_waves *waves,
                      const double x[3], double t)
 {
-	double rate, grown = growth(&rate, t, waves->ramp);
-	double s = waves->along[0]*x[0] + waves->along[1]*x[2], u[2] = {0.0}, du[2] = {0.0}, y;
+	double s = waves->along[0]*x[0] + waves->along[1]*x[2], u[2] = {0.0}, du[2] = {0.0}, y, beyond;
 
 	flow->elevation = hawser_waves_elevation(waves, x, t);
-	y = taken(waves, x[1] - waves->surface, flow->elevation);
-	for (int i = 0; grown > 0.0 && i < waves->count; i++) {
+	y = hawser__wave_height(&beyond, waves, x[1] - waves->surface, flow->elevation);
+	for (int i = 0; i < waves->count; i++) {
 		const struct hawser_wave *wave = &waves->wave[i];
-		struct profile at = profile(wave->k, y, waves);
+		struct hawser__profile at = hawser__wave_profile(wave->k, y, waves->depth);
 		double q = wave->k*s - wave->omega*t + wave->phase, rise = wave->amplitude*wave->omega;
-		double c = rise*cos(q), sn = rise*sin(q);
+		double A = rise*(at.C + wave->k*beyond*at.S), B = rise*(at.S + wave->k*beyond*at.C);
 
-		u[0] += at.C*c;
-		u[1] += at.S*sn;
-		du[0] += at.C*wave->omega*sn;
-		du[1] -= at.S*wave->omega*c;
+		u[0] += A*cos(q);
+		u[1] += B*sin(q);
+		du[0] += wave->omega*A*sin(q);
+		du[1] -= wave->omega*B*cos(q);
 	}
-	for (int k = 0; k < 2; k++) {
-		du[k] = grown*du[k] + rate*u[k];
-		u[k] *= grown;
-	}
-	for (int k = 0; k < 3; k += 2) {
-		flow->u[k] = waves->along[k/2]*u[0];
-		flow->du[k] = waves->along[k/2]*du[0];
-	}
-	flow->u[1] = u[1];
-	flow->du[1] = du[1];
+	hawser__wave_flow(flow, waves, u, du, t);
 }

@@ -8,6 +8,8 @@
 
 #include <hawser/waves.h>
 
+#include "water/near.h"
+
 #include "tests/tap.h"
 
 static struct hawser_waves make(const struct hawser_waves_given *given)
@@ -183,6 +185,46 @@ static void seas(void)
 	}
 }
 
+/* Places that move, and times that go back once: against the direct sum, over the standard deviations
+ * of the sea at the surface, sigma and sigma omega. */
+static void near(void)
+{
+	for (int i = 0; i < 4; i++) {
+		struct hawser_waves waves = make(&(struct hawser_waves_given){
+			.Hs = 3.1, .Tp = 9.7, .depth = i & 1 ? INFINITY : 61.0, .seed = i, .heading = -0.7,
+			.components = 60, .surface = 1.7, .ramp = 7.0,
+			.stretching = (enum hawser_wave_stretching)i});
+		double omega = waves.wave[30].omega, error[3] = {0.0};
+		struct hawser_report report = {0};
+		struct hawser__near *places;
+
+		if (hawser__near_open(&places, &waves, 3, &report) != HAWSER_OK) {
+			ok(0, "%s", report.message);
+			return;
+		}
+		for (int n = 0; n < 150; n++) {
+			double t = 0.083*n + (n == 100 ? -5.0 : 0.0);
+			const double x[3] = {400.0*(n%3) + 3.0*sin(0.57*t), 2.0*cos(t) - 25.0*(n%3), 7.0};
+			struct hawser_wave_flow got, want;
+
+			hawser__near_at(&got, places, n%3, x, t);
+			hawser_waves_at(&want, &waves, x, t);
+			for (int k = 0; k < 3; k++) {
+				error[0] = fmax(error[0], fabs(got.u[k] - want.u[k]));
+				error[1] = fmax(error[1], fabs(got.du[k] - want.du[k])/omega);
+			}
+			error[2] = fmax(error[2], omega*fabs(got.elevation - want.elevation));
+		}
+		for (int k = 0; k < 3; k++)
+			error[k] /= omega*3.1/4.0;
+		ok(error[0] < 5e-5 && error[1] < 5e-5 && error[2] < 5e-5,
+		   "near places, stretching %d: u %.1e, du %.1e, elevation %.1e", i, error[0], error[1],
+		   error[2]);
+		hawser__near_free(places);
+		hawser_waves_clear(&waves);
+	}
+}
+
 static void refused(void)
 {
 	const struct hawser_waves_given given[] = {
@@ -210,6 +252,7 @@ CASE(unit_waves)
 	differences();
 	spectrum();
 	seas();
+	near();
 	refused();
 	return done_testing();
 }
