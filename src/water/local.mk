@@ -1,6 +1,8 @@
 noinst_LTLIBRARIES += %D%/libwater.la
 %C%_libwater_la_SOURCES = \
 	%D%/drag.c \
+	%D%/linear.c \
+	%D%/linear.h \
 	%D%/near.c \
 	%D%/near.h \
 	%D%/profile.h \
