@@ -380,7 +380,9 @@ static const struct row {
 	ROW(hawser_transient_range),
 	ROW(hawser_transient_row),
 	ROW(hawser_water),
+	ROW(hawser_water_buoy),
 	ROW(hawser_water_level),
+	ROW(hawser_water_line),
 };
 
 size_t hawser_sizeof(const char *name)
