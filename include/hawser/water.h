@@ -25,6 +25,22 @@ struct hawser_water {
 	int levels;     /* 0: no current */
 };
 
+/* A round line in the water. Coefficients of the drag are referred to the diameter and to the surface
+ * (drag.h), those of the added mass to the mass of the water that the line displaces. */
+struct hawser_water_line {
+	double diameter;                       /* m */
+	double normal, tangential;             /* drag: cn, ct */
+	double added_normal, added_tangential; /* added mass */
+};
+
+/* A body at a node: a sphere, where the surface cuts it. */
+struct hawser_water_buoy {
+	double mass;   /* kg */
+	double volume; /* m^3 */
+	double CdA;    /* m^2: coefficient of the drag times area */
+	double added;  /* added mass over that of the water that it displaces */
+};
+
 /* Velocity u[3] (m/s) and, unless NULL, acceleration du[3] (m/s^2) of the water at a place x[3] (m)
  * below the surface and a time t (s). */
 void hawser_water_at(double u[3], double du[3], const struct hawser_water *water, const double x[3],

@@ -48,6 +48,17 @@ void hawser_drag_line(double f[3], double (*f_u)[3], double (*f_x)[3], const str
 		}
 }
 
+void hawser_drag_body(double f[3], double (*f_u)[3], double c, const double u[3])
+{
+	double speed = hawser__norm(u);
+
+	for (int i = 0; i < 3; i++) {
+		f[i] = c*speed*u[i];
+		for (int j = 0; f_u && j < 3; j++)
+			f_u[i][j] = c*((i == j ? speed : 0.0) + (speed > 0.0 ? u[i]*(u[j]/speed) : 0.0));
+	}
+}
+
 /* Two unit vectors normal to a unit vector and to each other. */
 static void normals(double *e, double *g, const double *axis)
 {
