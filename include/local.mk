@@ -68,4 +68,5 @@ pkginclude_HEADERS = \
 	%D%/hawser/trajectory.h \
 	%D%/hawser/transient.h \
 	%D%/hawser/water.h \
+	%D%/hawser/waves.h \
 	%D%/hawser/accuracy.h

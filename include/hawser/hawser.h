@@ -20,6 +20,7 @@
 #include <hawser/campbell.h>
 #include <hawser/surface.h>
 #include <hawser/drag.h>
+#include <hawser/waves.h>
 #include <hawser/water.h>
 #include <hawser/net.h>
 #include <hawser/net_equilibria.h>

@@ -38,6 +38,7 @@
 #include <hawser/tow.h>
 #include <hawser/transient.h>
 #include <hawser/water.h>
+#include <hawser/waves.h>
 #include <hawser/locus.h>
 #include <hawser/basin.h>
 #include <hawser/lyapunov.h>
@@ -382,7 +383,15 @@ static const struct row {
 	ROW(hawser_water),
 	ROW(hawser_water_buoy),
 	ROW(hawser_water_level),
+<<<<<<< HEAD
+	ROW(hawser_jonswap),
+	ROW(hawser_wave),
+	ROW(hawser_wave_flow),
+	ROW(hawser_waves),
+	ROW(hawser_waves_given),
+=======
 	ROW(hawser_water_line),
+>>>>>>> a67
 };
 
 size_t hawser_sizeof(const char *name)
