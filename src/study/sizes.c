@@ -383,15 +383,12 @@ static const struct row {
 	ROW(hawser_water),
 	ROW(hawser_water_buoy),
 	ROW(hawser_water_level),
-<<<<<<< HEAD
 	ROW(hawser_jonswap),
 	ROW(hawser_wave),
 	ROW(hawser_wave_flow),
 	ROW(hawser_waves),
 	ROW(hawser_waves_given),
-=======
 	ROW(hawser_water_line),
->>>>>>> a67
 };
 
 size_t hawser_sizeof(const char *name)

@@ -8,10 +8,6 @@ noinst_LTLIBRARIES += %D%/libwater.la
 	%D%/profile.h \
 	%D%/sea.c \
 	%D%/water.c \
-<<<<<<< HEAD
 	%D%/water.h \
-	%D%/waves.c
-=======
-	%D%/wet.c \
-	%D%/water.h
->>>>>>> a67
+	%D%/waves.c \
+	%D%/wet.c
