@@ -33,19 +33,6 @@ static void keep(struct hawser__net_work *work)
 	memcpy(work->start, work->mesh->q, (size_t)work->mesh->nodes*sizeof *work->start);
 }
 
-static enum hawser_status newton(struct hawser__net_work *work, int *done, struct hawser_report *report)
-{
-	enum hawser_status status;
-
-	work->rest = INFINITY; /* of other loads */
-	work->mesh->water->follows = 1;
-	hawser__water_load(work->mesh);
-	status = work->mesh->touches ? hawser__touch_newton(work, done, report)
-	                             : hawser__net_finish(work, done, report);
-	work->mesh->water->follows = 0;
-	return status;
-}
-
 /* With the loads of where it is. */
 static enum hawser_status frozen(struct hawser__net_work *work, const struct hawser__net_method *method,
                                  int *done, struct hawser_report *report)
@@ -72,6 +59,27 @@ static void go_back(struct hawser__net_work *work, const struct kept *kept)
 	hawser__water_load(mesh);
 }
 
+/* Newton's method from here, and back where it fails. */
+static enum hawser_status newton(struct hawser__net_work *work, int *done, const struct kept *kept,
+                                 struct hawser_report *report)
+{
+	const struct hawser__mesh *mesh = work->mesh;
+	enum hawser_status status;
+
+	keep(work);
+	memcpy(kept->N, work->N, (size_t)mesh->elements*sizeof *kept->N);
+	memcpy(kept->touch, mesh->touch, (size_t)mesh->touches*sizeof *kept->touch);
+	work->rest = INFINITY; /* of other loads */
+	mesh->water->follows = 1;
+	hawser__water_load(work->mesh);
+	status = mesh->touches ? hawser__touch_newton(work, done, report)
+	                             : hawser__net_finish(work, done, report);
+	mesh->water->follows = 0;
+	if (!status && !*done)
+		go_back(work, kept);
+	return status;
+}
+
 /* A step to this part of the current and this band, from the last equilibrium: by Newton's method
  * or, where that fails, by a damped motion. */
 static enum hawser_status step(struct hawser__net_work *work, int *done, double part, double band,
@@ -82,13 +90,9 @@ static enum hawser_status step(struct hawser__net_work *work, int *done, double 
 
 	mesh->water->part = part;
 	mesh->water->band = band;
-	keep(work);
-	memcpy(kept->N, work->N, (size_t)mesh->elements*sizeof *kept->N);
-	memcpy(kept->touch, mesh->touch, (size_t)mesh->touches*sizeof *kept->touch);
-	status = newton(work, done, report);
+	status = newton(work, done, kept, report);
 	if (status || *done)
 		return status;
-	go_back(work, kept);
 	mesh->water->follows = 1;
 	status = hawser__touch_flow(work, done, report);
 	mesh->water->follows = 0;
@@ -128,25 +132,24 @@ enum hawser_status hawser__water_statics(struct hawser__net_work *work,
                                          const struct hawser__net_method *method, int *done,
                                          struct hawser_report *report)
 {
-	struct kept kept;
-	enum hawser_status status = HAWSER_OK;
+	struct kept kept = {
+		.N = malloc((size_t)work->mesh->elements*sizeof *kept.N),
+		.touch = malloc(((size_t)work->mesh->touches + 1)*sizeof *kept.touch)};
+	enum hawser_status status = kept.N && kept.touch ? HAWSER_OK : hawser__no_memory(report, "net");
 
 	*done = 0;
 	for (int round = 0; round < ROUNDS && !status && !*done; round++) {
 		status = frozen(work, method, done, report);
 		if (!status)
-			status = newton(work, done, report);
+			status = newton(work, done, &kept, report);
 	}
-	if (status || *done)
-		return status;
-	kept.N = malloc((size_t)work->mesh->elements*sizeof *kept.N);
-	kept.touch = malloc(((size_t)work->mesh->touches + 1)*sizeof *kept.touch);
-	work->mesh->water->part = 0.0;
-	work->mesh->water->band = work->reach;
-	status = kept.N && kept.touch ? frozen(work, method, done, report)
-	                              : hawser__no_memory(report, "net");
-	if (!status)
-		status = grow(work, done, &kept, report);
+	if (!status && !*done) {
+		work->mesh->water->part = 0.0;
+		work->mesh->water->band = work->reach;
+		status = frozen(work, method, done, report);
+		if (!status)
+			status = grow(work, done, &kept, report);
+	}
 	free(kept.N);
 	free(kept.touch);
 	return status;
