@@ -253,6 +253,9 @@ static enum hawser_status prepare(struct run *run, struct hawser_report *report)
 	const struct hawser_net_motion_options *options = run->options;
 	enum hawser_status status = check(run->net, report);
 
+	if (!status && run->net->water.density > 0.0)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s: motions do not know water yet",
+		                      run->net->name);
 	if (status)
 		return status;
 	if (!(options->until > 0.0) || !isfinite(options->until))

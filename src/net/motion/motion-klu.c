@@ -209,6 +209,13 @@ void hawser__klu_element(struct hawser__klu *klu, int element, const double B[9]
 	}
 }
 
+void hawser__klu_ends(struct hawser__klu *klu, int element, const double block[6][6], double factor)
+{
+	for (int k = 0; k < ENTRIES; k++)
+		if (klu->at[element][k] >= 0)
+			klu->x[klu->at[element][k]] += factor*block[k/6][k%6];
+}
+
 void hawser__klu_node(struct hawser__klu *klu, int element, int end, const double block[3][3])
 {
 	for (int k = 0; k < 9; k++) {

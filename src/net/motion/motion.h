@@ -90,6 +90,8 @@ void hawser__klu_forget(struct hawser__klu *klu);
  * is 0 where the matrix is singular. */
 void hawser__klu_zero(struct hawser__klu *klu);
 void hawser__klu_element(struct hawser__klu *klu, int element, const double B[9], const double mass[2]);
+/* Add a multiple of a block over both ends of an element. */
+void hawser__klu_ends(struct hawser__klu *klu, int element, const double block[6][6], double factor);
 void hawser__klu_node(struct hawser__klu *klu, int element, int end, const double block[3][3]);
 enum hawser_status hawser__klu_divide(double *x, int *good, struct hawser__klu *klu,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
