@@ -11,7 +11,7 @@
  * modes. Where modes veer too fast or something begins within the range, it does not converge, and
  * each model is made.
  *
- * Entries that are zero at some places have a value in all models.
+ * Entries that are zero in some models have a value in all, but for those that are round-off.
  *
  * Reference: Berrut and Trefethen, SIAM Review 46 (2004) 501.
  *
@@ -31,7 +31,7 @@
 #include "rom/energy/kernel.h"
 
 enum { PATIENCE = 24, /* models that are made before: fewer than interpolation takes */
-	FIRST = 8, MOST = 64, KEPT = 8, TAIL = 3, PARTS = 400 };
+	FIRST = 8, MOST = 128, KEPT = 8, TAIL = 3, PARTS = 400 };
 #define ROUND_OFF 2e-11  /* of the modes (EXACT in study/map/family.c), relative */
 #define FASTER 0.1       /* least ratio of the errors of a degree and the one before; chosen */
 #define BEYOND 0.01      /* of the range, to which derivatives and corrections lead; chosen */
@@ -195,57 +195,99 @@ static int by_term(const void *a, const void *b)
 	return order(a, b, 3 + HAWSER_TERM_FACTORS);
 }
 
+static double *value_of(const struct list *list, void *array, size_t e)
+{
+	return (double *)(void *)((char *)array + e*list->size + list->value);
+}
+
+/* The order of an entry of terms, whose values differ by powers of the unit of length; 0 of others. */
+static int order_of(const struct list *list, const char *entry)
+{
+	return list->key > 4 ? ((const int *)(const void *)entry)[1] : 0;
+}
+
+/* Of `count` sorted entries, one of each kind, with its largest value; what is round-off against the
+ * largest of its order is left out, since it would break a symmetry of the model. Returns how many there
+ * are. */
+static size_t keep_kinds(const struct list *list, char *all, size_t count,
+                         int (*compare)(const void *, const void *))
+{
+	double most[HAWSER_TERM_FACTORS + 1] = {0.0};
+	size_t kinds = 0, kept = 0;
+
+	for (size_t e = 0; e < count; e++) {
+		char *entry = all + e*list->size;
+		double size = fabs(*value_of(list, all, e));
+		int order;
+
+		if (kinds > 0 && !compare(entry, all + (kinds - 1)*list->size))
+			size = fmax(size, *value_of(list, all, kinds - 1));
+		else
+			memmove(all + kinds++*list->size, entry, list->size);
+		*value_of(list, all, kinds - 1) = size;
+		order = order_of(list, all + (kinds - 1)*list->size);
+		most[order] = fmax(size, most[order]);
+	}
+	for (size_t e = 0; e < kinds; e++)
+		if (*value_of(list, all, e) > ROUND_OFF*most[order_of(list, all + e*list->size)])
+			memmove(all + kept++*list->size, all + e*list->size, list->size);
+	return kept;
+}
+
+/* The list gets these entries, with zeros for those that it has not; 0: memory is short. */
+static int give_kinds(const struct list *list, const char *kinds, size_t count,
+                      int (*compare)(const void *, const void *))
+{
+	char *own = malloc((count + 1)*list->size);
+
+	if (!own)
+		return 0;
+	memcpy(own, kinds, count*list->size);
+	for (size_t e = 0; e < count; e++)
+		*value_of(list, own, e) = 0.0;
+	for (size_t e = 0; e < (size_t)*list->count; e++) {
+		char *to = bsearch((char *)*list->array + e*list->size, own, count, list->size, compare);
+
+		if (to)
+			*value_of(list, to, 0) += *value_of(list, *list->array, e);
+	}
+	free(*list->array);
+	*list->array = own;
+	*list->count = (int)count;
+	return 1;
+}
+
 /* Give list i of each model the entries that it has in any; 0: memory is short. */
 static int unify(struct hawser_rom *const rom[], int roms, int i)
 {
 	struct list list = {0};
-	size_t most = 0, count = 0;
-	int (*compare)(const void *, const void *);
-	char *all;
+	size_t count = 0;
+	int (*compare)(const void *, const void *), good = 1;
+	char *all = NULL;
 
 	for (int r = 0; r < roms; r++) {
+		char *more;
+
 		(void)list_of(&list, rom[r], i);
-		most += (size_t)*list.count;
-	}
-	compare = list.key == 3 ? by_three : list.key == 4 ? by_four : by_term;
-	all = calloc(most + 1, list.size);
-	for (int r = 0; all && r < roms; r++) {
-		(void)list_of(&list, rom[r], i);
+		more = realloc(all, (count + (size_t)*list.count + 1)*list.size);
+		if (!more) {
+			free(all);
+			return 0;
+		}
+		all = more;
 		if (*list.count > 0)
 			memcpy(all + count*list.size, *list.array, (size_t)*list.count*list.size);
 		count += (size_t)*list.count;
 	}
-	if (!all)
-		return 0;
+	compare = list.key == 3 ? by_three : list.key == 4 ? by_four : by_term;
 	qsort(all, count, list.size, compare);
-	most = count;
-	count = 0;
-	for (size_t e = 0; e < most; e++)
-		if (count == 0 || compare(all + (count - 1)*list.size, all + e*list.size))
-			memmove(all + count++*list.size, all + e*list.size, list.size);
-	for (size_t e = 0; e < count; e++)
-		*(double *)(void *)(all + e*list.size + list.value) = 0.0;
-	for (int r = 0; r < roms; r++) {
-		char *own = malloc((count + 1)*list.size);
-
+	count = keep_kinds(&list, all, count, compare);
+	for (int r = 0; good && r < roms; r++) {
 		(void)list_of(&list, rom[r], i);
-		if (!own) {
-			free(all);
-			return 0;
-		}
-		memcpy(own, all, count*list.size);
-		for (int e = 0; e < *list.count; e++) {
-			const char *entry = (const char *)*list.array + (size_t)e*list.size;
-			char *to = bsearch(entry, own, count, list.size, compare);
-
-			*(double *)(void *)(to + list.value) += *(const double *)(const void *)(entry + list.value);
-		}
-		free(*list.array);
-		*list.array = own;
-		*list.count = (int)count;
+		good = give_kinds(&list, all, count, compare);
 	}
 	free(all);
-	return 1;
+	return good;
 }
 
 /* --- interpolation --- */
