@@ -11,8 +11,6 @@
  * modes. Where modes veer too fast or something begins within the range, it does not converge, and
  * each model is made.
  *
- * Entries that are zero in some models have a value in all, but for those that are round-off.
- *
  * Reference: Berrut and Trefethen, SIAM Review 46 (2004) 501.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -20,19 +18,15 @@
 
 #include <cblas.h>
 #include <math.h>
-#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <hawser/law.h>
-
 #include "core/report.h"
+#include "response/family/numbers.h"
 #include "response/family/smooth.h"
-#include "rom/energy/kernel.h"
 
 enum { PATIENCE = 24, /* models that are made before: fewer than interpolation takes */
-	FIRST = 8, MOST = 128, KEPT = 8, TAIL = 3, PARTS = 400 };
-#define ROUND_OFF 2e-11  /* of the modes (EXACT in study/map/family.c), relative */
+	FIRST = 8, MOST = 128, KEPT = 8, TAIL = 3 };
 #define FASTER 0.1       /* least ratio of the errors of a degree and the one before; chosen */
 #define BEYOND 0.01      /* of the range, to which derivatives and corrections lead; chosen */
 
@@ -48,76 +42,6 @@ struct hawser__smooth_models {
 	long used[KEPT], calls;
 };
 
-/* --- the numbers of a model --- */
-
-/* `count` numbers, `stride` bytes apart. */
-struct part {
-	char *at;
-	size_t count, stride;
-};
-
-struct parts {
-	int count;
-	struct part part[PARTS];
-};
-
-static void take_part(struct parts *parts, void *at, size_t count, size_t stride)
-{
-	if (at && count > 0 && parts->count < PARTS)
-		parts->part[parts->count++] = (struct part){at, count, stride};
-}
-
-static void plain(struct parts *parts, double *at, size_t count)
-{
-	take_part(parts, at, count, sizeof *at);
-}
-
-static void list_parts(struct parts *parts, struct hawser_rom *rom)
-{
-	size_t n = (size_t)rom->n, pairs = n*(n + 1)/2;
-	size_t points = (size_t)rom->shapes.points, line = (size_t)rom->line.points;
-
-	parts->count = 0;
-	plain(parts, rom->K, n*n);
-	plain(parts, rom->D, n*n);
-	plain(parts, rom->mass, n*n);
-	plain(parts, rom->carried, n*n);
-	take_part(parts, rom->Q ? &rom->Q->value : NULL, (size_t)rom->quads, sizeof *rom->Q);
-	take_part(parts, rom->C ? &rom->C->value : NULL, (size_t)rom->cubics, sizeof *rom->C);
-	take_part(parts, rom->term ? &rom->term->value : NULL, (size_t)rom->terms, sizeof *rom->term);
-	for (int h = 0; h < rom->harmonics; h++) {
-		struct hawser_harmonic *one = &rom->harmonic[h];
-
-		plain(parts, one->f, n);
-		plain(parts, one->D, n*n);
-		plain(parts, one->K, n*n);
-		take_part(parts, one->Q ? &one->Q->value : NULL, (size_t)one->quads, sizeof *one->Q);
-		take_part(parts, one->term ? &one->term->value : NULL, (size_t)one->terms,
-		          sizeof *one->term);
-		plain(parts, one->answer, HAWSER__ANSWER(rom));
-		plain(parts, one->answer_line, HAWSER__ANSWER_LINE(rom));
-	}
-	plain(parts, &rom->length, 1);
-	plain(parts, &rom->time, 1);
-	plain(parts, &rom->force, 1);
-	plain(parts, rom->shapes.s, points);
-	plain(parts, rom->shapes.tangent, 2*points);
-	plain(parts, rom->shapes.stretch, points);
-	plain(parts, rom->shapes.shape, 3*n*points);
-	plain(parts, rom->shapes.slope, 3*n*points);
-	plain(parts, rom->shapes.second_shape, 3*pairs*points);
-	plain(parts, rom->shapes.second_slope, 3*pairs*points);
-	plain(parts, &rom->shapes.mach2, 1);
-	plain(parts, &rom->shapes.EA, 1);
-	plain(parts, rom->shapes.axes[0], 9);
-	plain(parts, rom->line.s, line);
-	plain(parts, rom->line.stretch, line);
-	plain(parts, rom->line.slope, 3*n*line);
-	plain(parts, rom->line.second_slope, 3*pairs*line);
-	plain(parts, rom->contacts.turn, n*(size_t)rom->contacts.count);
-	take_part(parts, rom->range ? &rom->range->largest : NULL, n, sizeof *rom->range);
-}
-
 /* A model that has something else that depends on the parameter. */
 static int has_more(const struct hawser_rom *rom)
 {
@@ -125,169 +49,13 @@ static int has_more(const struct hawser_rom *rom)
 	       rom->first || rom->exact;
 }
 
-static int same_parts(const struct parts *a, const struct parts *b)
+static int same_parts(const struct hawser__number_parts *a, const struct hawser__number_parts *b)
 {
 	int i = 0;
 
 	while (i < a->count && i < b->count && a->part[i].count == b->part[i].count)
 		i++;
-	return a->count == b->count && i == a->count && i < PARTS;
-}
-
-static double *number(const struct part *part, size_t i)
-{
-	return (double *)(void *)(part->at + i*part->stride);
-}
-
-/* --- lists with the same entries --- */
-
-/* Entries begin with `key` integers. */
-struct list {
-	void **array;
-	int *count, key;
-	size_t size, value; /* bytes, of an entry and before its value */
-};
-
-enum { OWN = 3, EACH = 2 };
-
-/* List i of a model: its Q, C and terms, then those of harmonics; 0: there are no more. */
-static int list_of(struct list *list, struct hawser_rom *rom, int i)
-{
-	struct hawser_harmonic *h = i < OWN ? NULL : &rom->harmonic[(i - OWN)/EACH];
-	int is_term = h ? (i - OWN)%EACH : i == 2;
-
-	if (i >= OWN + EACH*rom->harmonics)
-		return 0;
-	if (is_term)
-		*list = (struct list){h ? (void **)&h->term : (void **)&rom->term, h ? &h->terms : &rom->terms,
-			3 + HAWSER_TERM_FACTORS, sizeof(struct hawser_term), offsetof(struct hawser_term, value)};
-	else if (i == 1)
-		*list = (struct list){(void **)&rom->C, &rom->cubics, 4, sizeof(struct hawser_cubic),
-			offsetof(struct hawser_cubic, value)};
-	else
-		*list = (struct list){h ? (void **)&h->Q : (void **)&rom->Q, h ? &h->quads : &rom->quads, 3,
-			sizeof(struct hawser_quad), offsetof(struct hawser_quad, value)};
-	return 1;
-}
-
-static int order(const void *a, const void *b, int key)
-{
-	const int *left = a, *right = b;
-	int i = 0;
-
-	while (i < key && left[i] == right[i])
-		i++;
-	return i == key ? 0 : left[i] < right[i] ? -1 : 1;
-}
-
-static int by_three(const void *a, const void *b)
-{
-	return order(a, b, 3);
-}
-
-static int by_four(const void *a, const void *b)
-{
-	return order(a, b, 4);
-}
-
-static int by_term(const void *a, const void *b)
-{
-	return order(a, b, 3 + HAWSER_TERM_FACTORS);
-}
-
-static double *value_of(const struct list *list, void *array, size_t e)
-{
-	return (double *)(void *)((char *)array + e*list->size + list->value);
-}
-
-/* The order of an entry of terms, whose values differ by powers of the unit of length; 0 of others. */
-static int order_of(const struct list *list, const char *entry)
-{
-	return list->key > 4 ? ((const int *)(const void *)entry)[1] : 0;
-}
-
-/* Of `count` sorted entries, one of each kind, with its largest value; what is round-off against the
- * largest of its order is left out, since it would break a symmetry of the model. Returns how many there
- * are. */
-static size_t keep_kinds(const struct list *list, char *all, size_t count,
-                         int (*compare)(const void *, const void *))
-{
-	double most[HAWSER_TERM_FACTORS + 1] = {0.0};
-	size_t kinds = 0, kept = 0;
-
-	for (size_t e = 0; e < count; e++) {
-		char *entry = all + e*list->size;
-		double size = fabs(*value_of(list, all, e));
-		int order;
-
-		if (kinds > 0 && !compare(entry, all + (kinds - 1)*list->size))
-			size = fmax(size, *value_of(list, all, kinds - 1));
-		else
-			memmove(all + kinds++*list->size, entry, list->size);
-		*value_of(list, all, kinds - 1) = size;
-		order = order_of(list, all + (kinds - 1)*list->size);
-		most[order] = fmax(size, most[order]);
-	}
-	for (size_t e = 0; e < kinds; e++)
-		if (*value_of(list, all, e) > ROUND_OFF*most[order_of(list, all + e*list->size)])
-			memmove(all + kept++*list->size, all + e*list->size, list->size);
-	return kept;
-}
-
-/* The list gets these entries, with zeros for those that it has not; 0: memory is short. */
-static int give_kinds(const struct list *list, const char *kinds, size_t count,
-                      int (*compare)(const void *, const void *))
-{
-	char *own = malloc((count + 1)*list->size);
-
-	if (!own)
-		return 0;
-	memcpy(own, kinds, count*list->size);
-	for (size_t e = 0; e < count; e++)
-		*value_of(list, own, e) = 0.0;
-	for (size_t e = 0; e < (size_t)*list->count; e++) {
-		char *to = bsearch((char *)*list->array + e*list->size, own, count, list->size, compare);
-
-		if (to)
-			*value_of(list, to, 0) += *value_of(list, *list->array, e);
-	}
-	free(*list->array);
-	*list->array = own;
-	*list->count = (int)count;
-	return 1;
-}
-
-/* Give list i of each model the entries that it has in any; 0: memory is short. */
-static int unify(struct hawser_rom *const rom[], int roms, int i)
-{
-	struct list list = {0};
-	size_t count = 0;
-	int (*compare)(const void *, const void *), good = 1;
-	char *all = NULL;
-
-	for (int r = 0; r < roms; r++) {
-		char *more;
-
-		(void)list_of(&list, rom[r], i);
-		more = realloc(all, (count + (size_t)*list.count + 1)*list.size);
-		if (!more) {
-			free(all);
-			return 0;
-		}
-		all = more;
-		if (*list.count > 0)
-			memcpy(all + count*list.size, *list.array, (size_t)*list.count*list.size);
-		count += (size_t)*list.count;
-	}
-	compare = list.key == 3 ? by_three : list.key == 4 ? by_four : by_term;
-	qsort(all, count, list.size, compare);
-	count = keep_kinds(&list, all, count, compare);
-	for (int r = 0; good && r < roms; r++) {
-		(void)list_of(&list, rom[r], i);
-		good = give_kinds(&list, all, count, compare);
-	}
-	free(all);
-	return good;
+	return a->count == b->count && i == a->count && i < HAWSER__PARTS;
 }
 
 /* --- interpolation --- */
@@ -318,7 +86,8 @@ static void combine(struct hawser__smooth_models *of, const double *weight)
 }
 
 /* The largest of the last coefficients, relative to the largest number of its part. */
-static double last_coefficients(struct hawser__smooth_models *of, const struct parts *parts)
+static double last_coefficients(struct hawser__smooth_models *of,
+                                const struct hawser__number_parts *parts)
 {
 	int degree = of->degree;
 	double weight[MOST + 1], worst = 0.0;
@@ -349,17 +118,15 @@ static enum hawser_status gather(struct hawser__smooth_models *of, double *error
                                  struct hawser_rom *const rom[], struct hawser_report *report)
 {
 	int nodes = of->degree + 1;
-	struct parts first, parts;
-	struct list list;
+	struct hawser__number_parts first, parts;
 
 	*error = INFINITY;
 	for (int i = 0; i < nodes; i++)
 		if (has_more(rom[i]) || rom[i]->harmonics != rom[0]->harmonics)
 			return HAWSER_OK;
-	for (int i = 0; list_of(&list, rom[0], i); i++)
-		if (!unify(rom, nodes, i))
-			return hawser__no_memory(report, "frf");
-	list_parts(&first, rom[0]);
+	if (!hawser__same_entries(rom, nodes))
+		return hawser__no_memory(report, "frf");
+	hawser__number_parts(&first, rom[0]);
 	of->numbers = 0;
 	for (int q = 0; q < first.count; q++)
 		of->numbers += first.part[q].count;
@@ -372,12 +139,12 @@ static enum hawser_status gather(struct hawser__smooth_models *of, double *error
 	for (int i = 0; i < nodes; i++) {
 		double *to = of->value + (size_t)i*of->numbers;
 
-		list_parts(&parts, rom[i]);
+		hawser__number_parts(&parts, rom[i]);
 		if (!same_parts(&first, &parts))
 			return HAWSER_OK;
 		for (int q = 0; q < parts.count; q++)
 			for (size_t e = 0; e < parts.part[q].count; e++)
-				*to++ = *number(&parts.part[q], e);
+				*to++ = *hawser__number(&parts.part[q], e);
 	}
 	*error = last_coefficients(of, &first);
 	return HAWSER_OK;
@@ -389,20 +156,15 @@ static enum hawser_status set_model(struct hawser__smooth_models *of, struct haw
 {
 	double weight[MOST + 1];
 	const double *from = of->now;
-	struct parts parts;
-	struct list list, whole;
+	struct hawser__number_parts parts;
 
-	for (int i = 0; list_of(&list, rom, i); i++) {
-		(void)list_of(&whole, &of->pattern, i);
-		memcpy(*list.array, *whole.array, (size_t)*whole.count*whole.size);
-		*list.count = *whole.count;
-	}
+	hawser__copy_entries(rom, &of->pattern);
 	weigh(weight, of->degree, 2.0*(p - of->from)/(of->to - of->from) - 1.0);
 	combine(of, weight);
-	list_parts(&parts, rom);
+	hawser__number_parts(&parts, rom);
 	for (int q = 0; q < parts.count; q++)
 		for (size_t e = 0; e < parts.part[q].count; e++)
-			*number(&parts.part[q], e) = *from++;
+			*hawser__number(&parts.part[q], e) = *from++;
 	return hawser_rom_compile(rom, report);
 }
 
@@ -447,8 +209,8 @@ static enum hawser_status open_models(struct hawser__smooth *smooth,
 	enum hawser_status status = of && made ? HAWSER_OK : hawser__no_memory(report, "frf");
 	double error = 1.0, before = HUGE_VAL;
 
-	for (int degree = FIRST; !status && error > ROUND_OFF && error < FASTER*before && degree <= MOST;
-	     degree *= 2) {
+	for (int degree = FIRST; !status && error > HAWSER__ROUND_OFF && error < FASTER*before &&
+	     degree <= MOST; degree *= 2) {
 		enum hawser_status end = make_nodes(rom, made, degree, maker);
 
 		before = error;
@@ -459,7 +221,7 @@ static enum hawser_status open_models(struct hawser__smooth *smooth,
 		if (!end)
 			status = gather(of, &error, rom, report);
 	}
-	if (!status && error <= ROUND_OFF) {
+	if (!status && error <= HAWSER__ROUND_OFF) {
 		of->from = maker->from;
 		of->to = maker->to;
 		of->pattern = *rom[KEPT];
