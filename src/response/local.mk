@@ -54,6 +54,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/family/factor.c \
 	%D%/family/plane.c \
 	%D%/family/parameter.c \
+	%D%/family/numbers.c %D%/family/numbers.h %D%/family/smooth.c %D%/family/smooth.h \
 	%D%/time/flow.c \
 	%D%/time/flow_drag.c \
 	%D%/time/flow.h \
