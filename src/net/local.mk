@@ -97,6 +97,9 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/touch/touched.c \
 	%D%/touch/touching.c \
 	%D%/water/load.c \
+	%D%/waves/linear.c \
+	%D%/waves/linear.h \
+	%D%/waves/response.c \
 	%D%/water/statics.c \
 	%D%/water/water.h
 # the table of keys, data alone, which the library of the scene has

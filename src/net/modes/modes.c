@@ -259,9 +259,8 @@ static enum hawser_status contacts(struct hawser_net_modes *modes, struct hawser
 	return status;
 }
 
-/* The equilibrium, as hawser statics has it. */
-static enum hawser_status balance(struct hawser__mesh *mesh, double *T, const struct hawser_net *net,
-                                  struct hawser_report *report)
+enum hawser_status hawser__net_balance(struct hawser__mesh *mesh, double *T,
+                                       const struct hawser_net *net, struct hawser_report *report)
 {
 	struct hawser__equilibrium equilibrium;
 	struct hawser__mesh_options settings = {0};
@@ -298,7 +297,7 @@ enum hawser_status hawser__net_modal_open(struct hawser__net_modal *modal, const
 	if (!status && !(modal->T = calloc((size_t)mesh->elements + 1, sizeof *modal->T)))
 		status = hawser__no_memory(report, "net");
 	if (!status)
-		status = balance(mesh, modal->T, net, report);
+		status = hawser__net_balance(mesh, modal->T, net, report);
 	if (!status && axes != HAWSER__NET_SPACE)
 		hawser__mesh_along(mesh, axes);
 	if (!status && mesh->touches)
