@@ -75,6 +75,7 @@ CLI_TESTS = \
 	%D%/cli/published-forced.sh \
 	%D%/cli/unstable.sh \
 	%D%/cli/tow-steady.sh \
+	%D%/cli/mooring-files.sh \
 	%D%/cli/tow.sh \
 	%D%/cli/trajectory.sh \
 	%D%/cli/usage.sh

@@ -6,6 +6,8 @@
 #ifndef HAWSER_WATER_H
 #define HAWSER_WATER_H
 
+#include <hawser/waves.h>
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -23,6 +25,8 @@ struct hawser_water {
 	struct hawser_water_level *current; /* [levels] upwards, linear between, and as at the ends beyond
 	                                     * them; owned */
 	int levels;     /* 0: no current */
+	struct hawser_waves_given given; /* the waves as the scene has them */
+	struct hawser_waves waves; /* [count] 0: none; owned */
 };
 
 /* A round line in the water. Coefficients of the drag are referred to the diameter and to the surface
@@ -41,8 +45,8 @@ struct hawser_water_buoy {
 	double added;  /* added mass over that of the water that it displaces */
 };
 
-/* Velocity u[3] (m/s) and, unless NULL, acceleration du[3] (m/s^2) of the water at a place x[3] (m)
- * below the surface and a time t (s). */
+/* Velocity u[3] (m/s) of current and waves and, unless NULL, acceleration du[3] (m/s^2) of the water at
+ * a place x[3] (m) below the surface and a time t (s). */
 void hawser_water_at(double u[3], double du[3], const struct hawser_water *water, const double x[3],
                      double t);
 

@@ -28,5 +28,6 @@ void hawser_net_clear(struct hawser_net *net)
 		free(net->contact.path[i].x);
 	free(net->contact.path);
 	free(net->water.current);
+	hawser_waves_clear(&net->water.waves);
 	memset(net, 0, sizeof *net);
 }

@@ -96,11 +96,21 @@ static enum hawser_status check(const struct hawser_waves_given *given, struct h
 	int sea = given->Hs > 0.0 && given->Tp > 0.0;
 
 	if (!(given->depth > 0.0))
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "waves", "waves need the depth of the water, "
-		                    "above 0 m (.inf: deep water), not %g m", given->depth);
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "waves", "waves need water.depth, above 0 m "
+		                    "(.inf: deep water), not %g m", given->depth);
 	if (!sea && !(given->height > 0.0 && given->period > 0.0))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "waves", "waves need a height and a period, "
 		                    "or Hs and Tp of a sea, above 0");
+	if (!sea) {
+		double omega = 2.0*acos(-1.0)/given->period;
+		double k = hawser_wave_number(omega, given->depth, given->g);
+		double most = 0.142*2.0*acos(-1.0)/k*tanh(k*given->depth); /* Miche's limit */
+
+		if (given->height > most)
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "waves", "waves of %g s break at a "
+			                    "height of %.3g m, and theirs is %g m", given->period, most,
+			                    given->height);
+	}
 	if (sea && !(given->gamma >= 1.0))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "waves", "gamma of the sea is %g; it is 1 or "
 		                    "more", given->gamma);

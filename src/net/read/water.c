@@ -33,15 +33,33 @@ static enum hawser_status table(struct hawser__reader *reader, struct hawser_wat
 	return status;
 }
 
+static enum hawser_status waves(struct hawser__reader *reader, struct hawser_net *net,
+                                const struct hawser__tree *tree)
+{
+	struct hawser_water *water = &net->water;
+	struct hawser_report why;
+	enum hawser_status status;
+
+	if (!tree)
+		return HAWSER_OK;
+	water->given.depth = water->depth;
+	water->given.surface = water->surface;
+	water->given.g = net->g;
+	status = hawser_waves_make(&water->waves, &water->given, &why);
+	return status == HAWSER_ERR_ARGUMENT
+		? hawser__reader_fail(reader, &tree->at, "water.waves: %s", why.message)
+		: status ? hawser__no_memory(reader->report, "scene") : HAWSER_OK;
+}
+
 enum hawser_status hawser__net_water(struct hawser__reader *reader, struct hawser_net *net,
                                      const struct hawser__tree *tree)
 {
 	const struct hawser__tree *current = hawser__tree_find(tree, "current"), *rows;
 	struct hawser_water *water = &net->water;
-	enum hawser_status status = HAWSER_OK;
+	enum hawser_status status = waves(reader, net, hawser__tree_find(tree, "waves"));
 
-	if (!current)
-		return HAWSER_OK;
+	if (status || !current)
+		return status;
 	rows = hawser__tree_find(current, "table");
 	if (current->kind == HAWSER__MAPPING && (!rows || rows->kind != HAWSER__SEQUENCE || !rows->child))
 		return hawser__reader_fail(reader, &current->at, "water.current must be a velocity, such as "
