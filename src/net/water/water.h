@@ -25,6 +25,27 @@ struct hawser__mesh_water {
 	                         * a hundredth of its diameter */
 };
 
+/* What flows past an end of an element. */
+struct hawser__water_past {
+	double height;     /* m, above the surface */
+	double r[3];       /* m/s, of the water relative to the line */
+	double du[3], a[3]; /* m/s^2, of the water and of the line */
+};
+/* What the water does to an end of an element, and the derivatives of the load. */
+struct hawser__water_end {
+	double load[3], drag[3]; /* N: all, and of it the drag */
+	double mass[3][3];       /* kg: added mass */
+	double by_r[3][3];       /* by the relative velocity */
+	double by_d[3][3];       /* by the vector along the element */
+	double by_y[2][3];       /* by the heights of both ends */
+};
+/* d: vector along element e. */
+void hawser__water_ends(struct hawser__water_end end[2], const struct hawser__mesh *mesh, int e,
+                        const double d[3], const struct hawser__water_past past[2]);
+/* The same of a buoy, without by_d; of by_y the first. */
+void hawser__water_buoy(struct hawser__water_end *end, const struct hawser__mesh *mesh,
+                        const struct hawser_water_buoy *buoy, const struct hawser__water_past *past);
+
 /* Room for it, and what does not change. Nothing without water. */
 enum hawser_status hawser__water_open(struct hawser__mesh *mesh, const struct hawser_net *net,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
