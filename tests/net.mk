@@ -25,6 +25,7 @@ tests_net_SOURCES = tests/cases.c \
 	tests/reference/test-net-modes.c \
 	tests/reference/test-net-motion.c \
 	tests/reference/test-net-round.c \
+	tests/reference/test-net-water-motion.c \
 	tests/reference/test-net-water.c \
 	tests/reference/test-net-waves.c \
 	tests/reference/test-net.c \

@@ -289,9 +289,6 @@ enum hawser_status hawser__net_modal_open(struct hawser__net_modal *modal, const
 	*modes = (struct hawser_net_modes){.nodes = net->nodes};
 	modal->eigen = (struct hawser__eigen){.n = 0};
 	modal->T = NULL;
-	if (!status && net->water.density > 0.0)
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s: modes do not know water yet",
-		                      net->name);
 	if (!status)
 		status = hawser__net_supported(mesh, net, report);
 	if (!status && !(modal->T = calloc((size_t)mesh->elements + 1, sizeof *modal->T)))

@@ -11,6 +11,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -71,6 +72,8 @@ void hawser__water_ends(struct hawser__water_end end[2], const struct hawser__me
 		memcpy(end[i].drag, f, sizeof f);
 		f[1] += m*mesh->g;
 		inertia(f, end[i].by_d, end[i].mass, m, line, d, &past[i]);
+		for (int j = 0; j < 2; j++)
+			end[i].spring[j] = L*wet.by[i][j]*m*mesh->g;
 		for (int k = 0; k < 3; k++) {
 			end[i].load[k] = part*f[k];
 			end[i].drag[k] *= part;
@@ -89,11 +92,14 @@ void hawser__water_buoy(struct hawser__water_end *end, const struct hawser__mesh
                         const struct hawser_water_buoy *buoy, const struct hawser__water_past *past)
 {
 	const double density = mesh->water->of->density;
-	double by, wet = hawser__wet_sphere(&by, 0.0, buoy->volume, past->height);
+	/* of a larger sphere where the band is wider: as much of it is wet */
+	const double larger = fmax(1.0, 0.5*mesh->water->band/fmax(cbrt(0.75*buoy->volume/M_PI), DBL_MIN));
+	double by, wet = hawser__wet_sphere(&by, 0.0, buoy->volume, past->height/larger);
 	double part = buoy->volume > 0.0 ? wet/buoy->volume : past->height < 0.0;
-	double slope = buoy->volume > 0.0 ? by/buoy->volume : 0.0;
+	double slope = buoy->volume > 0.0 ? (by /= larger)/buoy->volume : 0.0;
 
 	memset(end, 0, sizeof *end);
+	end->spring[0] = by*density*mesh->g;
 	hawser_drag_body(end->drag, end->by_r, 0.5*density*buoy->CdA, past->r);
 	for (int k = 0; k < 3; k++) {
 		double inertia = density*((1.0 + buoy->added)*past->du[k] - buoy->added*past->a[k]) +

@@ -22,6 +22,8 @@ static enum hawser_status allocate(struct hawser__mesh *mesh, int buoys, struct 
 	water->line = hawser__hold(&mesh->hold, elements, sizeof *water->line);
 	water->dead = hawser__hold(&mesh->hold, (size_t)mesh->nodes, sizeof *water->dead);
 	water->load = hawser__hold(&mesh->hold, elements, sizeof *water->load);
+	water->mass = hawser__hold(&mesh->hold, elements, sizeof *water->mass);
+	water->spring = hawser__hold(&mesh->hold, elements, sizeof *water->spring);
 	water->slope = hawser__hold(&mesh->hold, elements, sizeof *water->slope);
 	water->buoy = hawser__hold(&mesh->hold, (size_t)buoys + 1, sizeof *water->buoy);
 	return mesh->hold.short_of_memory ? hawser__no_memory(report, "net") : HAWSER_OK;
@@ -88,7 +90,9 @@ static void element(struct hawser__mesh *mesh, int e)
 	for (int i = 0; i < 2; i++)
 		current(&past[i], u_y[i], water, i ? b[1] : a[1]);
 	hawser__water_ends(end, mesh, e, d, past);
-	for (int i = 0; i < 2; i++)
+	for (int i = 0; i < 2; i++) {
+		memcpy(water->mass[e][i], end[i].mass, sizeof end[i].mass);
+		memcpy(water->spring[e][i], end[i].spring, sizeof end[i].spring);
 		for (int k = 0; k < 3; k++) {
 			double *row = water->slope[e][3*i + k];
 
@@ -101,6 +105,7 @@ static void element(struct hawser__mesh *mesh, int e)
 			row[4] += end[i].by_y[1][k];
 			row[3*i + 1] += hawser__dot(end[i].by_r[k], u_y[i]);
 		}
+	}
 }
 
 static void buoy(struct hawser__mesh_buoy *buoy, const struct hawser__mesh *mesh)
@@ -111,6 +116,8 @@ static void buoy(struct hawser__mesh_buoy *buoy, const struct hawser__mesh *mesh
 
 	current(&past, u_y, mesh->water, mesh->q[buoy->node][1]);
 	hawser__water_buoy(&end, mesh, buoy->of, &past);
+	memcpy(buoy->mass, end.mass, sizeof end.mass);
+	buoy->spring = end.spring[0];
 	memset(buoy->slope, 0, sizeof buoy->slope);
 	for (int k = 0; k < 3; k++) {
 		buoy->load[k] = end.load[k];
@@ -134,6 +141,36 @@ void hawser__water_load(struct hawser__mesh *mesh)
 		for (int k = 0; k < 3; k++)
 			mesh->force[water->buoy[i].node][k] += water->buoy[i].load[k];
 	}
+}
+
+int hawser__water_mass(struct hawser__water_mass *at, const struct hawser__mesh *mesh, int j)
+{
+	const struct hawser__mesh_water *water = mesh->water;
+	int buoy = j - 2*mesh->elements;
+
+	if (!water || buoy >= water->buoys)
+		return 0;
+	if (buoy < 0)
+		*at = (struct hawser__water_mass){j/2, j%2, (const double (*)[3])water->mass[j/2][j%2]};
+	else
+		*at = (struct hawser__water_mass){water->buoy[buoy].element, water->buoy[buoy].end,
+		                                  (const double (*)[3])water->buoy[buoy].mass};
+	return 1;
+}
+
+int hawser__water_spring(struct hawser__water_spring *at, const struct hawser__mesh *mesh, int j)
+{
+	const struct hawser__mesh_water *water = mesh->water;
+	int buoy = j - mesh->elements;
+
+	if (!water || buoy >= water->buoys)
+		return 0;
+	*at = (struct hawser__water_spring){.element = buoy < 0 ? j : water->buoy[buoy].element};
+	for (int i = 0; i < 4; i++)
+		at->k[i/2][i%2] = buoy < 0 ? -water->spring[j][i/2][i%2] : 0.0;
+	if (buoy >= 0)
+		at->k[water->buoy[buoy].end][water->buoy[buoy].end] = -water->buoy[buoy].spring;
+	return 1;
 }
 
 int hawser__water_flows(const struct hawser__mesh *mesh)

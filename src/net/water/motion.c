@@ -20,6 +20,7 @@
 #include "core/vec3.h"
 #include "net/motion/motion.h"
 #include "net/water/water.h"
+#include "water/near.h"
 #include "water/water.h"
 
 struct hawser__water_motion {
@@ -30,6 +31,7 @@ struct hawser__water_motion {
 	double *surface;     /* [nodes] m */
 	double part;         /* of the increment, in the places of the step */
 	double lost;         /* W, of the drag at the last residual */
+	struct hawser__near *near; /* NULL: no waves */
 	struct hawser__hold hold;
 };
 
@@ -37,6 +39,7 @@ void hawser__water_motion_clear(struct hawser__water_motion *water)
 {
 	if (!water)
 		return;
+	hawser__near_free(water->near);
 	hawser__hold_clear(&water->hold);
 	free(water);
 }
@@ -63,6 +66,13 @@ enum hawser_status hawser__water_motion_open(struct hawser__motion *motion,
 	motion->other = hawser__hold(&water->hold, (size_t)mesh->elements + 1, sizeof *motion->other);
 	if (water->hold.short_of_memory)
 		return hawser__no_memory(report, "net");
+	if (mesh->water->of->waves.count) {
+		enum hawser_status status = hawser__near_open(&water->near, &mesh->water->of->waves,
+		                                              mesh->nodes, report);
+
+		if (status)
+			return status;
+	}
 	hawser__water_load(mesh); /* at the reference */
 	for (int i = 0; i < mesh->nodes; i++)
 		for (int k = 0; k < 3; k++)
@@ -70,15 +80,28 @@ enum hawser_status hawser__water_motion_open(struct hawser__motion *motion,
 	return HAWSER_OK;
 }
 
-/* The flow at places x [nodes] and a time. */
-static void flow(struct hawser__motion *motion, const double (*x)[3], double t)
+/* The flow at the places and a time. Waves in the steps are found by `near`, without by
+ * hawser_waves_at, as rows must not change what comes later. */
+static void flow(struct hawser__motion *motion, struct hawser__near *near, double t)
 {
 	struct hawser__water_motion *water = motion->water;
 	const struct hawser_water *of = motion->mesh->water->of;
 
 	for (int i = 0; i < motion->nodes; i++) {
-		hawser_water_at(water->u[i], water->du[i], of, x[i], t);
+		struct hawser_wave_flow wave = {.elevation = 0.0};
+		double u_y[3];
+
+		hawser__water_current(water->u[i], u_y, of, water->mid[i][1]);
+		if (near)
+			hawser__near_at(&wave, near, i, water->mid[i], t);
+		else if (of->waves.count)
+			hawser_waves_at(&wave, &of->waves, water->mid[i], t);
+		for (int k = 0; k < 3; k++)
+			water->u[i][k] += wave.u[k];
+		memcpy(water->du[i], wave.du, sizeof wave.du);
 		water->surface[i] = of->surface;
+		if (of->waves.stretching != HAWSER_STRETCH_NONE)
+			water->surface[i] += wave.elevation;
 	}
 }
 
@@ -99,7 +122,7 @@ void hawser__water_prepare(struct hawser__motion *motion, const struct hawser__m
 
 	motion->water->part = part;
 	place(motion, part);
-	flow(motion, (const double (*)[3])motion->water->mid, motion->t + part*h);
+	flow(motion, motion->water->near, motion->t + part*h);
 }
 
 /* What flows past a node with the velocity v and the acceleration a. */
@@ -255,6 +278,6 @@ double hawser__water_row(struct hawser__motion *motion, const double (*a)[3])
 	for (int i = 0; i < motion->nodes; i++)
 		for (int k = 0; k < 3; k++)
 			motion->water->mid[i][k] = motion->reference[i][k] + motion->u[i][k];
-	flow(motion, (const double (*)[3])motion->water->mid, motion->t);
+	flow(motion, NULL, motion->t);
 	return state(motion, a);
 }
