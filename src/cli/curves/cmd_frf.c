@@ -15,6 +15,7 @@
 #include "cli/curves/frf_over.h"
 #include "cli/curves/frf_sweep.h"
 #include "cli/curves/frf_tori.h"
+#include "cli/curves/frf_waves.h"
 #include "cli/model/label.h"
 #include "cli/model/made.h"
 #include "cli/frame/progress.h"
@@ -70,8 +71,8 @@ static const struct cli_option options[] = {
 	 .needs = "over"},
 	CLI_TEXT_WITH(sweep, "WHICH", "add a slow sweep, integrated in time: up, down or both",
 	              .words = "up|down|both"),
-	{"sweep-points", 0, "N", "number of frequencies of a sweep (200)", CLI_COUNT(sweep_points),
-	 .needs = "sweep"},
+	{"sweep-points", 0, "N", "number of frequencies of a sweep, or of waves (200)",
+	 CLI_COUNT(sweep_points)},
 	{"backbone", 0, "J", "add the backbone of mode J: its free undamped motions",
 	 CLI_INTEGER(backbone)},
 	{"energy", 0, "", "draw the backbone's frequency over its energy instead", CLI_FLAG(energy),
@@ -389,6 +390,18 @@ static int goes_on(const struct settings *settings)
 	return settings->label || settings->start || settings->switched || settings->resume;
 }
 
+/* The linear response to waves, which takes the range and the number of frequencies. */
+static enum hawser_status waves(const struct settings *settings, struct hawser_report *report)
+{
+	if (is_special(settings) || settings->at || settings->sweep || settings->tori ||
+	    settings->backbone || settings->branches || settings->n || settings->peaks)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf", "the scene has waves, and the response "
+		                    "to them is linear: of the options of frf, give --from, --to and "
+		                    "--sweep-points alone");
+	return cli_waves_response(&settings->common, settings->from, settings->to, settings->sweep_points,
+	                          report);
+}
+
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
 	const struct settings *settings = context;
@@ -412,6 +425,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	                                .label_every = settings->label_every, .chosen = goes_on(settings)};
 	enum hawser_status status = check(settings, report), written = HAWSER_OK;
 
+	if (!status && cli_waves_in(&settings->common))
+		return waves(settings, report);
 	if (!status)
 		status = cli_over_load(&model, &settings->common, settings->n, settings->over, report);
 	if (!status)

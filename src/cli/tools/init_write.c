@@ -1,6 +1,5 @@
-/* cli/tools/init_write.c - the scene of a mooring file. Its axes x, y, z with z upwards become x, -z,
- * y.
- * SPDX-License-Identifier: GPL-3.0-or-later */
+/* cli/tools/init_write.c - the scene of a mooring file. Its axes x, y, z with z upwards become x,
+ * -z, y. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <math.h>
@@ -41,7 +40,8 @@ static void buoys(FILE *stream, const struct cli_mooring *mooring)
 	}
 }
 
-/* Time (s) of damping: EA times it is BA; of a damping ratio, that of an element as an oscillator. */
+/* Time (s) of damping: EA times it is BA; of a damping ratio, that of an element as an oscillator.
+ * */
 static double axial(const struct cli_mooring_type *type, const struct cli_mooring_line *line)
 {
 	if (type->BA >= 0.0)

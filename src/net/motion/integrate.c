@@ -116,13 +116,15 @@ static int place(struct run *run)
 	return same;
 }
 
-/* The longest step by which an axial wave stays within an element. */
-static double transit(const struct hawser__mesh *mesh)
+/* The longest step by which an axial wave stays within an element, of those that have mass. */
+static double transit(const struct run *run)
 {
-	double least = INFINITY;
+	const struct hawser__mesh *mesh = &run->mesh;
+	double least = run->every;
 
 	for (int e = 0; e < mesh->elements; e++)
-		least = fmin(least, mesh->length0[e]*sqrt(mesh->rho[e]/mesh->EA[e]));
+		if (mesh->rho[e] > 0.0)
+			least = fmin(least, mesh->length0[e]*sqrt(mesh->rho[e]/mesh->EA[e]));
 	return least;
 }
 
@@ -182,10 +184,12 @@ static enum hawser_status start(struct run *run, struct hawser_report *report)
 		status = hawser__motion_open(&run->motion, &run->mesh, scheme, rho, same, loose, report);
 	}
 	free(loose);
-	if (!status && run->mesh.touches && run->motion.scheme->rule != hawser__motion_scheme(0)->rule)
+	if (!status && (run->mesh.touches || run->mesh.water) &&
+	    run->motion.scheme->rule != hawser__motion_scheme(0)->rule)
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s: the scheme %s does not know "
-		                      "obstacles: take energy, or leave dynamics.scheme and --method out",
-		                      net->name ? net->name : "the net", run->motion.scheme->shown.name);
+		                      "%s: take energy, or leave dynamics.scheme and --method out",
+		                      net->name ? net->name : "the net", run->motion.scheme->shown.name,
+		                      run->mesh.touches ? "obstacles" : "water");
 	if (!status && run->mesh.touches)
 		status = hawser__contact_open(&run->motion, net->contact.restitution, report);
 	if (!status)
@@ -196,7 +200,7 @@ static enum hawser_status start(struct run *run, struct hawser_report *report)
 	run->motion.tables = run->tables;
 	run->table = NULL;
 	run->tables = 0;
-	run->h = 0.1*transit(&run->mesh);
+	run->h = 0.1*transit(run);
 	if (run->state)
 		hawser__motion_restore(&run->motion, &run->h, run->state);
 	if (run->state && run->motion.t >= run->options->until)
@@ -253,9 +257,6 @@ static enum hawser_status prepare(struct run *run, struct hawser_report *report)
 	const struct hawser_net_motion_options *options = run->options;
 	enum hawser_status status = check(run->net, report);
 
-	if (!status && run->net->water.density > 0.0)
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s: motions do not know water yet",
-		                      run->net->name);
 	if (status)
 		return status;
 	if (!(options->until > 0.0) || !isfinite(options->until))

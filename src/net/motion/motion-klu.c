@@ -30,6 +30,8 @@ struct hawser__klu {
 	int (*diagonal)[3];    /* [nodes] -1: held */
 	const int (*unknown)[3]; /* [nodes] of the mesh */
 	double *right;         /* [unknowns] */
+	klu_numeric *factors;  /* of complex matrices */
+	double *z;             /* [2 entries] their values; NULL: there was none yet */
 	struct hawser__hold hold;
 };
 
@@ -38,6 +40,8 @@ void hawser__klu_clear(struct hawser__klu *klu)
 	if (!klu)
 		return;
 	klu_free_numeric(&klu->numeric, &klu->common);
+	klu_z_free_numeric(&klu->factors, &klu->common);
+	free(klu->z);
 	klu_free_symbolic(&klu->symbolic, &klu->common);
 	hawser__hold_clear(&klu->hold);
 	free(klu);
@@ -198,15 +202,21 @@ void hawser__klu_zero(struct hawser__klu *klu)
 	memset(klu->x, 0, (size_t)klu->p[klu->unknowns]*sizeof *klu->x);
 }
 
-void hawser__klu_element(struct hawser__klu *klu, int element, const double B[9], const double mass[2])
+static void add(struct hawser__klu *klu, int element, const double B[9], const double other[9],
+                const double mass[2])
 {
 	for (int k = 0; k < ENTRIES; k++) {
 		int row = k/6, column = k%6, same = row/3 == column/3, at = klu->at[element][k];
-		double value = same ? B[3*(row%3) + column%3] : -B[3*(row%3) + column%3];
+		double value = (row < 3 ? B : other)[3*(row%3) + column%3]*(same ? 1.0 : -1.0);
 
 		if (at >= 0)
 			klu->x[at] += value + (row%3 == column%3 ? mass[!same] : 0.0);
 	}
+}
+
+void hawser__klu_element(struct hawser__klu *klu, int element, const double B[9], const double mass[2])
+{
+	add(klu, element, B, B, mass);
 }
 
 void hawser__klu_ends(struct hawser__klu *klu, int element, const double block[6][6], double factor)
@@ -226,16 +236,21 @@ void hawser__klu_node(struct hawser__klu *klu, int element, int end, const doubl
 	}
 }
 
-static void assemble(struct hawser__klu *klu, const double (*B)[9], const double (*mass)[2],
-                     const double *point)
+static void assemble(struct hawser__klu *klu, const struct hawser__blocks_matrix *of)
 {
 	hawser__klu_zero(klu);
 	for (int i = 0; i < klu->nodes; i++)
 		for (int k = 0; k < 3; k++)
 			if (klu->diagonal[i][k] >= 0)
-				klu->x[klu->diagonal[i][k]] += point[i];
+				klu->x[klu->diagonal[i][k]] += of->point[i];
+	for (int i = 0; i < 9*klu->nodes && of->block; i++) {
+		int row = klu->unknown[i/9][i%9/3], column = klu->unknown[i/9][i%3];
+
+		if (row >= 0 && column >= 0)
+			klu->x[find(klu, row, column)] += of->block[i/9][i%9];
+	}
 	for (int e = 0; e < klu->elements; e++)
-		hawser__klu_element(klu, e, B[e], mass[e]);
+		add(klu, e, of->B[e], of->other ? of->other[e] : of->B[e], of->mass[e]);
 }
 
 enum hawser_status hawser__klu_divide(double *x, int *good, struct hawser__klu *klu,
@@ -256,13 +271,40 @@ enum hawser_status hawser__klu_divide(double *x, int *good, struct hawser__klu *
 	       ? HAWSER_OK : failed(klu, report);
 }
 
+enum hawser_status hawser__klu_divide_complex(double *x, int *good, struct hawser__klu *re,
+                                              const struct hawser__klu *im,
+                                              struct hawser_report *report)
+{
+	size_t entries = (size_t)re->p[re->unknowns];
+	int done;
+
+	if (!re->z && !(re->z = malloc((2*entries + 1)*sizeof *re->z)))
+		return hawser__no_memory(report, "net");
+	for (size_t i = 0; i < entries; i++) {
+		re->z[2*i] = re->x[i];
+		re->z[2*i + 1] = im->x[i];
+	}
+	done = re->factors && klu_z_refactor(re->p, re->i, re->z, re->symbolic, re->factors, &re->common) &&
+	       re->common.status == KLU_OK;
+	if (!done) {
+		klu_z_free_numeric(&re->factors, &re->common);
+		re->factors = klu_z_factor(re->p, re->i, re->z, re->symbolic, &re->common);
+		done = re->factors && re->common.status == KLU_OK;
+	}
+	*good = done;
+	if (!done)
+		return re->common.status == KLU_SINGULAR ? HAWSER_OK : failed(re, report);
+	return klu_z_solve(re->symbolic, re->factors, re->unknowns, 1, x, &re->common)
+	       ? HAWSER_OK : failed(re, report);
+}
+
 enum hawser_status hawser__klu_solve(double (*r)[3], int *good, struct hawser__klu *klu,
-                                     const double (*B)[9], const double (*mass)[2], const double *point,
+                                     const struct hawser__blocks_matrix *matrix,
                                      struct hawser_report *report)
 {
 	enum hawser_status status;
 
-	assemble(klu, B, mass, point);
+	assemble(klu, matrix);
 	for (int i = 0; i < klu->nodes; i++)
 		for (int k = 0; k < 3; k++)
 			if (klu->unknown[i][k] >= 0)

@@ -1,28 +1,15 @@
 /* net/water/load.c - loads of still water and of a current on a mesh at rest, and their
  * derivatives.
  *
- * d, t   vector along an element, its direction
- * wet    parts of an element in the water, at its ends (water/water.h)
- *
- * An end of an element has the buoyancy and the drag of what of its half is wet, with the current
- * at its place and the direction of the element.
- *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
-#include <math.h>
 #include <string.h>
-
-#include <hawser/drag.h>
 
 #include "core/report.h"
 #include "core/vec3.h"
 #include "net/water/water.h"
 #include "water/water.h"
-
-/* Of the diameter: the height over which a line comes out of the water. With all of it a line that
- * ends at the surface would lack the drag of the last half. */
-static const double BAND = 0.01;
 
 static enum hawser_status allocate(struct hawser__mesh *mesh, int buoys, struct hawser_report *report)
 {
@@ -35,6 +22,8 @@ static enum hawser_status allocate(struct hawser__mesh *mesh, int buoys, struct 
 	water->line = hawser__hold(&mesh->hold, elements, sizeof *water->line);
 	water->dead = hawser__hold(&mesh->hold, (size_t)mesh->nodes, sizeof *water->dead);
 	water->load = hawser__hold(&mesh->hold, elements, sizeof *water->load);
+	water->mass = hawser__hold(&mesh->hold, elements, sizeof *water->mass);
+	water->spring = hawser__hold(&mesh->hold, elements, sizeof *water->spring);
 	water->slope = hawser__hold(&mesh->hold, elements, sizeof *water->slope);
 	water->buoy = hawser__hold(&mesh->hold, (size_t)buoys + 1, sizeof *water->buoy);
 	return mesh->hold.short_of_memory ? hawser__no_memory(report, "net") : HAWSER_OK;
@@ -77,12 +66,14 @@ enum hawser_status hawser__water_open(struct hawser__mesh *mesh, const struct ha
 	return HAWSER_OK;
 }
 
-/* The current at a height, and its derivative. */
-static void current(double u[3], double u_y[3], const struct hawser__mesh_water *water, double y)
+/* The current at a height, and its derivative by that. */
+static void current(struct hawser__water_past *past, double u_y[3],
+                    const struct hawser__mesh_water *water, double y)
 {
-	hawser__water_current(u, u_y, water->of, y);
+	hawser__water_current(past->r, u_y, water->of, y);
+	past->height = y - water->of->surface;
 	for (int k = 0; k < 3; k++) {
-		u[k] *= water->part;
+		past->r[k] *= water->part;
 		u_y[k] *= water->part;
 	}
 }
@@ -90,58 +81,47 @@ static void current(double u[3], double u_y[3], const struct hawser__mesh_water 
 static void element(struct hawser__mesh *mesh, int e)
 {
 	struct hawser__mesh_water *water = mesh->water;
-	const struct hawser_water_line *line = water->line[e];
-	const struct hawser_drag drag = {water->of->density, 0.5*line->diameter, line->normal,
-	                                 line->tangential};
-	const double *x[2] = {mesh->q[mesh->end[e][0]], mesh->q[mesh->end[e][1]]};
-	const double lift = water->of->density*M_PI*drag.radius*drag.radius*mesh->g, L = mesh->length0[e];
-	double d[3] = {x[1][0] - x[0][0], x[1][1] - x[0][1], x[1][2] - x[0][2]};
-	struct hawser__wet wet;
+	const double *a = mesh->q[mesh->end[e][0]], *b = mesh->q[mesh->end[e][1]];
+	const double d[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+	struct hawser__water_past past[2] = {{.height = 0.0}};
+	struct hawser__water_end end[2];
+	double u_y[2][3];
 
-	memset(water->load[e], 0, sizeof water->load[e]);
-	memset(water->slope[e], 0, sizeof water->slope[e]);
-	if (!(line->diameter > 0.0))
-		return;
-	hawser__wet_line(&wet, water->of->surface, fmax(BAND*line->diameter, water->band),
-	                 (const double[2]){x[0][1], x[1][1]});
+	for (int i = 0; i < 2; i++)
+		current(&past[i], u_y[i], water, i ? b[1] : a[1]);
+	hawser__water_ends(end, mesh, e, d, past);
 	for (int i = 0; i < 2; i++) {
-		double u[3], u_y[3], f[3] = {0.0}, f_u[3][3] = {{0.0}}, f_x[3][3] = {{0.0}};
-
-		current(u, u_y, water, x[i][1]);
-		if (hawser__dot(d, d) > 0.0)
-			hawser_drag_line(f, f_u, f_x, &drag, u, d);
-		f[1] += lift;
+		memcpy(water->mass[e][i], end[i].mass, sizeof end[i].mass);
+		memcpy(water->spring[e][i], end[i].spring, sizeof end[i].spring);
 		for (int k = 0; k < 3; k++) {
 			double *row = water->slope[e][3*i + k];
 
-			water->load[e][i][k] = L*wet.part[i]*f[k];
+			water->load[e][i][k] = end[i].load[k];
 			for (int j = 0; j < 3; j++) {
-				row[j] -= L*wet.part[i]*f_x[k][j];
-				row[3 + j] += L*wet.part[i]*f_x[k][j];
+				row[j] = -end[i].by_d[k][j];
+				row[3 + j] = end[i].by_d[k][j];
 			}
-			row[1] += L*wet.by[i][0]*f[k];
-			row[4] += L*wet.by[i][1]*f[k];
-			row[3*i + 1] += L*wet.part[i]*hawser__dot(f_u[k], u_y);
+			row[1] += end[i].by_y[0][k];
+			row[4] += end[i].by_y[1][k];
+			row[3*i + 1] += hawser__dot(end[i].by_r[k], u_y[i]);
 		}
 	}
 }
 
 static void buoy(struct hawser__mesh_buoy *buoy, const struct hawser__mesh *mesh)
 {
-	const struct hawser__mesh_water *water = mesh->water;
-	const double y = mesh->q[buoy->node][1], density = water->of->density;
-	double by, wet = hawser__wet_sphere(&by, water->of->surface, buoy->of->volume, y);
-	double part = buoy->of->volume > 0.0 ? wet/buoy->of->volume : y < water->of->surface;
-	double slope = buoy->of->volume > 0.0 ? by/buoy->of->volume : 0.0;
-	double u[3], u_y[3], f[3], f_u[3][3];
+	struct hawser__water_past past = {.height = 0.0};
+	struct hawser__water_end end;
+	double u_y[3];
 
-	current(u, u_y, water, y);
-	hawser_drag_body(f, f_u, 0.5*density*buoy->of->CdA, u);
+	current(&past, u_y, mesh->water, mesh->q[buoy->node][1]);
+	hawser__water_buoy(&end, mesh, buoy->of, &past);
+	memcpy(buoy->mass, end.mass, sizeof end.mass);
+	buoy->spring = end.spring[0];
 	memset(buoy->slope, 0, sizeof buoy->slope);
 	for (int k = 0; k < 3; k++) {
-		buoy->load[k] = part*f[k] + (k == 1 ? density*wet*mesh->g : 0.0);
-		buoy->slope[k][1] = part*hawser__dot(f_u[k], u_y) + slope*f[k] +
-		                    (k == 1 ? density*by*mesh->g : 0.0);
+		buoy->load[k] = end.load[k];
+		buoy->slope[k][1] = end.by_y[0][k] + hawser__dot(end.by_r[k], u_y);
 	}
 }
 
@@ -161,6 +141,36 @@ void hawser__water_load(struct hawser__mesh *mesh)
 		for (int k = 0; k < 3; k++)
 			mesh->force[water->buoy[i].node][k] += water->buoy[i].load[k];
 	}
+}
+
+int hawser__water_mass(struct hawser__water_mass *at, const struct hawser__mesh *mesh, int j)
+{
+	const struct hawser__mesh_water *water = mesh->water;
+	int buoy = j - 2*mesh->elements;
+
+	if (!water || buoy >= water->buoys)
+		return 0;
+	if (buoy < 0)
+		*at = (struct hawser__water_mass){j/2, j%2, (const double (*)[3])water->mass[j/2][j%2]};
+	else
+		*at = (struct hawser__water_mass){water->buoy[buoy].element, water->buoy[buoy].end,
+		                                  (const double (*)[3])water->buoy[buoy].mass};
+	return 1;
+}
+
+int hawser__water_spring(struct hawser__water_spring *at, const struct hawser__mesh *mesh, int j)
+{
+	const struct hawser__mesh_water *water = mesh->water;
+	int buoy = j - mesh->elements;
+
+	if (!water || buoy >= water->buoys)
+		return 0;
+	*at = (struct hawser__water_spring){.element = buoy < 0 ? j : water->buoy[buoy].element};
+	for (int i = 0; i < 4; i++)
+		at->k[i/2][i%2] = buoy < 0 ? -water->spring[j][i/2][i%2] : 0.0;
+	if (buoy >= 0)
+		at->k[water->buoy[buoy].end][water->buoy[buoy].end] = -water->buoy[buoy].spring;
+	return 1;
 }
 
 int hawser__water_flows(const struct hawser__mesh *mesh)
