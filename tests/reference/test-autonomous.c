@@ -240,12 +240,14 @@ static void check_ziegler(void)
 	end(&own);
 }
 
-/* Two equal oscillators, whose pairs cross the axis together. */
+/* Two equal oscillators, whose pairs cross the axis together: cycles along a line, and round a circle
+ * of radius sqrt(mu). Either may be rotated. */
 static void check_together(void)
 {
 	struct own own;
+	struct hawser_frf line = {0}, circle = {0};
 
-	begin(&own, "o2", -0.1, 0.5);
+	begin(&own, "o2", -0.1, 0.3);
 	trace(&own, "mu");
 	ok(own.frf.events == 2, "two Hopf points, %d events", own.frf.events);
 	for (int k = 0; k < 2; k++) {
@@ -253,7 +255,21 @@ static void check_together(void)
 
 		ok(fabs(found->parameter) < DIGITS && !found->suspected, "at %.1e", found->parameter);
 		close_to(found->hopf.omega, 1.0, DIGITS, "frequency");
+		close_to(found->hopf.swing, k ? 1.0 : 4.0, DIGITS, "square of the amplitude");
+		ok(!hawser_branch_switch(k ? &circle : &line, own.rom, &own.frf, (int)(found - own.frf.event),
+		                         &own.options, &own.report), "cycles %s", own.report.message);
 	}
+	last(&line, 6.318443203454, 0, 1.095950207, 1, 0.14865049);
+	last(&line, 6.318443203454, 0, 1.095950207, 0, 0.14865049);
+	last(&circle, 2.0*M_PI, 1, sqrt(0.3), 2, 0.15799796);
+	if (ok(circle.points > 0, "a circle")) {
+		const double *pair = circle.multiplier + (size_t)(circle.points - 1)*2*2*(size_t)circle.n;
+
+		close_to(exp(pair[0])*cos(pair[1]), 2.50291935, 3e-8, "its multipliers");
+		close_to(exp(pair[0])*fabs(sin(pair[1])), 0.25414604, 3e-8, "imaginary part");
+	}
+	hawser_frf_clear(&circle);
+	hawser_frf_clear(&line);
 	end(&own);
 }
 

@@ -27,6 +27,11 @@ int hawser__autonomous_matrix(double *A, double *by_u, double *by_v, double *acc
 enum hawser_status hawser__cycle_open(struct hawser__orbit **orbit, struct hawser__orbit *inner,
                                       struct hawser_report *report);
 
+/* turn [n][n]: the generator of rotations of the coordinates that leave the model as it is; *found:
+ * there are such. turn.c. HAWSER_ERR_MEMORY. */
+enum hawser_status hawser__cycle_turn(double *turn, int *found, const struct hawser_rom *rom,
+                                      struct hawser_report *report);
+
 /* From a state x [2n], which may be replaced by a later one of the motion from it: *omega of the
  * limit cycle that is near, or 0 where the state is an equilibrium. HAWSER_ERR_CONVERGENCE (the
  * motion does not come to a cycle), HAWSER_ERR_MEMORY. */

@@ -95,7 +95,7 @@ static enum hawser_status switch_cycles(struct hawser_frf *branch, const struct 
 	int n = rom->n;
 	double range = fabs(options->to - options->from), extent = fmax(fabs(event->parameter), range);
 	double *wave = malloc(4*(size_t)n*sizeof *wave), size, rate;
-	struct hawser_hopf hopf;
+	struct hawser_hopf hopf = {.turning = event->hopf.turning};
 	enum hawser_status status = wave ? hawser__hopf(&hopf, &rate, wave, options->family, options->start,
 	                                                event->parameter, event->hopf.omega, extent, report)
 	                                 : hawser__no_memory(report, "frf");
