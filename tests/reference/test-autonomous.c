@@ -240,6 +240,30 @@ static void check_ziegler(void)
 	end(&own);
 }
 
+/* The symmetric cycle of the Lorenz equations at large r loses its symmetry where r falls, and the
+ * cycles that begin there double their period (Sparrow, The Lorenz Equations, Springer 1982: 312.97 and
+ * 229.42). */
+static void check_pitchfork(void)
+{
+	struct own own;
+	struct hawser_frf branch = {0};
+	double state[6] = {-37.18071269068926, 35.04454835529008, 376.53788000077304};
+	const struct hawser_frf_event *found;
+
+	begin(&own, "lorenz", 330.0, 228.0);
+	own.options.start = state;
+	own.options.tolerance = 1e-9;
+	own.options.omega = -1.0;
+	trace(&own, "r");
+	found = event(&own.frf, HAWSER_BRANCH_POINT, 0);
+	close_to(found->parameter, 312.9735, 2e-5, "branch point of cycles");
+	ok(!hawser_branch_switch(&branch, own.rom, &own.frf, (int)(found - own.frf.event), &own.options,
+	                         &own.report), "the other cycles are followed: %s", own.report.message);
+	close_to(event(&branch, HAWSER_PERIOD_DOUBLING, 0)->parameter, 229.42, 1e-3, "period doubling");
+	hawser_frf_clear(&branch);
+	end(&own);
+}
+
 /* Two equal oscillators, whose pairs cross the axis together: cycles along a line, and round a circle
  * of radius sqrt(mu). Either may be rotated. */
 static void check_together(void)
@@ -332,6 +356,7 @@ CASE(reference_autonomous)
 	check_belt();
 	check_ziegler();
 	check_together();
+	check_pitchfork();
 	check_two();
 	check_start();
 	if (getenv("HAWSER_LONG")) {

@@ -102,12 +102,11 @@ static int begins(const struct cli_cover *cover, const struct cli_frf_result *re
 
 	if (event->kind == HAWSER_HOPF)
 		return frf->end != HAWSER_END_HOPF && !is_end(cover, event);
-	if (frf->swing && event->kind != (frf->point[0].omega > 0.0 ? HAWSER_PERIOD_DOUBLING
-	                                                            : HAWSER_BRANCH_POINT))
-		return 0;
 	if (event->kind == HAWSER_PERIOD_DOUBLING) { /* where a branch may have come back to this one */
 		for (int k = 0; k < cover->borns; k++)
-			if (cover->born[k]->parent == frf->branch && meets(cover->born[k], event->omega))
+			if (cover->born[k]->parent == frf->branch &&
+			    (frf->swing ? has_event(cover->born[k], event)
+			                : meets(cover->born[k], event->omega)))
 				return 0;
 		return 1;
 	}
