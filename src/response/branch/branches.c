@@ -305,7 +305,7 @@ enum hawser_status hawser_branch_switch(struct hawser_frf *branch, const struct 
                                         const struct hawser_frf_options *options,
                                         struct hawser_report *report)
 {
-	const struct hawser_frf_event *at = &from->event[event];
+	const struct hawser_frf_event *at = from->event + event;
 	int m = 2*rom->n, P = from->period, b;
 	struct hawser_frf_options range = *options;
 	struct slower old = {.known = NULL}, new = {.known = NULL};
@@ -313,8 +313,9 @@ enum hawser_status hawser_branch_switch(struct hawser_frf *branch, const struct 
 	double *memory, omega;
 	enum hawser_status status;
 
-	if (event >= 0 && event < from->events && options->family && options->family->omega == 0.0)
-		return hawser__own_switch(branch, rom, from, event, options, report);
+	if (event < from->events && options->family && options->family->omega == 0.0)
+		return event < 0 ? hawser__own_leave(branch, rom, from, options, report)
+		                 : hawser__own_switch(branch, rom, from, event, options, report);
 	status = check(from, event, options, report);
 
 	*branch = (struct hawser_frf){.n = rom->n};

@@ -91,8 +91,8 @@ static enum hawser_status other_cycle(double *v, const struct hawser_rom *rom, c
 		matrix[i*size + i] -= 1.0;
 		matrix[i*size + m] = matrix[m*size + i] = f[i];
 	}
-	info = LAPACKE_dgesvd(LAPACK_ROW_MAJOR, 'N', 'A', size, size, matrix, size, value, &unused, 1, right,
-	                      size, work);
+	info = LAPACKE_dgesvd(LAPACK_ROW_MAJOR, 'N', 'A', size, size, matrix, size, value, &unused, 1,
+	                      right, size, work);
 	memcpy(v, right + m*size, (size_t)m*sizeof *v);
 	cblas_dscal(m, 1.0/cblas_dnrm2(m, v, 1), v, 1);
 	free(memory);
@@ -175,12 +175,46 @@ static enum hawser_status switch_cycles(struct hawser_frf *branch, const struct 
 	return status;
 }
 
+/* The motion is followed in time from beside an equilibrium: the first one, the last one and that in
+ * the middle, until it comes to a cycle. */
+enum hawser_status hawser__own_leave(struct hawser_frf *branch, const struct hawser_rom *rom,
+                                     const struct hawser_frf *from,
+                                     const struct hawser_frf_options *as,
+                                     struct hawser_report *report)
+{
+	struct hawser_frf_options options = *as;
+	const int at[] = {0, from->points - 1, from->points/2};
+	int m = 2*from->n;
+	double *state = malloc((size_t)m*sizeof *state);
+	enum hawser_status status = state ? HAWSER_ERR_CONVERGENCE : hawser__no_memory(report, "frf");
+
+	options.start = state;
+	options.omega = -1.0;
+	*branch = (struct hawser_frf){.n = rom->n};
+	for (int i = 0; status == HAWSER_ERR_CONVERGENCE && branch->points < 2 && i < 3; i++) {
+		const double *rest = from->state + (size_t)at[i]*(size_t)m;
+		double size = cblas_dnrm2(m, rest, 1);
+
+		for (int j = 0; j < m; j++)
+			state[j] = rest[j] + (size > 0.0 ? size : 1.0)*APART_BY*cos(2.385*j + 0.3);
+		hawser_frf_clear(branch);
+		options.begin = from->point[at[i]].parameter;
+		options.from = i == 1 ? as->to : as->from;
+		options.to = i == 1 ? as->from : as->to;
+		status = hawser_frf_trace(branch, rom, &options, report);
+	}
+	free(state);
+	branch->parent = from->branch;
+	branch->born_at = options.begin;
+	return status;
+}
+
 enum hawser_status hawser__own_switch(struct hawser_frf *branch, const struct hawser_rom *rom,
                                       const struct hawser_frf *from, int e,
                                       const struct hawser_frf_options *as,
                                       struct hawser_report *report)
 {
-	const struct hawser_frf_event *event = &from->event[e];
+	const struct hawser_frf_event *event = from->event + e;
 	const struct hawser_rom *there;
 	const double *state = from->event_state + 2*(size_t)from->n*(size_t)e;
 	struct hawser_frf_options options = *as;
