@@ -296,6 +296,22 @@ static void warn(const struct result *result)
 	cli_warn(text);
 }
 
+/* Options of curves are refused. */
+static enum hawser_status check(const struct cli_common *common, struct hawser_report *report)
+{
+	static const char *const curve[] = {
+		"at", "start", "continue", "from-label", "switch", "period", "tori", "over", "Omega", "sweep",
+		"backbone", "branches", "method", "segments", "modes", "peaks", "certificate", "step"};
+
+	for (int i = 0; i < common->givens; i++)
+		for (size_t k = 0; k < sizeof curve/sizeof *curve; k++)
+			if (!strcmp(common->given[i]->name, curve[k]))
+				return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf", "--%s is for curves, and the "
+				                    "response to the waves of %s is linear: give --from, --to and "
+				                    "--sweep-points", curve[k], cli_input_name(common));
+	return cli_outputs_check(common, report);
+}
+
 enum hawser_status cli_waves_response(const struct cli_common *common, const char *from, const char *to,
                                       int points, struct hawser_report *report)
 {
@@ -308,7 +324,9 @@ enum hawser_status cli_waves_response(const struct cli_common *common, const cha
 	if (!result)
 		return hawser__no_memory(report, "frf");
 	result->common = common;
-	status = cli_mesh_open(&result->mesh.net, common, report);
+	status = check(common, report);
+	if (!status)
+		status = cli_mesh_open(&result->mesh.net, common, report);
 	if (!status)
 		probes(result);
 	options.probe = result->probe;
