@@ -234,8 +234,9 @@ static enum hawser_status draw(const char *path, const void *of, struct hawser_r
 		points, waves->spectrum ? 3 : 2, waves->omega,
 		hawser__axis_of("Frequency of the waves {/Symbol W}", "rad/s", 0.0), {
 		{hawser__axis_of("Motion", "m/m", 0.0), 3*waves->probes, 0, {{0}}},
-		{hawser__axis_of("Tension", "N/m", 0.0), 2*waves->cables, 0, {{0}}},
-		{hawser__axis_of("Tension", "N^2 s", 0.0), 1, 0, {{0}}}}};
+		{hawser__axis_of("Tension", "N/m", highest(waves->T, 1, 2*points*waves->cables)),
+		 2*waves->cables, 0, {{0}}},
+		{hawser__axis_of("Spectrum", "kN^2 s", 0.0), 1, 0, {{0}}}}};
 	enum hawser_status status;
 	int colour = 0;
 
@@ -256,7 +257,7 @@ static enum hawser_status draw(const char *path, const void *of, struct hawser_r
 		for (int i = 0; i < points && waves->spectrum; i++) {
 			double T = waves->T[2*(i*waves->cables + c) + end];
 
-			spectrum[c*points + i] = T*T*waves->spectrum[i];
+			spectrum[c*points + i] = 1e-6*T*T*waves->spectrum[i];
 		}
 		add_curve(&shown, 1, colour + c + 1, &waves->T[2*c + end], label[DRAWN + c],
 		          result->mesh.net.cable[c].name);
