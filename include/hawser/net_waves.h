@@ -5,7 +5,7 @@
  * relative velocity of water and line has the work (regular waves) or the least error (a sea) of the
  * quadratic one. C follows from the response, which follows from C: found by iteration, for the waves
  * of the scene. In regular waves each frequency has its own C, by the height of the scene; a sea has
- * one. Responses are per metre of the amplitude of a wave (doc/theory-waves.md).
+ * one. Responses are per metre of the amplitude of a wave (doc/waves.md).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_NET_WAVES_H

@@ -90,7 +90,7 @@ static void sinks(void)
 	hawser_net_motion_clear(&motion);
 }
 
-/* The speeds at which cables of three directions sink steadily: drag and buoyancy balance the weight. */
+/* The speeds at which cables of three directions sink steadily: the loads are in balance. */
 static void steady(void)
 {
 	static const double turned[3] = {0.0, M_PI/2.0, M_PI/6.0};
@@ -172,7 +172,8 @@ static void string_modes(void)
 	        8.2, 0.1, 40);
 	swim.cable.line.added_tangential = 0.2;
 	swim.net.g = 0.0;
-	if (ok(!hawser_net_modes_solve(&modes, &swim.net, 30, &report), "modes in water%s", report.message)) {
+	if (ok(!hawser_net_modes_solve(&modes, &swim.net, 30, &report), "modes in water%s",
+	       report.message)) {
 		close_to(modes.omega[0]/(2.0*M_PI), 0.2759709, 2e-4, "first mode across");
 		close_to(modes.omega[3]/(2.0*M_PI), 2.0*0.2759709, 6e-4, "second mode across");
 		for (int i = 0; i < modes.n; i++)
@@ -196,7 +197,8 @@ static void heave(void)
 	swim.node[1].buoy = (struct hawser_water_buoy){3000.0, 8.0, 3.0, 0.5};
 	swim.node[1].mass = 3000.0;
 	memset(swim.node[1].held, 0, 3);
-	if (ok(!hawser_net_solve(&st, &swim.net, NULL, &report), "a buoy that floats: %s", report.message) &&
+	if (ok(!hawser_net_solve(&st, &swim.net, NULL, &report), "a buoy that floats: %s",
+	       report.message) &&
 	    ok(!hawser_net_modes_solve(&modes, &swim.net, 3, &report), "its modes")) {
 		double r = cbrt(0.75*8.0/M_PI), h = r - st.x[1][1], wet = M_PI*h*h*(3.0*r - h)/3.0;
 		double k = 2e5/99.0 + 1025.0*9.81*M_PI*h*(2.0*r - h), m = 3000.0 + 0.5*1025.0*wet;

@@ -390,21 +390,8 @@ static int goes_on(const struct settings *settings)
 	return settings->label || settings->start || settings->switched || settings->resume;
 }
 
-/* The linear response to waves, which takes the range and the number of frequencies. */
-static enum hawser_status waves(const struct settings *settings, struct hawser_report *report)
+static enum hawser_status curves(const struct settings *settings, struct hawser_report *report)
 {
-	if (is_special(settings) || settings->at || settings->sweep || settings->tori ||
-	    settings->backbone || settings->branches || settings->n || settings->peaks)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf", "the scene has waves, and the response "
-		                    "to them is linear: of the options of frf, give --from, --to and "
-		                    "--sweep-points alone");
-	return cli_waves_response(&settings->common, settings->from, settings->to, settings->sweep_points,
-	                          report);
-}
-
-static enum hawser_status run(void *context, struct hawser_report *report)
-{
-	const struct settings *settings = context;
 	struct hawser_frf frf = {0};
 	struct hawser_landmark *peak = NULL;
 	struct cli_cover cover = {.other = NULL};
@@ -425,8 +412,6 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	                                .label_every = settings->label_every, .chosen = goes_on(settings)};
 	enum hawser_status status = check(settings, report), written = HAWSER_OK;
 
-	if (!status && cli_waves_in(&settings->common))
-		return waves(settings, report);
 	if (!status)
 		status = cli_over_load(&model, &settings->common, settings->n, settings->over, report);
 	if (!status)
@@ -494,6 +479,16 @@ done:
 	cli_label_clear(&label);
 	cli_model_clear(&model);
 	return status;
+}
+
+static enum hawser_status run(void *context, struct hawser_report *report)
+{
+	const struct settings *settings = context;
+
+	return cli_waves_in(&settings->common)
+		? cli_waves_response(&settings->common, settings->from, settings->to, settings->sweep_points,
+		                     report)
+		: curves(settings, report);
 }
 
 const struct cli_command cli_frf = {

@@ -234,8 +234,9 @@ static enum hawser_status draw(const char *path, const void *of, struct hawser_r
 		points, waves->spectrum ? 3 : 2, waves->omega,
 		hawser__axis_of("Frequency of the waves {/Symbol W}", "rad/s", 0.0), {
 		{hawser__axis_of("Motion", "m/m", 0.0), 3*waves->probes, 0, {{0}}},
-		{hawser__axis_of("Tension", "N/m", 0.0), 2*waves->cables, 0, {{0}}},
-		{hawser__axis_of("Tension", "N^2 s", 0.0), 1, 0, {{0}}}}};
+		{hawser__axis_of("Tension", "N/m", highest(waves->T, 1, 2*points*waves->cables)),
+		 2*waves->cables, 0, {{0}}},
+		{hawser__axis_of("Spectrum", "kN^2 s", 0.0), 1, 0, {{0}}}}};
 	enum hawser_status status;
 	int colour = 0;
 
@@ -256,7 +257,7 @@ static enum hawser_status draw(const char *path, const void *of, struct hawser_r
 		for (int i = 0; i < points && waves->spectrum; i++) {
 			double T = waves->T[2*(i*waves->cables + c) + end];
 
-			spectrum[c*points + i] = T*T*waves->spectrum[i];
+			spectrum[c*points + i] = 1e-6*T*T*waves->spectrum[i];
 		}
 		add_curve(&shown, 1, colour + c + 1, &waves->T[2*c + end], label[DRAWN + c],
 		          result->mesh.net.cable[c].name);
@@ -296,6 +297,22 @@ static void warn(const struct result *result)
 	cli_warn(text);
 }
 
+/* Options of curves are refused. */
+static enum hawser_status check(const struct cli_common *common, struct hawser_report *report)
+{
+	static const char *const curve[] = {
+		"at", "start", "continue", "from-label", "switch", "period", "tori", "over", "Omega", "sweep",
+		"backbone", "branches", "method", "segments", "modes", "peaks", "certificate", "step"};
+
+	for (int i = 0; i < common->givens; i++)
+		for (size_t k = 0; k < sizeof curve/sizeof *curve; k++)
+			if (!strcmp(common->given[i]->name, curve[k]))
+				return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf", "--%s is for curves, and the "
+				                    "response to the waves of %s is linear: give --from, --to and "
+				                    "--sweep-points", curve[k], cli_input_name(common));
+	return cli_outputs_check(common, report);
+}
+
 enum hawser_status cli_waves_response(const struct cli_common *common, const char *from, const char *to,
                                       int points, struct hawser_report *report)
 {
@@ -308,7 +325,9 @@ enum hawser_status cli_waves_response(const struct cli_common *common, const cha
 	if (!result)
 		return hawser__no_memory(report, "frf");
 	result->common = common;
-	status = cli_mesh_open(&result->mesh.net, common, report);
+	status = check(common, report);
+	if (!status)
+		status = cli_mesh_open(&result->mesh.net, common, report);
 	if (!status)
 		probes(result);
 	options.probe = result->probe;

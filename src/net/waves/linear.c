@@ -115,6 +115,8 @@ static void wet_end(struct hawser__linear_mesh *linear, int e, int end)
 	*wet = (struct hawser__wetted){.node = mesh->end[e][end], .element = e, .end = end};
 	hawser__mesh_direction(wet->along, mesh, e);
 	wet->displaced = water->density*M_PI*radius*radius*length;
+	wet->spring = -water->density*M_PI*radius*radius*mesh->g*mesh->length0[e]*
+	              (part.by[end][0] + part.by[end][1]);
 	wet->added[0] = line->added_normal;
 	wet->added[1] = line->added_tangential;
 	wet->drag[0] = water->density*radius*line->normal*length;
@@ -133,6 +135,7 @@ static void wet_buoy(struct hawser__linear_mesh *linear, const struct hawser__me
 	part = buoy->of->volume > 0.0 ? volume/buoy->of->volume : y < water->surface;
 	*wet = (struct hawser__wetted){.node = buoy->node, .element = buoy->element, .end = buoy->end};
 	wet->displaced = water->density*volume;
+	wet->spring = -water->density*linear->mesh.g*by;
 	wet->added[0] = wet->added[1] = buoy->of->added;
 	wet->drag[0] = wet->drag[1] = 0.5*water->density*buoy->of->CdA*part;
 	hawser__water_current(wet->current, u_y, water, y);
@@ -251,6 +254,7 @@ void hawser__linear_mesh_wave(struct hawser__linear_mesh *linear, double omega)
 		struct hawser__profile at = hawser__wave_profile(k, y, waves->depth);
 		double complex crest = omega*cexp(I*k*(waves->along[0]*x[0] + waves->along[1]*x[2]));
 
+		wet->elevation = waves->stretching == HAWSER_STRETCH_NONE ? 0.0 : crest/omega;
 		wet->u[0] = waves->along[0]*at.C*crest;
 		wet->u[1] = -I*at.S*crest;
 		wet->u[2] = waves->along[1]*at.C*crest;
@@ -264,7 +268,7 @@ void hawser__linear_mesh_relative(double complex r[3], const struct hawser__line
 		r[k] = wet->u[k] + I*omega*linear->x[wet->node][k];
 }
 
-/* The force of the water at rest: inertia and drag. */
+/* The force of the water on a line at rest: inertia, drag and the buoyancy under the crest. */
 static void force(struct hawser__linear_mesh *linear, const struct hawser__wetted *wet, double omega)
 {
 	const struct hawser__mesh *mesh = &linear->mesh;
@@ -278,6 +282,7 @@ static void force(struct hawser__linear_mesh *linear, const struct hawser__wette
 		for (int j = 0; j < 3; j++)
 			f[k] += wet->C[k][j]*wet->u[j];
 	}
+	f[1] += wet->spring*wet->elevation;
 	for (int k = 0; k < 3; k++) {
 		int unknown = mesh->unknown[wet->node][k];
 		double axis[3];

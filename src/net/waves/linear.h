@@ -17,10 +17,12 @@ struct hawser__wetted {
 	double drag[2];      /* N s^2/m^2: force over |r| r, across and along */
 	double displaced;    /* kg of water */
 	double added[2];     /* of it, across and along */
+	double spring;       /* N/m: change of the buoyancy with the level of the surface */
 	double current[3];   /* m/s */
 	double C[3][3];      /* N s/m: linear drag */
 	double cov[3][3];    /* m^2/s^2, of the relative velocity of a sea */
 	double complex u[3]; /* m/s: water, per metre of the amplitude of a wave */
+	double complex elevation; /* m: of the surface above */
 };
 
 struct hawser__linear_mesh {
