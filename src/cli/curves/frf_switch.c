@@ -161,8 +161,8 @@ static void drop_born(struct cli_cover *cover)
 	free(frf);
 }
 
-/* The branch at event e of `from` (-1: the cycles beside unstable equilibria), with its peaks. A branch
- * that is not found is a miss. */
+/* The branch at event e of `from` (below 0: the cycles beside unstable equilibria), with its peaks. A
+ * branch that is not found is a miss. */
 static enum hawser_status follow(struct cli_cover *cover, struct cli_frf_result *result,
                                  const struct hawser_frf *from, int e,
                                  const struct hawser_frf_options *options,
@@ -268,8 +268,15 @@ enum hawser_status cli_cover_switch(struct cli_cover *cover, struct cli_frf_resu
 		depth = label ? 1 : result->over ? 0 : own_depth(result);
 	choice.progress = (struct hawser_progress){cli_watch, &watch};
 	if (depth > 0 && grows_everywhere(result->frf)) {
-		status = follow(cover, result, result->frf, -1, &choice, progress, peaks, report);
-		level[0] = 1;
+		const struct hawser_frf *rests = result->frf;
+
+		status = follow(cover, result, rests, -1, &choice, progress, peaks, report);
+		if (!status && cover->borns > 0 && cover->born[0]->points > 0 &&
+		    cover->born[0]->point[0].parameter != rests->point[0].parameter &&
+		    cover->born[0]->point[0].parameter != rests->point[rests->points - 1].parameter)
+			status = follow(cover, result, rests, -2, &choice, progress, peaks, report);
+		for (int k = 0; k < cover->borns; k++)
+			level[k] = 1;
 	}
 	for (int k = 0; !status && depth > 0 && k <= result->others; k++) {
 		int born = k - 1 - cover->of.branches, before;

@@ -314,7 +314,7 @@ enum hawser_status hawser_branch_switch(struct hawser_frf *branch, const struct 
 	enum hawser_status status;
 
 	if (event < from->events && options->family && options->family->omega == 0.0)
-		return event < 0 ? hawser__own_leave(branch, rom, from, options, report)
+		return event < 0 ? hawser__own_leave(branch, rom, from, event < -1, options, report)
 		                 : hawser__own_switch(branch, rom, from, event, options, report);
 	status = check(from, event, options, report);
 

@@ -41,7 +41,7 @@ enum hawser_status hawser__cycle_settle(double *x, double *omega, const struct h
 /* The branch at an event of equilibria or cycles, and beside equilibria that are unstable:
  * hawser_branch_switch. */
 enum hawser_status hawser__own_leave(struct hawser_frf *branch, const struct hawser_rom *rom,
-                                     const struct hawser_frf *from,
+                                     const struct hawser_frf *from, int back,
                                      const struct hawser_frf_options *options,
                                      struct hawser_report *report);
 enum hawser_status hawser__own_switch(struct hawser_frf *branch, const struct hawser_rom *rom,

@@ -176,9 +176,9 @@ static enum hawser_status switch_cycles(struct hawser_frf *branch, const struct 
 }
 
 /* The motion is followed in time from beside an equilibrium: the first one, the last one and that in
- * the middle, until it comes to a cycle. */
+ * the middle, until it comes to a cycle. With `back` from that in the middle, to the other end. */
 enum hawser_status hawser__own_leave(struct hawser_frf *branch, const struct hawser_rom *rom,
-                                     const struct hawser_frf *from,
+                                     const struct hawser_frf *from, int back,
                                      const struct hawser_frf_options *as,
                                      struct hawser_report *report)
 {
@@ -191,7 +191,8 @@ enum hawser_status hawser__own_leave(struct hawser_frf *branch, const struct haw
 	options.start = state;
 	options.omega = -1.0;
 	*branch = (struct hawser_frf){.n = rom->n};
-	for (int i = 0; status == HAWSER_ERR_CONVERGENCE && branch->points < 2 && i < 3; i++) {
+	for (int i = back ? 2 : 0; status == HAWSER_ERR_CONVERGENCE && branch->points < 2 && i < 3; i++) {
+		int turned = i == 1 || back;
 		const double *rest = from->state + (size_t)at[i]*(size_t)m;
 		double size = cblas_dnrm2(m, rest, 1);
 
@@ -199,8 +200,8 @@ enum hawser_status hawser__own_leave(struct hawser_frf *branch, const struct haw
 			state[j] = rest[j] + (size > 0.0 ? size : 1.0)*APART_BY*cos(2.385*j + 0.3);
 		hawser_frf_clear(branch);
 		options.begin = from->point[at[i]].parameter;
-		options.from = i == 1 ? as->to : as->from;
-		options.to = i == 1 ? as->from : as->to;
+		options.from = turned ? as->to : as->from;
+		options.to = turned ? as->from : as->to;
 		status = hawser_frf_trace(branch, rom, &options, report);
 	}
 	free(state);
