@@ -11,10 +11,10 @@
  * cost per Jacobian since the last factorisation, including the factorisation: the rule of least
  * mean cost.
  *
- * From some hundred unknowns on M is assembled for its factors only. Its products with vectors are
- * computed from the sampled tangents, and where that is cheaper the preconditioner solves the linear equations by collocation over the
- * period (balance_blocks.h). GMRES is flexible: it keeps the preconditioned vectors, which saves
- * one application per solution.
+ * From some hundred unknowns on M is assembled for its factors only. Its products with vectors
+ * are computed from the sampled tangents, and where that is cheaper the preconditioner solves the
+ * linear equations by collocation over the period (balance_blocks.h). GMRES is flexible: it keeps
+ * the preconditioned vectors, which saves one application per solution.
  *
  * Reference: Saad and Schultz, SIAM J. Sci. Stat. Comput. 7 (1986); Saad, ibid. 14 (1993).
  *
