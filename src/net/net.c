@@ -27,5 +27,7 @@ void hawser_net_clear(struct hawser_net *net)
 	for (int i = 0; i < net->contact.paths; i++)
 		free(net->contact.path[i].x);
 	free(net->contact.path);
+	free(net->failure);
+	free(net->winch);
 	memset(net, 0, sizeof *net);
 }
