@@ -23,6 +23,11 @@ EXTRA_DIST += %D%/README.md %D%/convergence.sh %D%/defaults.py %D%/frf-auto.py %
 %C%_plan_SOURCES = %D%/plan.c
 %C%_plan_LDADD = $(UPTO_STUDY)
 
+# the water of a sea at many places and times
+BENCHES += %D%/waves
+%C%_waves_SOURCES = %D%/waves.c
+%C%_waves_LDADD = $(UPTO_WATER)
+
 # Irvine diagrams: what following the branches costs
 BENCHES += %D%/irvine
 %C%_irvine_SOURCES = %D%/irvine.c

@@ -67,4 +67,6 @@ pkginclude_HEADERS = \
 	%D%/hawser/tow.h \
 	%D%/hawser/trajectory.h \
 	%D%/hawser/transient.h \
+	%D%/hawser/water.h \
+	%D%/hawser/waves.h \
 	%D%/hawser/accuracy.h

@@ -35,6 +35,7 @@ dist_scenes_DATA = \
 	%D%/scenes/net-crosstie.yaml \
 	%D%/scenes/net-drag.yaml \
 	%D%/scenes/net-dragged.txt \
+	%D%/scenes/net-current.yaml \
 	%D%/scenes/net-dragged.yaml \
 	%D%/scenes/net-impact.yaml \
 	%D%/scenes/net-pendulum.yaml \

@@ -51,13 +51,13 @@ batch() {
 {
 	echo "# written by src/batches.sh"
 	# Of the core, programs link only the objects that they call.
-	for stage in continuation scene statics modes beam net ropeway rod tow rom response study output; do
+	for stage in continuation scene statics modes beam water net ropeway rod tow rom response study output; do
 		mkdir -p "$build/src/$stage/.deps"
 		batch "am_src_${stage}_lib${stage}_la_OBJECTS" lo lo "src/$stage"
 	done
 	mkdir -p "$build/src/cli/.deps"
 	batch am_src_cli_libcli_a_OBJECTS '$(OBJEXT)' o src/cli
-	for stage in core continuation scene statics modes beam contact net ropeway rod tow rom response study output; do
+	for stage in core continuation scene statics modes beam contact water net ropeway rod tow rom response study output; do
 		mkdir -p "$build/tests/$stage-batches/.deps"
 		batch "am_tests_${stage}_OBJECTS" '$(OBJEXT)' o "tests/$stage-batches"
 	done

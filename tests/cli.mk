@@ -75,6 +75,7 @@ CLI_TESTS = \
 	%D%/cli/published-forced.sh \
 	%D%/cli/unstable.sh \
 	%D%/cli/tow-steady.sh \
+	%D%/cli/mooring-files.sh \
 	%D%/cli/tow.sh \
 	%D%/cli/trajectory.sh \
 	%D%/cli/usage.sh
@@ -82,7 +83,7 @@ test_scripts += $(CLI_TESTS)
 EXTRA_DIST += %D%/cli/lib.sh %D%/cli/serve.py %D%/reference/wave.yaml
 
 # Tables of command lines, run in forks of one program.
-CLI_TABLES = %D%/cli/mistakes.table %D%/cli/models.table %D%/cli/range.table %D%/cli/refusals.table %D%/cli/wind.table
+CLI_TABLES = %D%/cli/mistakes.table %D%/cli/models.table %D%/cli/moorings.table %D%/cli/range.table %D%/cli/refusals.table %D%/cli/wind.table
 EXTRA_DIST += $(CLI_TABLES)
 test_programs += tests/commands
 tests_commands_SOURCES = %D%/commands.c %D%/serve.c %D%/serve.h

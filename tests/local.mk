@@ -17,7 +17,8 @@ UPTO_STATICS = src/statics/.libs/libstatics.a $(UPTO_SCENE) $(GSL_LIBS)
 UPTO_MODES = src/modes/.libs/libmodes.a $(UPTO_STATICS) $(SLICOT_LIBS) $(LAPACKE_LIBS) $(BLAS_LIBS)
 UPTO_BEAM = src/beam/.libs/libbeam.a $(UPTO_MODES)
 UPTO_CONTACT = src/contact/.libs/libcontact.a $(UPTO_BEAM) $(CHOLMOD_LIBS)
-UPTO_NET = src/net/.libs/libnet.a $(UPTO_CONTACT) $(CHOLMOD_LIBS) $(SUNDIALS_LIBS)
+UPTO_WATER = src/water/.libs/libwater.a $(UPTO_CONTACT)
+UPTO_NET = src/net/.libs/libnet.a $(UPTO_WATER) $(CHOLMOD_LIBS) $(SUNDIALS_LIBS)
 UPTO_ROPEWAY = src/ropeway/.libs/libropeway.a $(UPTO_NET)
 UPTO_ROD = src/rod/.libs/librod.a $(UPTO_ROPEWAY)
 UPTO_TOW = src/tow/.libs/libtow.a $(UPTO_ROD)
@@ -38,6 +39,8 @@ src/modes/.libs/libmodes.a: src/modes/libmodes.la
 src/beam/.libs/libbeam.a: src/beam/libbeam.la
 	@:
 src/contact/.libs/libcontact.a: src/contact/libcontact.la
+	@:
+src/water/.libs/libwater.a: src/water/libwater.la
 	@:
 src/net/.libs/libnet.a: src/net/libnet.la
 	@:
@@ -65,6 +68,7 @@ include %D%/statics.mk
 include %D%/modes.mk
 include %D%/beam.mk
 include %D%/contact.mk
+include %D%/water.mk
 include %D%/net.mk
 include %D%/ropeway.mk
 include %D%/rod.mk

@@ -5,7 +5,6 @@ tests_tow_SOURCES = tests/cases.c \
 	tests/reference/test-tow-motion.c \
 	tests/reference/test-tow-steady.c \
 	tests/reference/test-trajectory.c \
-	tests/unit/test-drag.c \
 	tests/unit/test-set-keys.c \
 	tests/unit/test-tree-keys.c \
 	src/cli/tools/init_scenes.c

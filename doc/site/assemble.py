@@ -26,7 +26,7 @@ PAGES = (
     ("Begin", (("doc/tutorial.md", "tutorial"), ("doc/tutorial-nets.md", "tutorial-nets"),
                ("doc/tutorial-galloping.md", "tutorial-galloping"), ("doc/gallery.md", "gallery"), ("doc/coming-from.md", "coming-from"),
                ("doc/commands.md", "commands"), ("doc/spans.md", "spans"), ("doc/moorings.md", "moorings"), ("doc/install.md", "install"))),
-    ("Reference", (("man", "man/index"), ("notebooks-data/scenes", "scenes"), ("doc/python.md", "python"), ("doc/library.md", "library"),
+    ("Reference", (("doc/water.md", "water"), ("man", "man/index"), ("notebooks-data/scenes", "scenes"), ("doc/python.md", "python"), ("doc/library.md", "library"),
                    ("doc/cluster.md", "cluster"), ("include/hawser", "api/index"), ("doc/messages.md", "messages"),
                    ("doc/glossary.md", "glossary"))),
     ("Theory", (("doc/theory.md", "theory"), ("doc/errata.md", "errata"), ("doc/robustness.md", "robustness"),

@@ -1,6 +1,6 @@
-/* hawser/drag.h - drag of air on a line and on a ring, with its derivatives.
+/* hawser/drag.h - drag of air or water on a line, a body and a ring, with its derivatives.
  *
- * Force per length of a round line of radius r in air that moves at u relative to it, with the unit
+ * Force per length of a round line of radius r in a fluid that moves at u relative to it, with the unit
  * tangent t = x'/|x'| and the normal part p = u - (u.t) t of the flow:
  *
  *     f = density r cn |p| p + density pi r ct |u.t| (u.t) t
@@ -16,7 +16,7 @@ extern "C" {
 #endif
 
 struct hawser_drag {
-	double density;    /* kg/m^3, of the air */
+	double density;    /* kg/m^3, of the fluid */
 	double radius;     /* m, of the line, or of the tube of a ring */
 	double normal;     /* cn */
 	double tangential; /* ct */
@@ -26,6 +26,9 @@ struct hawser_drag {
  * whose length does not matter and must not be 0. */
 void hawser_drag_line(double f[3], double (*f_u)[3], double (*f_x)[3], const struct hawser_drag *drag,
                       const double u[3], const double x[3]);
+
+/* The drag c*|u|*u of a body, c in N s^2/m^2, and its derivative unless it is NULL. */
+void hawser_drag_body(double f[3], double (*f_u)[3], double c, const double u[3]);
 
 /* A rigid ring: a tube bent to a circle. Its drag is the sum over equal segments of that of a line. */
 struct hawser_ring {

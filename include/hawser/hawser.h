@@ -19,6 +19,9 @@
 #include <hawser/beam_motion.h>
 #include <hawser/campbell.h>
 #include <hawser/surface.h>
+#include <hawser/drag.h>
+#include <hawser/waves.h>
+#include <hawser/water.h>
 #include <hawser/net.h>
 #include <hawser/net_equilibria.h>
 #include <hawser/net_modes.h>
@@ -32,7 +35,6 @@
 #include <hawser/line_modes.h>
 #include <hawser/ropeway_modes.h>
 #include <hawser/obstacles.h>
-#include <hawser/drag.h>
 #include <hawser/trajectory.h>
 #include <hawser/transient.h>
 #include <hawser/tow.h>

@@ -11,6 +11,7 @@
 #include <hawser/document.h>
 #include <hawser/status.h>
 #include <hawser/surface.h>
+#include <hawser/water.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -33,6 +34,7 @@ struct hawser_net_node {
 	unsigned char held[3]; /* 1 if a support holds this direction */
 	int support;        /* 1 if the scene names it in `supports` */
 	double mass;        /* kg */
+	struct hawser_water_buoy buoy; /* its mass is in `mass` too */
 	double damper[3];   /* N s/m, to the ground, along x, y, z: of models alone */
 	char *table;        /* file with the motion of the support, or NULL */
 };
@@ -41,6 +43,7 @@ struct hawser_net_cable {
 	char name[HAWSER_NET_NAME];
 	int from, to;       /* nodes */
 	double EA, rho;     /* N, kg/m per unstretched length */
+	struct hawser_water_line line;
 	double axial;       /* s, of its own, beside that of the net: a damper */
 	double damper;      /* N s/m, of the scene, and in `axial` too */
 	enum hawser_net_given given;
@@ -114,9 +117,9 @@ struct hawser_net_failure {
 struct hawser_net_winch {
 	int cable, end;     /* end: 0 `from`, 1 `to`: where the material comes from */
 	double speed, rise; /* m/s of the unstretched length, positive pays out, which it has after
-	                     * `rise` (s), linearly from 0 on */
+	                     * `rise` (s): speed*(q - sin(2 pi q)/(2 pi)), q = t/rise */
 	double tension;     /* N: held instead, by a speed that is `limit` where the tension differs */
-	double limit;       /* m/s  by HAWSER_NET_WINCH_BAND of it, and linear between */
+	double limit;       /* m/s, by HAWSER_NET_WINCH_BAND of it, and linear between */
 };
 #define HAWSER_NET_WINCH_BAND 0.05
 
@@ -143,6 +146,7 @@ struct hawser_net {
 	struct hawser_net_failure *failure; /* [failures] */
 	struct hawser_net_winch *winch; /* [winches] */
 	int failures, winches;
+	struct hawser_water water;
 };
 
 /* Read a scene of kind `net`; `set` has overrides, such as "cables.c1.EA=100 MN". */

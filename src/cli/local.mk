@@ -30,9 +30,12 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/tools/cmd_completion.c \
 	%D%/tools/cmd_init.c \
 	%D%/tools/cmd_schema.c \
+	%D%/tools/init_from.c \
+	%D%/tools/init_from.h \
 	%D%/tools/init_scenes.c \
 	%D%/tools/init_scenes.h \
 	%D%/tools/init_structures.c \
+	%D%/tools/init_write.c \
 	%D%/tools/records.c \
 	%D%/frame/input.h \
 	%D%/frame/part.c \

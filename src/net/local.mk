@@ -32,6 +32,7 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/read/events.c \
 	%D%/read/loads.c \
 	%D%/read/passing.c \
+	%D%/read/water.c \
 	%D%/statics/history.c \
 	%D%/motion/integrate.c \
 	%D%/mesh.c \
@@ -98,6 +99,11 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/touch/touch-hold.c \
 	%D%/touch/touch-start.c \
 	%D%/touch/touched.c \
-	%D%/touch/touching.c
+	%D%/touch/touching.c \
+	%D%/water/ends.c \
+	%D%/water/load.c \
+	%D%/water/motion.c \
+	%D%/water/statics.c \
+	%D%/water/water.h
 # the table of keys, data alone, which the library of the scene has
 src_scene_libscene_la_SOURCES += %D%/read/net_rows.c

@@ -16,7 +16,7 @@
 #include <unistd.h>
 
 #include "core/report.h"
-#include "net/net.h"
+#include "net/water/water.h"
 
 /* Bytes that the statics of an element take, with the factors: measured on nets of Table 3.1. */
 enum { BYTES = 2500 };
@@ -199,6 +199,11 @@ enum hawser_status hawser__mesh_build(struct hawser__mesh *mesh, const struct ha
 		mesh->first[i + 1] = mesh->first[i] + net->cable[i].elements;
 	}
 	hawser__mesh_number(mesh);
+	status = hawser__water_open(mesh, net, report);
+	if (status) {
+		hawser__mesh_clear(mesh);
+		return status;
+	}
 	hawser__mesh_load(mesh, net);
 	mesh->motions = net->motions;
 	for (int i = 0; i < net->motions; i++) {
@@ -270,6 +275,10 @@ void hawser__mesh_load(struct hawser__mesh *mesh, const struct hawser_net *net)
 			mesh->force[mesh->end[e][end]][1] -= mesh->rho[e]*mesh->length0[e]*mesh->g/2.0;
 	for (int i = 0; i < net->loads; i++)
 		load(mesh, &net->load[i]);
+	if (mesh->water) {
+		memcpy(mesh->water->dead, mesh->force, (size_t)mesh->nodes*sizeof *mesh->force);
+		hawser__water_load(mesh);
+	}
 }
 
 double hawser__mesh_direction(double e[3], const struct hawser__mesh *mesh, int element)

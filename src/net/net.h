@@ -54,6 +54,7 @@ struct hawser__mesh {
 	} *edge;               /* [edges] an element that leaves a curved obstacle, with the touch of
 	                        * the end that is on it. Set for modes alone (hawser__touch_hold) */
 	int edges;
+	struct hawser__mesh_water *water; /* NULL: none; net/water/water.h */
 	int around;            /* 1: an obstacle has cables around it: they begin straight between the
 	                        * places of nodes, and supports need not hold them */
 	struct hawser__hold hold;
@@ -123,7 +124,7 @@ enum hawser_status hawser__touch_again(struct hawser__mesh *mesh, const struct h
 int hawser__touch_around(const struct hawser_net *net);
 /* Gaps and their derivatives at mesh->q. */
 void hawser__touch_measure(struct hawser__mesh *mesh);
-/* Fail for a net with obstacles, which `command` does not know. */
+/* Fail for a net with obstacles or water, which `command` does not know. */
 enum hawser_status hawser__touch_none(const struct hawser_net *net, const char *command,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 

@@ -15,14 +15,6 @@
 
 #include "core/vec3.h"
 
-/* C = A B; C is neither. */
-static inline void hawser__mul(double C[9], const double A[9], const double B[9])
-{
-	for (int i = 0; i < 3; i++)
-		for (int j = 0; j < 3; j++)
-			C[3*i + j] = A[3*i]*B[j] + A[3*i + 1]*B[3 + j] + A[3*i + 2]*B[6 + j];
-}
-
 /* C = A' B; C is neither. */
 static inline void hawser__mul_left(double C[9], const double A[9], const double B[9])
 {
@@ -50,18 +42,6 @@ static inline void hawser__apply_left(double y[3], const double A[9], const doub
 {
 	for (int i = 0; i < 3; i++)
 		y[i] = A[i]*x[0] + A[3 + i]*x[1] + A[6 + i]*x[2];
-}
-
-/* The matrix A of A x = v x x. */
-static inline void hawser__skew(double A[9], const double v[3])
-{
-	A[0] = A[4] = A[8] = 0.0;
-	A[1] = -v[2];
-	A[2] = v[1];
-	A[3] = v[2];
-	A[5] = -v[0];
-	A[6] = -v[1];
-	A[7] = v[0];
 }
 
 /* --- quaternions --- */

@@ -37,6 +37,8 @@
 #include <hawser/drag.h>
 #include <hawser/tow.h>
 #include <hawser/transient.h>
+#include <hawser/water.h>
+#include <hawser/waves.h>
 #include <hawser/locus.h>
 #include <hawser/basin.h>
 #include <hawser/lyapunov.h>
@@ -383,6 +385,15 @@ static const struct row {
 	ROW(hawser_transient_place),
 	ROW(hawser_transient_range),
 	ROW(hawser_transient_row),
+	ROW(hawser_water),
+	ROW(hawser_water_buoy),
+	ROW(hawser_water_level),
+	ROW(hawser_jonswap),
+	ROW(hawser_wave),
+	ROW(hawser_wave_flow),
+	ROW(hawser_waves),
+	ROW(hawser_waves_given),
+	ROW(hawser_water_line),
 };
 
 size_t hawser_sizeof(const char *name)

@@ -1,7 +1,6 @@
 noinst_LTLIBRARIES += %D%/libtow.la
 # Towed bodies: the path of the towing point.
 %C%_libtow_la_SOURCES = \
-	%D%/drag.c \
 	%D%/motion.c \
 	%D%/motion.h \
 	%D%/motion_loads.c \

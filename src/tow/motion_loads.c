@@ -163,19 +163,13 @@ static void body_drag(struct hawser_ring_drag *drag, const struct hawser__tow_ru
                       const double u[3], const double axis[3], const double spin[3])
 {
 	const struct hawser_tow_body *body = &run->own.body;
-	double speed = hawser__norm(u), half = 0.5*run->own.density*body->CdA;
 
 	if (body->kind == HAWSER_TOW_RING) {
 		hawser_ring_drag(drag, &body->ring, u, axis, spin);
 		return;
 	}
 	memset(drag, 0, sizeof *drag);
-	for (int i = 0; i < 3; i++) {
-		drag->force[i] = half*speed*u[i];
-		for (int j = 0; j < 3; j++)
-			drag->force_u[i][j] = half*((i == j ? speed : 0.0) +
-			                            (speed > 0.0 ? u[i]*(u[j]/speed) : 0.0));
-	}
+	hawser_drag_body(drag->force, drag->force_u, 0.5*run->own.density*body->CdA, u);
 }
 
 /* Column j of the derivatives of force and moment on the body's node, in the order of its unknowns. */

@@ -7,14 +7,14 @@
 # rank of a stage, and the stage of a public header; a new stage or header is entered here.
 table='
 BEGIN {
-	n = split("core continuation scene statics modes beam contact net ropeway rod tow rom response study output cli", stage, " ")
+	n = split("core continuation scene statics modes beam contact water net ropeway rod tow rom response study output cli", stage, " ")
 	for (i = 1; i <= n; i++) rank[stage[i]] = i
 	of["status"] = of["progress"] = "core"; of["document"] = of["scene"] = of["schema"] = of["plausible"] = "scene"; of["statics"] = "statics"; of["modes"] = of["gyroscopic"] = of["irvine"] = of["campbell"] = of["damped"] = "modes"
-	of["beam"] = "beam"; of["friction"] = of["surface"] = "contact"; of["net"] = "net"
+	of["beam"] = "beam"; of["friction"] = of["surface"] = "contact"; of["water"] = of["waves"] = of["drag"] = "water"; of["net"] = "net"
 	of["net_motion"] = of["net_plan"] = of["net_span"] = of["net_modes"] = of["net_equilibria"] = "net"
 	of["line"] = of["ropeway"] = of["line_modes"] = of["ropeway_modes"] = of["transient"] = of["obstacles"] = "ropeway"
 	of["rod"] = of["rod_motion"] = "rod"
-	of["tow"] = of["drag"] = of["trajectory"] = "tow"
+	of["tow"] = of["trajectory"] = "tow"
 	of["rom"] = of["rom_source"] = of["law"] = of["line_rom"] = of["net_rom"] = of["plugin"] = of["choose"] = "rom"; of["integrate"] = of["orbit"] = of["family"] = of["frf"] = of["cover"] = of["branches"] = of["backbone"] = of["nnm"] = of["normal_form"] = of["scales"] = of["folds"] = of["locus"] = of["linear"] = of["lyapunov"] = of["torus"] = of["beam_motion"] = "response"; of["hawser"] = "output"
 	of["study"] = of["span_motion"] = of["scene_family"] = of["plan"] = of["accuracy"] = of["certificate"] = of["map"] = of["basin"] = of["primary"] = of["hill"] = of["decay"] = of["identify"] = of["sizes"] = "study"
 }

@@ -89,9 +89,12 @@ enum hawser_status net_two_sided(struct hawser__net_work *work, int *done,
 	net_start(work);
 	left = status ? INFINITY : assemble(&newton, work);
 	while (!status && good && !*done && work->iterations < most && isfinite(left)) {
+		const struct hawser__blocks_matrix matrix = {.B = (const double (*)[9])newton.B,
+		                                             .mass = (const double (*)[2])newton.mass,
+		                                             .point = newton.point};
+
 		hawser__klu_forget(newton.klu);
-		status = hawser__klu_solve(newton.r, &good, newton.klu, (const double (*)[9])newton.B,
-		                           (const double (*)[2])newton.mass, newton.point, report);
+		status = hawser__klu_solve(newton.r, &good, newton.klu, &matrix, report);
 		if (status || !good)
 			break;
 		for (int i = 0; i < mesh->nodes; i++)

@@ -1,5 +1,5 @@
-/* Steps of meshes: momentum in free flight, orders of the schemes, the tangent against differences of
- * the residual, elimination along a chain against KLU.
+/* Steps of meshes: momentum in free flight, orders of the schemes, the tangent, in water as well,
+ * against differences of the residual, elimination along a chain against KLU.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -20,23 +20,31 @@ static double any(void)
 	return (double)(seed >> 11)/4503599627370496.0 - 1.0;
 }
 
-/* A cable of 2 m over 1.7 m in equilibrium; both ends let go if free is 1. */
+/* A cable of 2 m over 1.7 m in equilibrium, partly in water that flows if `wet` is 1; both ends let
+ * go if free is 1. */
 static int open(struct hawser__motion *motion, struct hawser__mesh *mesh, const char *scheme, int free,
-                double g)
+                double g, int wet)
 {
 	static const unsigned char none[3];
 	static char name[] = "cable";
+	static struct hawser_water_level current = {.u = {0.7, 0.0, 0.3}};
+	static struct hawser_net net;
+	static struct hawser_net_cable cable;
 	unsigned char loose[N + 1] = {1, 1};
 	struct hawser_net_node node[2] = {
 		{.name = "A", .placed = 1, .held = {1, 1, 1}, .support = 1},
 		{.name = "B", .placed = 1, .x = {1.7, 0.2, 0.3}, .held = {1, 1, 1}, .support = 1}};
-	struct hawser_net_cable cable = {.name = "c", .from = 0, .to = 1, .EA = 238.5, .rho = 0.37,
-	                                 .value = 2.0, .elements = N};
-	struct hawser_net net = {.name = name, .g = 9.81, .node = node, .cable = &cable, .nodes = 2,
-	                         .cables = 1};
 	struct hawser__equilibrium found;
-	enum hawser_status status = hawser__mesh_build(mesh, &net, &report);
+	enum hawser_status status;
 
+	cable = (struct hawser_net_cable){.name = "c", .from = 0, .to = 1, .EA = 238.5, .rho = 0.37,
+	                                  .line = {0.02, 1.2, 0.1, 1.0, 0.3}, .value = 2.0, .elements = N};
+	net = (struct hawser_net){.name = name, .g = 9.81, .node = node, .cable = &cable, .nodes = 2,
+	                          .cables = 1};
+	if (wet)
+		net.water = (struct hawser_water){.density = 1000.0, .surface = -0.15, .current = &current,
+		                                  .levels = 1};
+	status = hawser__mesh_build(mesh, &net, &report);
 	if (!status)
 		status = hawser__mesh_statics(mesh, NULL, &found, NULL, &report);
 	for (int i = 0; i < 2 && free; i++)
@@ -85,7 +93,7 @@ static void flight(void)
 	double before[6], after[6], off = 0.0, size = 0.0;
 	enum hawser_status status = HAWSER_OK;
 
-	if (!open(&motion, &mesh, "energy", 1, 0.0))
+	if (!open(&motion, &mesh, "energy", 1, 0.0, 0))
 		return;
 	for (int i = 0; i < motion.nodes; i++)
 		for (int k = 0; k < 3; k++)
@@ -114,7 +122,7 @@ static double middle(const char *scheme, double h)
 	struct hawser__motion motion;
 	double y;
 
-	if (!open(&motion, &mesh, scheme, 0, 9.81))
+	if (!open(&motion, &mesh, scheme, 0, 9.81, 0))
 		return NAN;
 	for (int i = 2; i < motion.nodes; i++)
 		motion.v[i][2] = 0.4*sin(M_PI*(i - 1)/N);
@@ -144,11 +152,14 @@ static void orders(void)
 	}
 }
 
-/* Tangent of a step in the middle of a motion: differences of the residual along a random direction,
- * and both solvers. */
+/* Tangent of a step in the middle of a motion: differences of the residual along a random
+ * direction, and both solvers. */
 static void tangents(void)
 {
-	for (int s = 0; hawser__motion_scheme(s) && hawser__motion_scheme(s)->rule; s++) {
+	int wet = 1;
+
+	for (int s = 0; hawser__motion_scheme(s) && hawser__motion_scheme(s)->rule; s += !wet, wet = 0) {
+		struct hawser__blocks_matrix matrix;
 		struct hawser__motion_rule rule = {0};
 		struct hawser__mesh mesh;
 		struct hawser__motion motion;
@@ -157,7 +168,7 @@ static void tangents(void)
 		int good = 0, both = 0;
 		const double h = 2e-3, eps = 1e-7;
 
-		if (!open(&motion, &mesh, hawser__motion_scheme(s)->shown.name, 0, 9.81))
+		if (!open(&motion, &mesh, hawser__motion_scheme(s)->shown.name, 0, 9.81, wet))
 			return;
 		dx = calloc(3*(size_t)motion.nodes, sizeof *dx);
 		low = dx + motion.nodes;
@@ -187,14 +198,14 @@ static void tangents(void)
 				motion.x[i][k] -= eps*dx[i][k];
 		hawser__motion_residual(&motion, &rule, h, 1);
 		memcpy(other, low, (size_t)motion.nodes*sizeof *low);
-		ok(!hawser__blocks_solve(low, &good, motion.blocks, (const double (*)[9])motion.B,
-		                         (const double (*)[2])motion.mass, motion.point, &report) && good &&
-		   hawser__blocks_chain(motion.blocks), "%s: solved along the chain",
-		   motion.scheme->shown.name);
+		matrix = (struct hawser__blocks_matrix){
+			(const double (*)[9])motion.B, (const double (*)[9])motion.other,
+			(const double (*)[2])motion.mass, motion.point, (const double (*)[9])motion.block};
+		ok(!hawser__blocks_solve(low, &good, motion.blocks, &matrix, &report) && good &&
+		   hawser__blocks_chain(motion.blocks), "%s: solved along the chain%s",
+		   motion.scheme->shown.name, wet ? ", in water" : "");
 		ok(!hawser__klu_open(&klu, &mesh, &report) &&
-		   !hawser__klu_solve(other, &both, klu, (const double (*)[9])motion.B,
-		                      (const double (*)[2])motion.mass, motion.point, &report) && both,
-		   "by KLU");
+		   !hawser__klu_solve(other, &both, klu, &matrix, &report) && both, "by KLU");
 		for (int i = 2; i < motion.nodes; i++)
 			for (int k = 0; k < 3; k++) {
 				off = fmax(off, fabs(low[i][k] - dx[i][k]));

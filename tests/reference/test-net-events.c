@@ -44,7 +44,7 @@ static void rope(double part, const char *axial)
 	const double EA = 5e6, m = 9.6, T = 5e4, c = sqrt(EA/m), v = T/(m*c);
 	char text[600];
 	struct hawser_net net;
-	struct hawser_net_motion motion;
+	struct hawser_net_motion motion = {0};
 	double at = part < 1.0 ? part - 1e-3 : 1.0;
 
 	snprintf(text, sizeof text, "kind: net\ng: 0\nnodes: {A: [0,0,0], B: [101,0,0]}\n"
@@ -114,7 +114,7 @@ static void winch(void)
 {
 	const struct load of = {1743.75, 2e6, 60.0, 1.0, 2.0};
 	struct hawser_net net;
-	struct hawser_net_motion motion;
+	struct hawser_net_motion motion = {0};
 	double y[2] = {60.0*(1.0 + 1743.75*9.81/2e6), 0.0}, worst[2] = {0.0}, work = 0.0;
 	const int rows = 120, fine = 40;
 
@@ -145,7 +145,7 @@ static void parts(void)
 {
 	const struct load of = {1743.75, 2e6, 60.0, 1.0, 2.0};
 	struct hawser_net net;
-	struct hawser_net_motion motion;
+	struct hawser_net_motion motion = {0};
 	double y[2] = {60.0*(1.0 + 1743.75*9.81/2e6), 0.0}, t = 0.0, last = 0.0, T = 0.0, h = 1e-4;
 
 	if (opened(&net, LIFT "winches: {c: {end: W, speed: -1 m/s, rise: 2 s}}\n"
@@ -181,7 +181,7 @@ static void balances(void)
 		"%, time: "
 		"0.2}, {cable: c, at: A, time: 0.3}]\n"};
 	struct hawser_net net;
-	struct hawser_net_motion motion;
+	struct hawser_net_motion motion = {0};
 
 	if (opened(&net, text[0]) &&
 	    moved(&motion, &net, 20.0, 1.0, 5e-3, (struct hawser_net_probe){1, -1, 0.0}))
@@ -197,8 +197,50 @@ static void balances(void)
 	hawser_net_clear(&net);
 }
 
+/* A sinker in water: on two lines of which one parts, and on a winch; numbers of two other programs. */
+#define SINKER "masses: {J: 2000 kg}\nbuoys: {J: {volume: 0.25 m^3, CdA: 0.8 m^2, added_mass: 0.5}}\n" \
+	"water: {density: 1025 kg/m^3, surface: 100 m}\n"
+static void sinker(void)
+{
+	static const char *const text[] = {
+		"kind: net\nnodes: {A: [-30,0,0], B: [30,0,0], J: {}}\ncables: [{name: a, from: A, to: J, "
+		"EA: 2e6, rho: 0, length0: 50, elements: 1, diameter: 0}, {name: b, from: B, to: J, EA: 2e6, "
+		"rho: 0, length0: 50, elements: 1, diameter: 0}]\nsupports: {A: fixed, B: fixed}\n" SINKER
+		"failures: [{cable: b, at: J, time: 0}]\n",
+		"kind: net\nnodes: {W: [0,0,0], J: {}}\ncables: [{name: c, from: W, to: J, EA: 2e6, rho: 0, "
+		"length0: 60, elements: 1, diameter: 0}]\nsupports: {W: fixed}\n" SINKER
+		"winches: {c: {end: W, speed: -1 m/s, rise: 2 s}}\n"};
+	struct hawser_net net;
+	struct hawser_net_motion motion = {0};
+	const int rows = 2000;
+
+	for (int i = 0; i < 2; i++) {
+		double most = 0.0, at = 0.0, least = 0.0, until = 20.0;
+
+		if (opened(&net, text[i]) && moved(&motion, &net, until, until/rows, 2.5e-3,
+		                                   (struct hawser_net_probe){i ? 1 : 2, -1, 0.0})) {
+			for (int j = 0; j <= rows; j++) {
+				at = motion.T[j] > most ? motion.time[j] : at;
+				most = fmax(most, motion.T[j]);
+				least = fmin(least, motion.x[j][0]);
+			}
+			close_to(most, i ? 20748.2 : 17536.9, 5e-5, "largest tension, N");
+			close_to(at, i ? 1.29 : 6.55, 3e-3, "when, s");
+			if (i)
+				close_to(motion.x[rows][1], -41.36, 2e-6, "depth after 20 s, m");
+			else
+				close_to(least, -32.5919, 1e-5, "furthest way, m");
+			if (!i)
+				close_to(motion.T[0], 10659.7, 1e-5, "tension before, N");
+		}
+		hawser_net_motion_clear(&motion);
+		hawser_net_clear(&net);
+	}
+}
+
 CASE(reference_net_events)
 {
+	sinker();
 	rope(1.0, "2 ms");
 	rope(0.5, "4 ms");
 	winch();

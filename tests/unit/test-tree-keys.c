@@ -26,14 +26,15 @@ static const struct scene {
 	char item;        /* names of items in overrides: c0, p0 ... */
 } scenes[] = {
 	{"net", "kind: net\nnodes: {A: [0, 9, 0], B: [100, 9, 0], C: [200, 9, 0], J: {}}\n"
-	        "cables:\n  - {from: A, to: J, EA: 1e6, rho: 1, length0: 60}\n"
-	        "  - {from: J, to: B, EA: 1e6, rho: 1, length0: 60}\n"
-	        "  - {from: B, to: C, EA: 1e6, rho: 1, length0: 120}\n"
+	        "cables:\n  - {from: A, to: J, EA: 1e6, rho: 1, length0: 60, diameter: 0}\n"
+	        "  - {from: J, to: B, EA: 1e6, rho: 1, length0: 60, diameter: 0}\n"
+	        "  - {from: B, to: C, EA: 1e6, rho: 1, length0: 120, diameter: 0}\n"
 	        "supports: {A: fixed, C: fixed, B: {motion: {x: {amplitude: 1, Omega: 1}, "
 	        "y: {amplitude: 1, Omega: 1}, z: {amplitude: 1, Omega: 1}}}}\nmasses: {J: 1}\n"
 	        "loads: {J: {force: [0, 1, 0], harmonic: {Omega: 1}}, "
 	        "c0: {per_length: [0, 1, 0], harmonic: {Omega: 1}}}\n"
 	        "damping: {alpha: 1}\ndynamics: {step: 1}\n"
+	        "water: {density: 1000}\nbuoys: {J: {volume: 0}}\n"
 	        "obstacles:\n  - {circle: {centre: [30, -200], radius: 1}}\n"
 	        "contact: {restitution: 0}\n", 'c'},
 	{"ropeway", "ropeway:\n  rope: {EA: 4e7, rho: 4}\n"

@@ -112,8 +112,9 @@ static void comments(struct hawser__table *table, const void *of)
 	hawser__table_comment(table, "%d nodes, %d cables, %d unknowns; %d iterations", st->nodes,
 	                      st->cables, st->unknowns, st->iterations);
 	if (!isfinite(st->gap))
-		hawser__table_comment(table, "energy = %.12g J; around obstacles that are not planes there "
-		                      "may be other equilibria", st->energy);
+		hawser__table_comment(table, "energy = %.12g J; %s there may be other equilibria", st->energy,
+		                      result->mesh.net.water.levels ? "in a current"
+		                                                    : "around obstacles that are not planes");
 	else
 		hawser__table_comment(table, "energy = %.12g J, at most %.1e J above the least one", st->energy,
 		                      st->gap);

@@ -6,16 +6,25 @@
 
 #include "cli/frame/input.h"
 #include "cli/frame/kinds.h"
+#include "cli/tools/init_from.h"
 #include "cli/tools/init_scenes.h"
 #include "core/file.h"
+#include "core/report.h"
+
+struct settings {
+	struct cli_common common;
+	const char *from;
+};
 
 static const struct cli_option options[] = {
 	CLI_HELP_OPTION,
+	CLI_TEXT_OPTION(from, "FILE", "the mooring of a file of MoorDyn (version 2) or MoorPy, as a net"),
 	CLI_NO_OPTION,
 };
 static const char *const notes[] = {
 	"A scene of the kind or structure of the argument, or of a span of cable. It is complete, and goes",
 	"to standard output: hawser init net >net.yaml. Its first line says what to try.",
+	"With --from, what scenes cannot say of the file is named on standard error.",
 	NULL,
 };
 
@@ -25,11 +34,16 @@ static const char *const structure[] = {CLI_INIT_STRUCTURES(TEXT)};
 
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
-	const struct cli_common *common = context;
+	const struct settings *settings = context;
 	const char *text;
 	int index = 0;
-	enum hawser_status status = cli_choose_input(&index, &cli_init, common->input, report);
+	enum hawser_status status = cli_choose_input(&index, &cli_init, settings->common.input, report);
 
+	if (!status && settings->from)
+		return settings->common.input
+			? hawser__fail(report, HAWSER_ERR_ARGUMENT, "init", "--from FILE has its own kind of "
+			               "scene: leave '%s' out", settings->common.input)
+			: cli_init_from(settings->from, report);
 	if (status)
 		return status;
 	text = index < CLI_NUMBER_MODEL ? cli_kind_record(index)->text
@@ -42,7 +56,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 #define OR(name) "|" #name
 const struct cli_command cli_init = {
 	"init", "[" CLI_KINDS_WRITTEN(FIRST, NEXT) CLI_INIT_STRUCTURES(OR) "]",
-	"A scene with comments, to begin with", notes, options, NULL, sizeof(struct cli_common), 0, run,
+	"A scene with comments, to begin with", notes, options, NULL, sizeof(struct settings), 0, run,
 	NULL,
 	.takes = 0,
 };

@@ -14,7 +14,9 @@
 
 #include <cblas.h>
 
+#include "core/vec3.h"
 #include "net/modes/eigen.h"
+#include "net/water/water.h"
 
 /* y += v at a node. */
 static void scatter(double *y, const struct hawser__mesh *mesh, int node, const double v[3])
@@ -24,6 +26,21 @@ static void scatter(double *y, const struct hawser__mesh *mesh, int node, const 
 
 		if (mesh->unknown[node][k] >= 0)
 			y[mesh->unknown[node][k]] += f ? f[0]*v[0] + f[1]*v[1] + f[2]*v[2] : v[k];
+	}
+}
+
+/* y += the added mass times x: of the motion along one direction, what its inertia is in the whole.
+ * */
+static void added(double *y, const double *x, const struct hawser__mesh *mesh, unsigned along)
+{
+	struct hawser__water_mass at;
+	double a[3], b[3];
+
+	for (int j = 0; hawser__water_mass(&at, mesh, j); j++) {
+		hawser__eigen_place(a, x, mesh, mesh->end[at.element][at.end]);
+		for (int k = 0; k < 3; k++)
+			b[k] = along & (1U << k) ? hawser__dot(at.mass[k], a) : 0.0;
+		scatter(y, mesh, mesh->end[at.element][at.end], b);
 	}
 }
 
@@ -54,6 +71,7 @@ void hawser__eigen_mass(double *y, const double *x, const struct hawser__mesh *m
 		scatter(y, mesh, mesh->end[e][0], from);
 		scatter(y, mesh, mesh->end[e][1], to);
 	}
+	added(y, x, mesh, along);
 	for (int i = 0; i < mesh->rotors && along == 7U; i++) /* turns along no axis */
 		y[mesh->rotor[i].unknown] += mesh->rotor[i].mass*x[mesh->rotor[i].unknown];
 }
@@ -87,6 +105,22 @@ static void curvature(double *y, const double *x, const struct hawser__mesh *mes
 			force[k] = -touch->r*(touch->H[k][0]*at[0] + touch->H[k][1]*at[1] + touch->H[k][2]*at[2]);
 		scatter(y, mesh, touch->node, force);
 	}
+}
+
+/* y += the stiffness of the buoyancy where the surface cuts an element or a buoy, times x: along y.
+ * */
+static void buoyancy(double *y, const double *x, const struct hawser__mesh *mesh)
+{
+	struct hawser__water_spring at;
+	double a[3], b[3], f[3] = {0.0};
+
+	for (int j = 0; hawser__water_spring(&at, mesh, j); j++)
+		for (int i = 0; i < 2; i++) {
+			hawser__eigen_place(a, x, mesh, mesh->end[at.element][0]);
+			hawser__eigen_place(b, x, mesh, mesh->end[at.element][1]);
+			f[1] = at.k[i][0]*a[1] + at.k[i][1]*b[1];
+			scatter(y, mesh, mesh->end[at.element][i], f);
+		}
 }
 
 /* y += lift*M*x. */
@@ -123,6 +157,7 @@ void hawser__eigen_stiffness(double *y, const double *x, const struct hawser__ei
 		scatter(y, mesh, mesh->end[e][0], force);
 	}
 	curvature(y, x, mesh);
+	buoyancy(y, x, mesh);
 	lift(y, x, eigen);
 }
 
@@ -173,6 +208,40 @@ static void add_curvature(struct hawser__sparse *sparse, const struct hawser__me
 	}
 }
 
+static void add_buoyancy(struct hawser__sparse *sparse, const struct hawser__mesh *mesh)
+{
+	struct hawser__water_spring at;
+
+	for (int j = 0; hawser__water_spring(&at, mesh, j); j++) {
+		double block[6][6], part[3][3];
+
+		for (int p = 0; p < 4; p++) {
+			const double B[3][3] = {[1] = {0.0, at.k[p/2][p%2], 0.0}};
+
+			turned(part, mesh, mesh->end[at.element][p/2], B, mesh->end[at.element][p%2]);
+			for (int i = 0; i < 9; i++)
+				block[3*(p/2) + i/3][3*(p%2) + i%3] = part[i/3][i%3];
+		}
+		hawser__sparse_ends(sparse, at.element, (const double (*)[6])block);
+	}
+}
+
+/* Add a multiple of the added mass. */
+static void add_water(struct hawser__sparse *sparse, const struct hawser__mesh *mesh, double factor)
+{
+	struct hawser__water_mass at;
+	double block[3][3];
+
+	for (int j = 0; hawser__water_mass(&at, mesh, j); j++) {
+		int node = mesh->end[at.element][at.end];
+
+		turned(block, mesh, node, at.mass, node);
+		for (int k = 0; k < 9; k++)
+			block[k/3][k%3] *= factor;
+		hawser__sparse_node(sparse, at.element, at.end, (const double (*)[3])block);
+	}
+}
+
 /* The matrix K + (lift - shift)*M. The block of an element in M is m/2*I at both ends, minus
  * m/12*[I, -I; -I, I]. */
 void hawser__eigen_assemble(struct hawser__sparse *sparse, const struct hawser__eigen *eigen,
@@ -200,4 +269,6 @@ void hawser__eigen_assemble(struct hawser__sparse *sparse, const struct hawser__
 	for (int i = 0; i < mesh->rotors && shift != 0.0; i++)
 		hawser__sparse_diagonal(sparse, mesh->rotor[i].unknown, -shift*mesh->rotor[i].mass);
 	add_curvature(sparse, mesh);
+	add_water(sparse, mesh, -shift);
+	add_buoyancy(sparse, mesh);
 }

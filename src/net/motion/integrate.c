@@ -119,13 +119,15 @@ static int place(struct run *run)
 	return same;
 }
 
-/* The longest step by which an axial wave stays within an element. */
-static double transit(const struct hawser__mesh *mesh)
+/* The longest step by which an axial wave stays within an element, of those that have mass. */
+static double transit(const struct run *run)
 {
-	double least = INFINITY;
+	const struct hawser__mesh *mesh = &run->mesh;
+	double least = run->every;
 
 	for (int e = 0; e < mesh->elements; e++)
-		least = fmin(least, mesh->length0[e]*sqrt(mesh->rho[e]/mesh->EA[e]));
+		if (mesh->rho[e] > 0.0)
+			least = fmin(least, mesh->length0[e]*sqrt(mesh->rho[e]/mesh->EA[e]));
 	return least;
 }
 
@@ -186,10 +188,12 @@ static enum hawser_status start(struct run *run, struct hawser_report *report)
 		status = hawser__motion_open(&run->motion, &run->mesh, scheme, rho, same, loose, report);
 	}
 	free(loose);
-	if (!status && run->mesh.touches && run->motion.scheme->rule != hawser__motion_scheme(0)->rule)
+	if (!status && (run->mesh.touches || run->mesh.water) &&
+	    run->motion.scheme->rule != hawser__motion_scheme(0)->rule)
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s: the scheme %s does not know "
-		                      "obstacles: take energy, or leave dynamics.scheme and --method out",
-		                      net->name ? net->name : "the net", run->motion.scheme->shown.name);
+		                      "%s: take energy, or leave dynamics.scheme and --method out",
+		                      net->name ? net->name : "the net", run->motion.scheme->shown.name,
+		                      run->mesh.touches ? "obstacles" : "water");
 	if (!status && run->mesh.touches)
 		status = hawser__contact_open(&run->motion, net->contact.restitution, report);
 	if (!status)
@@ -202,7 +206,7 @@ static enum hawser_status start(struct run *run, struct hawser_report *report)
 	run->motion.tables = run->tables;
 	run->table = NULL;
 	run->tables = 0;
-	run->h = BEGINS*transit(&run->mesh);
+	run->h = BEGINS*transit(run);
 	if (run->state)
 		hawser__motion_restore(&run->motion, &run->h, run->state);
 	if (run->state && run->motion.t >= run->options->until)
@@ -402,7 +406,7 @@ static enum hawser_status advance(struct run *run, double end, struct hawser_rep
 		if (!status && !run->motion.stopped && run->motion.events)
 			status = hawser__events_part(&run->motion, report);
 		if (run->motion.past_h <= 0.0) /* a cable has parted: as at the beginning */
-			run->h = fmin(run->h, BEGINS*transit(&run->mesh));
+			run->h = fmin(run->h, BEGINS*transit(run));
 	}
 	return status;
 }

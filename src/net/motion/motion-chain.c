@@ -19,6 +19,7 @@
 
 struct hawser__blocks {
 	int nodes;
+	const int (*end)[2]; /* [elements] of the mesh */
 	int *node;        /* [nodes] in their order along the paths */
 	int *link;        /* [nodes] element from this place to the next; -1: a path ends here */
 	unsigned char *held; /* [nodes] by place; bit k: direction k is held */
@@ -84,6 +85,7 @@ enum hawser_status hawser__blocks_open(struct hawser__blocks **made, const struc
 	*made = blocks;
 	if (blocks) {
 		blocks->nodes = mesh->nodes;
+		blocks->end = (const int (*)[2])mesh->end;
 		blocks->node = calloc(n, sizeof *blocks->node);
 		blocks->link = calloc(n, sizeof *blocks->link);
 		blocks->held = calloc(n, 1);
@@ -104,8 +106,18 @@ enum hawser_status hawser__blocks_open(struct hawser__blocks **made, const struc
 struct problem {
 	struct hawser__blocks *blocks;
 	double (*r)[3];
-	const double (*B)[9], (*mass)[2], *point;
+	const struct hawser__blocks_matrix *of;
 };
+
+/* Add the block of a node. */
+HAWSER_PART void add(struct hawser__rows *to, const struct problem *of, int node)
+{
+	const double *A = of->of->block[node];
+
+	to->x += (hawser__vec){A[0], A[1], A[2], 0.0};
+	to->y += (hawser__vec){A[3], A[4], A[5], 0.0};
+	to->z += (hawser__vec){A[6], A[7], A[8], 0.0};
+}
 
 /* The rows of `at` of held directions are those of the unit matrix, with r beside them. */
 HAWSER_PART void hold(struct hawser__rows *at, unsigned char held, const double *r)
@@ -124,14 +136,23 @@ HAWSER_PART double step(struct hawser__rows *rest, const struct problem *of, int
 {
 	const struct hawser__blocks *blocks = of->blocks;
 	const int node = blocks->node[place];
-	const double *r = of->r[node], *B = of->B[e], near = of->mass[e][0], far = of->mass[e][1];
-	const double own = near + of->point[node];
+	const double near = of->of->mass[e][0], far = of->of->mass[e][1];
+	const double *r = of->r[node], *B = of->of->B[e], *O = of->of->other ? of->of->other[e] : B;
+	const double own = near + of->of->point[node];
 	struct hawser__rows here, off, factor;
 	double c[9], det, inverse;
 
+	if (of->of->other && blocks->end[e][0] != node) {
+		const double *swap = B;
+
+		B = O;
+		O = swap;
+	}
 	here.x = rest->x + (hawser__vec){B[0] + own, B[1], B[2], r[0]};
 	here.y = rest->y + (hawser__vec){B[3], B[4] + own, B[5], r[1]};
 	here.z = rest->z + (hawser__vec){B[6], B[7], B[8] + own, r[2]};
+	if (of->of->block)
+		add(&here, of, node);
 	if (blocks->held[place])
 		hold(&here, blocks->held[place], r);
 	off.x = (hawser__vec){far, 0.0, 0.0, here.x[3]} - (hawser__vec){B[0], B[1], B[2], 0.0};
@@ -147,12 +168,12 @@ HAWSER_PART double step(struct hawser__rows *rest, const struct problem *of, int
 	inverse = 1.0/det;
 	hawser__rows_times(&factor, c, inverse, &off);
 	blocks->factor[place] = factor;
-	rest->x = (hawser__vec){B[0] + near, B[1], B[2], 0.0} +
-	          ((B[0] - far)*factor.x + B[1]*factor.y + B[2]*factor.z);
-	rest->y = (hawser__vec){B[3], B[4] + near, B[5], 0.0} +
-	          (B[3]*factor.x + (B[4] - far)*factor.y + B[5]*factor.z);
-	rest->z = (hawser__vec){B[6], B[7], B[8] + near, 0.0} +
-	          (B[6]*factor.x + B[7]*factor.y + (B[8] - far)*factor.z);
+	rest->x = (hawser__vec){O[0] + near, O[1], O[2], 0.0} +
+	          ((O[0] - far)*factor.x + O[1]*factor.y + O[2]*factor.z);
+	rest->y = (hawser__vec){O[3], O[4] + near, O[5], 0.0} +
+	          (O[3]*factor.x + (O[4] - far)*factor.y + O[5]*factor.z);
+	rest->z = (hawser__vec){O[6], O[7], O[8] + near, 0.0} +
+	          (O[6]*factor.x + O[7]*factor.y + (O[8] - far)*factor.z);
 	return det;
 }
 
@@ -161,13 +182,15 @@ HAWSER_PART double middle(const struct hawser__rows *one, const struct hawser__r
                           const struct problem *of, int place)
 {
 	const int node = of->blocks->node[place];
-	const double own = of->point[node];
+	const double own = of->of->point[node];
 	double *x = of->r[node], c[9], det, right[3];
 	struct hawser__rows here;
 
 	here.x = one->x + other->x + (hawser__vec){own, 0.0, 0.0, x[0]};
 	here.y = one->y + other->y + (hawser__vec){0.0, own, 0.0, x[1]};
 	here.z = one->z + other->z + (hawser__vec){0.0, 0.0, own, x[2]};
+	if (of->of->block)
+		add(&here, of, node);
 	if (of->blocks->held[place])
 		hold(&here, of->blocks->held[place], x);
 	det = hawser__rows_adjugate(c, &here);
@@ -211,14 +234,13 @@ static int eliminate(const struct problem *of, int first, int last)
 }
 
 enum hawser_status hawser__blocks_solve(double (*r)[3], int *good, struct hawser__blocks *blocks,
-                                        const double (*B)[9], const double (*mass)[2],
-                                        const double *point,
+                                        const struct hawser__blocks_matrix *matrix,
                                         struct hawser_report *report)
 {
-	const struct problem of = {.blocks = blocks, .r = r, .B = B, .mass = mass, .point = point};
+	const struct problem of = {.blocks = blocks, .r = r, .of = matrix};
 
 	if (blocks->klu)
-		return hawser__klu_solve(r, good, blocks->klu, B, mass, point, report);
+		return hawser__klu_solve(r, good, blocks->klu, matrix, report);
 	*good = 1;
 	for (int first = 0, last; first < blocks->nodes && *good; first = last + 1) {
 		for (last = first; blocks->link[last] >= 0;)

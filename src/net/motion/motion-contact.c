@@ -47,6 +47,7 @@ static int allocate(struct hawser__motion_contact *contact, size_t nodes, size_t
 	contact->which = hawser__hold(&contact->hold, touches, sizeof *contact->which);
 	contact->diagonal = hawser__hold(&contact->hold, nodes, sizeof *contact->diagonal);
 	contact->off = hawser__hold(&contact->hold, elements + 1, sizeof *contact->off);
+	contact->back = hawser__hold(&contact->hold, elements + 1, sizeof *contact->back);
 	contact->right = hawser__hold(&contact->hold, 3*nodes, sizeof *contact->right);
 	contact->weight = hawser__hold(&contact->hold, nodes, sizeof *contact->weight);
 	contact->held = hawser__hold(&contact->hold, 2*nodes, sizeof *contact->held);
@@ -276,9 +277,10 @@ static double assemble(struct hawser__motion *motion)
 	double most = 0.0;
 
 	for (int i = 0; i < motion->nodes; i++) {
-		memset(all->diagonal[i], 0, sizeof all->diagonal[i]);
+		for (int k = 0; k < 9; k++)
+			all->diagonal[i][k] = motion->block ? motion->block[i][k] : 0.0;
 		for (int k = 0; k < 3; k++) {
-			all->diagonal[i][4*k] = motion->point[i];
+			all->diagonal[i][4*k] += motion->point[i];
 			all->right[i][k] = mesh->unknown[i][k] < 0 ? 0.0 : -motion->r[i][k];
 			all->dx[i][k] = all->right[i][k];
 			if (mesh->unknown[i][k] >= 0) /* masses, which are not in the forces of elements */
@@ -287,15 +289,17 @@ static double assemble(struct hawser__motion *motion)
 		}
 	}
 	for (int e = 0; e < motion->elements; e++) {
-		const double *B = motion->B[e], near = motion->mass[e][0];
+		const double *B = motion->B[e], *other = motion->other ? motion->other[e] : B;
+		const double near = motion->mass[e][0];
 		double *a = all->diagonal[mesh->end[e][0]], *b = all->diagonal[mesh->end[e][1]];
 
 		for (int k = 0; k < 9; k++) {
-			double one = B[k] + (k%4 == 0 ? near : 0.0);
+			double one = k%4 == 0 ? near : 0.0;
 
-			a[k] += one;
-			b[k] += one;
+			a[k] += B[k] + one;
+			b[k] += other[k] + one;
 			all->off[e][k] = -B[k];
+			all->back[e][k] = -other[k];
 		}
 	}
 	for (int c = 0; c < all->candidates; c++) {
@@ -339,7 +343,7 @@ static enum hawser_status solve_laws(struct hawser__motion *motion, int *done,
 	struct hawser__motion_contact *all = motion->contact;
 	const struct hawser_friction_problem problem = {
 		.diagonal = (const double (*)[9])all->diagonal, .off = (const double (*)[9])all->off,
-		.back = (const double (*)[9])all->off, .right = (const double (*)[3])all->right,
+		.back = (const double (*)[9])all->back, .right = (const double (*)[3])all->right,
 		.held = all->held, .contact = all->contact, .contacts = all->candidates};
 	const struct hawser_friction_options options = {.tolerance = LAWS, .warm = 1};
 	struct hawser_friction_counts counts;

@@ -42,7 +42,7 @@ struct hawser__motion_contact {
 	struct hawser_contact *contact;      /* [touches] of the list */
 	struct hawser_contact_reply *reply;  /* [touches] of the list */
 	int *which;                          /* [touches] of the list: its touch */
-	double (*diagonal)[9], (*off)[9];    /* [nodes], [elements] */
+	double (*diagonal)[9], (*off)[9], (*back)[9]; /* [nodes], [elements] */
 	double (*right)[3], (*dx)[3];        /* [nodes] */
 	double (*jump)[3];                   /* [nodes] m/s, of the end part */
 	double *weight;                      /* [nodes] kg */

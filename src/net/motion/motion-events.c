@@ -233,18 +233,43 @@ static enum hawser_status touch_anew(struct hawser__motion *motion, struct hawse
 	return HAWSER_OK;
 }
 
-/* Loads of the mesh anew, from its lengths and ends: their change goes to the constant forces. */
-static void load_anew(struct hawser__motion *motion)
+/* Loads of the mesh anew, from its lengths and ends: their change goes to the constant forces. Returns
+ * the energy of the change, which comes from a place, J. */
+static double load_anew(struct hawser__motion *motion, const double place[3])
 {
 	struct hawser__mesh *mesh = motion->mesh;
+	double energy = 0.0;
 
 	for (int i = 0; i < mesh->nodes; i++)
-		for (int k = 0; k < 3; k++)
+		for (int k = 0; k < 3; k++) {
+			double x = motion->reference[i][k] + motion->u[i][k] - place[k];
+
 			motion->base[i][k] -= mesh->force[i][k];
+			energy += mesh->force[i][k]*x;
+		}
 	hawser__mesh_load(mesh, motion->events->net);
+	if (motion->water)
+		hawser__water_still(motion);
 	for (int i = 0; i < mesh->nodes; i++)
-		for (int k = 0; k < 3; k++)
+		for (int k = 0; k < 3; k++) {
+			double x = motion->reference[i][k] + motion->u[i][k] - place[k];
+
 			motion->base[i][k] += mesh->force[i][k];
+			energy -= mesh->force[i][k]*x;
+		}
+	return energy;
+}
+
+/* Strain energy of an element. */
+static double strain_energy(const struct hawser__motion *motion, int element)
+{
+	const struct hawser__motion_element *el = &motion->element[element];
+	double d[3], p, L0 = motion->mesh->length0[element];
+
+	for (int k = 0; k < 3; k++)
+		d[k] = el->D[k] + motion->u[el->b][k] - motion->u[el->a][k];
+	p = fmax(hawser__norm(d) - L0, 0.0);
+	return 0.5*motion->mesh->EA[element]/L0*p*p;
 }
 
 /* Of a cable without mass nothing moves at the loose end: the element goes, its strain energy is
@@ -252,18 +277,15 @@ static void load_anew(struct hawser__motion *motion)
 static void remove_element(struct hawser__motion *motion, int element)
 {
 	struct hawser__motion_element *el = &motion->element[element];
-	double d[3], p, lost, before;
+	double lost = strain_energy(motion, element), before;
 
 	hawser__motion_energies(motion);
 	before = motion->energy.potential;
 	for (int k = 0; k < 3; k++) {
-		d[k] = el->D[k] + motion->u[el->b][k] - motion->u[el->a][k];
 		motion->base[el->a][k] -= el->F_ref[k];
 		motion->base[el->b][k] += el->F_ref[k];
 		el->F_ref[k] = 0.0;
 	}
-	p = fmax(hawser__norm(d) - motion->mesh->length0[element], 0.0);
-	lost = 0.5*el->k*p*p;
 	el->k = el->c = motion->mesh->EA[element] = 0.0;
 	hawser__motion_energies(motion);
 	motion->events->offset += before - lost - motion->energy.potential;
@@ -286,7 +308,7 @@ static enum hawser_status separate(struct hawser__motion *motion, int element, i
 	memcpy(mesh->q[to], mesh->q[from], sizeof *mesh->q);
 	mesh->end[element][side] = to;
 	*(side ? &el->b : &el->a) = to;
-	load_anew(motion);
+	load_anew(motion, mesh->q[from]);
 	for (int k = 0; k < 3; k++) {
 		motion->base[to][k] += side ? -el->F_ref[k] : el->F_ref[k];
 		motion->base[from][k] -= side ? -el->F_ref[k] : el->F_ref[k];
@@ -357,25 +379,6 @@ static double held_length(const struct hawser__motion *motion, int number, doubl
 	return events->length0[number] + dt*fmin(fmax(speed, -winch->limit), winch->limit);
 }
 
-/* Energy of an element: strain, motion, and weight above the place of the winch. */
-static double energy_of(const struct hawser__motion *motion, int element, double height)
-{
-	const struct hawser__motion_element *el = &motion->element[element];
-	const struct hawser__mesh *mesh = motion->mesh;
-	const double *va = motion->v[el->a], *vb = motion->v[el->b];
-	double d[3], p, y = 0.0, L0 = mesh->length0[element];
-
-	for (int k = 0; k < 3; k++)
-		d[k] = el->D[k] + motion->u[el->b][k] - motion->u[el->a][k];
-	p = fmax(hawser__norm(d) - L0, 0.0);
-	for (int end = 0; end < 2; end++)
-		y += 0.5*(motion->reference[mesh->end[element][end]][1] +
-		          motion->u[mesh->end[element][end]][1] - height);
-	return 0.5*mesh->EA[element]/L0*p*p + mesh->rho[element]*L0*mesh->g*y +
-	       0.5*mesh->rho[element]*L0*((0.5 - motion->far)*(hawser__dot(va, va) + hawser__dot(vb, vb)) +
-	                                  2.0*motion->far*hawser__dot(va, vb));
-}
-
 /* An element of another unstretched length: its constants, and its force in the reference. */
 static void lengthen(struct hawser__motion *motion, int element, double L0)
 {
@@ -397,34 +400,37 @@ static void lengthen(struct hawser__motion *motion, int element, double L0)
 	}
 }
 
+/* Returns what strain and constant loads get. */
 static double wind(struct hawser__motion *motion, int number, double length0)
 {
 	const struct hawser_net_winch *winch = &motion->events->net->winch[number];
 	const struct hawser__mesh *mesh = motion->mesh;
 	int first = mesh->first[winch->cable], last = mesh->first[winch->cable + 1] - 1;
 	int node = mesh->end[winch->end ? last : first][winch->end];
-	double height = motion->reference[node][1] + motion->u[node][1], more = 0.0;
-	double ratio = length0/motion->events->length0[number];
+	double place[3], ratio = length0/motion->events->length0[number], more = 0.0;
 
+	for (int k = 0; k < 3; k++)
+		place[k] = motion->reference[node][k] + motion->u[node][k];
 	for (int e = first; e <= last; e++) {
-		more -= energy_of(motion, e, height);
+		more -= strain_energy(motion, e);
 		lengthen(motion, e, mesh->length0[e]*ratio);
-		more += energy_of(motion, e, height);
+		more += strain_energy(motion, e);
 	}
 	motion->events->length0[number] = length0;
-	return more;
+	return more + load_anew(motion, place);
 }
 
 void hawser__events_wind(struct hawser__motion *motion, double t)
 {
 	struct hawser__motion_events *events = motion->events;
-	double work = 0.0, before;
+	double work = 0.0, before, potential;
 
 	events->cut = 0.0; /* of a step that has failed */
 	if (!events->net->winches)
 		return;
 	hawser__motion_energies(motion);
-	before = motion->energy.kinetic + motion->energy.potential;
+	before = motion->energy.kinetic;
+	potential = motion->energy.potential;
 	for (int i = 0; i < events->net->winches; i++) {
 		const struct hawser_net_winch *winch = &events->net->winch[i];
 		double all = events->net->cable[winch->cable].value;
@@ -432,13 +438,11 @@ void hawser__events_wind(struct hawser__motion *motion, double t)
 		work += wind(motion, i, winch->tension > 0.0 ? held_length(motion, i, t - events->wound)
 		                                             : all + paid_out(winch, t));
 	}
-	load_anew(motion);
 	events->wound = t;
 	hawser__motion_energies(motion);
-	before += work - motion->energy.kinetic - motion->energy.potential;
-	events->offset += before;
-	motion->energy.potential += before;
-	motion->energy.work += work;
+	events->offset += potential + work - motion->energy.potential;
+	motion->energy.potential = potential + work;
+	motion->energy.work += work + motion->energy.kinetic - before;
 }
 
 void hawser__events_finish(struct hawser__motion *motion)

@@ -198,15 +198,28 @@ void hawser__klu_zero(struct hawser__klu *klu)
 	memset(klu->x, 0, (size_t)klu->p[klu->unknowns]*sizeof *klu->x);
 }
 
-void hawser__klu_element(struct hawser__klu *klu, int element, const double B[9], const double mass[2])
+static void add(struct hawser__klu *klu, int element, const double B[9], const double other[9],
+                const double mass[2])
 {
 	for (int k = 0; k < ENTRIES; k++) {
 		int row = k/6, column = k%6, same = row/3 == column/3, at = klu->at[element][k];
-		double value = same ? B[3*(row%3) + column%3] : -B[3*(row%3) + column%3];
+		double value = (row < 3 ? B : other)[3*(row%3) + column%3]*(same ? 1.0 : -1.0);
 
 		if (at >= 0)
 			klu->x[at] += value + (row%3 == column%3 ? mass[!same] : 0.0);
 	}
+}
+
+void hawser__klu_element(struct hawser__klu *klu, int element, const double B[9], const double mass[2])
+{
+	add(klu, element, B, B, mass);
+}
+
+void hawser__klu_ends(struct hawser__klu *klu, int element, const double block[6][6], double factor)
+{
+	for (int k = 0; k < ENTRIES; k++)
+		if (klu->at[element][k] >= 0)
+			klu->x[klu->at[element][k]] += factor*block[k/6][k%6];
 }
 
 void hawser__klu_node(struct hawser__klu *klu, int element, int end, const double block[3][3])
@@ -219,16 +232,21 @@ void hawser__klu_node(struct hawser__klu *klu, int element, int end, const doubl
 	}
 }
 
-static void assemble(struct hawser__klu *klu, const double (*B)[9], const double (*mass)[2],
-                     const double *point)
+static void assemble(struct hawser__klu *klu, const struct hawser__blocks_matrix *of)
 {
 	hawser__klu_zero(klu);
 	for (int i = 0; i < klu->nodes; i++)
 		for (int k = 0; k < 3; k++)
 			if (klu->diagonal[i][k] >= 0)
-				klu->x[klu->diagonal[i][k]] += point[i];
+				klu->x[klu->diagonal[i][k]] += of->point[i];
+	for (int i = 0; i < 9*klu->nodes && of->block; i++) {
+		int row = klu->unknown[i/9][i%9/3], column = klu->unknown[i/9][i%3];
+
+		if (row >= 0 && column >= 0)
+			klu->x[find(klu, row, column)] += of->block[i/9][i%9];
+	}
 	for (int e = 0; e < klu->elements; e++)
-		hawser__klu_element(klu, e, B[e], mass[e]);
+		add(klu, e, of->B[e], of->other ? of->other[e] : of->B[e], of->mass[e]);
 }
 
 enum hawser_status hawser__klu_divide(double *x, int *good, struct hawser__klu *klu,
@@ -250,12 +268,12 @@ enum hawser_status hawser__klu_divide(double *x, int *good, struct hawser__klu *
 }
 
 enum hawser_status hawser__klu_solve(double (*r)[3], int *good, struct hawser__klu *klu,
-                                     const double (*B)[9], const double (*mass)[2], const double *point,
+                                     const struct hawser__blocks_matrix *matrix,
                                      struct hawser_report *report)
 {
 	enum hawser_status status;
 
-	assemble(klu, B, mass, point);
+	assemble(klu, matrix);
 	for (int i = 0; i < klu->nodes; i++)
 		for (int k = 0; k < 3; k++)
 			if (klu->unknown[i][k] >= 0)

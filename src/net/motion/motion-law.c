@@ -165,6 +165,8 @@ static inline double element(struct hawser__motion *motion, int number,
 	}
 	if (tangent) {
 		block(motion->B[number], el, &f, g, e1);
+		if (motion->other)
+			memcpy(motion->other[number], motion->B[number], sizeof *motion->other);
 		motion->mass[number][0] = (rule->m[0]*el->m + rule->c[0]*el->drag)*(0.5 - motion->far);
 		motion->mass[number][1] = (rule->m[0]*el->m + rule->c[0]*el->drag)*motion->far;
 	}
@@ -199,6 +201,10 @@ void hawser__motion_residual(struct hawser__motion *motion, const struct hawser_
 		move(&motion->element[e], motion->x[motion->element[e].a], motion->x[motion->element[e].b]);
 	for (int e = 0; e < motion->elements; e++)
 		most = larger(element(motion, e, rule, h, tangent), most);
+	if (motion->block && tangent)
+		memset(motion->block, 0, (size_t)motion->nodes*sizeof *motion->block);
+	if (motion->water)
+		most = larger(hawser__water_residual(motion, rule, tangent), most);
 	/* a rate is the difference of two stretches over h, with the round-off of displacements */
 	motion->scale = larger(most, ROUND*motion->damps/h*motion->reach);
 }
@@ -249,6 +255,8 @@ void hawser__motion_prepare(struct hawser__motion *motion, const struct hawser__
 			motion->load[i][k] = motion->base[i][k] + motion->wave[i][k];
 	if (rule->weight >= 0.0 && rule->weight < 1.0)
 		beginning(motion, 1.0 - rule->weight);
+	if (motion->water)
+		hawser__water_prepare(motion, rule, h);
 }
 
 /* Strain energy beyond the reference's, less the work of the reference's force: with s = l -
@@ -284,7 +292,8 @@ void hawser__motion_energies(struct hawser__motion *motion)
 		kinetic += 0.5*motion->mesh->mass[i]*hawser__dot(motion->v[i], motion->v[i]);
 		loads += hawser__dot(motion->base[i], motion->u[i]);
 	}
-	motion->energy.kinetic = kinetic;
+	motion->added = motion->water ? hawser__water_kinetic(motion) : 0.0;
+	motion->energy.kinetic = kinetic + motion->added;
 	motion->energy.potential = strain - loads + (motion->events ? motion->events->offset : 0.0);
 }
 
@@ -345,15 +354,18 @@ void hawser__motion_account(struct hawser__motion *motion, const struct hawser__
 		work += inertia(motion, h);
 	motion->energy.work += work;
 	motion->energy.dissipated += lost;
+	if (motion->water)
+		hawser__water_account(motion, h);
 	hawser__motion_balance(motion);
 }
 
 void hawser__motion_balance(struct hawser__motion *motion)
 {
 	const struct hawser__motion_energy *energy = &motion->energy;
-	double error, most;
+	double error, most, before = motion->added;
 
 	hawser__motion_energies(motion);
+	motion->energy.work += motion->added - before; /* with its inertia in the forces of the water */
 	error = energy->kinetic + energy->potential - motion->start_energy - energy->work +
 	        energy->dissipated;
 	most = fmax(fmax(energy->kinetic, fabs(energy->potential - motion->start_energy)),

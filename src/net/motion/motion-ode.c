@@ -237,6 +237,9 @@ enum hawser_status hawser__ode_newton(double *x, double *y, int *good, struct ha
 {
 	struct hawser__motion *motion = ode->motion;
 	const struct hawser__mesh *mesh = motion->mesh;
+	const struct hawser__blocks_matrix matrix = {(const double (*)[9])motion->B, NULL,
+	                                             (const double (*)[2])motion->mass, motion->point,
+	                                             NULL};
 	double (*bx)[3] = ode->a, (*by)[3] = ode->f;
 	enum hawser_status status;
 
@@ -256,8 +259,7 @@ enum hawser_status hawser__ode_newton(double *x, double *y, int *good, struct ha
 		for (int k = 0; k < 3; k++)
 			if (mesh->unknown[i][k] < 0)
 				motion->r[i][k] = 0.0;
-	status = hawser__blocks_solve(motion->r, good, motion->blocks, (const double (*)[9])motion->B,
-	                              (const double (*)[2])motion->mass, motion->point, report);
+	status = hawser__blocks_solve(motion->r, good, motion->blocks, &matrix, report);
 	for (int i = 0; i < mesh->nodes && !status && *good; i++)
 		for (int k = 0; k < 3; k++) {
 			int j = mesh->unknown[i][k];

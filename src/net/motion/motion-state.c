@@ -91,6 +91,7 @@ void hawser__motion_restore(struct hawser__motion *motion, double *h, const doub
 			memcpy(part[p][i], state, sizeof *part[p]);
 	if (motion->contact)
 		hawser__contact_restore(motion, state);
+	motion->added = motion->water ? hawser__water_row(motion, NULL) : 0.0;
 	motion->least = INFINITY; /* of what follows */
 	motion->slack_at = NAN;
 }

@@ -41,6 +41,7 @@ void hawser__motion_clear(struct hawser__motion *motion)
 	free(motion->table);
 	hawser__blocks_clear(motion->blocks);
 	hawser__cvode_clear(motion->cvode);
+	hawser__water_motion_clear(motion->water);
 	hawser__contact_clear(motion->contact);
 	hawser__events_clear(motion->events);
 	memset(motion, 0, sizeof *motion);
@@ -128,6 +129,8 @@ enum hawser_status hawser__motion_open(struct hawser__motion *motion, struct haw
 	motion->rho_inf = rho_inf;
 	motion->far = 1.0/12.0;
 	status = allocate(motion, report);
+	if (!status)
+		status = hawser__water_motion_open(motion, report);
 	if (!status) {
 		refer(motion, balanced, loose);
 		status = hawser__blocks_open(&motion->blocks, mesh, report);
@@ -154,14 +157,14 @@ static double rest_of(const struct hawser__motion *motion)
 static enum hawser_status correct(struct hawser__motion *motion, int *good,
                                   struct hawser_report *report)
 {
-	enum hawser_status status;
+	const struct hawser__blocks_matrix matrix = {
+		(const double (*)[9])motion->B, (const double (*)[9])motion->other,
+		(const double (*)[2])motion->mass, motion->point, (const double (*)[9])motion->block};
 
 	for (int i = 0; i < motion->nodes; i++)
 		for (int k = 0; k < 3; k++)
 			motion->r[i][k] = motion->mesh->unknown[i][k] < 0 ? 0.0 : -motion->r[i][k];
-	status = hawser__blocks_solve(motion->r, good, motion->blocks, (const double (*)[9])motion->B,
-	                              (const double (*)[2])motion->mass, motion->point, report);
-	return status;
+	return hawser__blocks_solve(motion->r, good, motion->blocks, &matrix, report);
 }
 
 static void keep(struct hawser__motion *motion)

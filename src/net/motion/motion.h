@@ -46,8 +46,8 @@ struct hawser__motion;
 struct hawser__motion_scheme {
 	struct hawser_net_scheme shown;
 	void (*rule)(struct hawser__motion_rule *rule, double h, double rho_inf); /* NULL: see advance */
-	/* A scheme with steps of its own, at most `longest` (0: any): to time `end`, with local errors of
-	 * at most `tolerance` (m). NULL: steps by the rule. */
+	/* A scheme with steps of its own, at most `longest` (0: any): to time `end`, with local errors
+	 * of at most `tolerance` (m). NULL: steps by the rule. */
 	enum hawser_status (*advance)(struct hawser__motion *motion, double end, double tolerance,
 	                              double longest, struct hawser_report *report);
 };
@@ -58,18 +58,23 @@ struct hawser__motion_energy {
 	double kinetic, potential, work, dissipated;
 };
 
-/* Matrices over the nodes, sums for each element of [B, -B; -B, B] + [near, far; far, near]
- * (times the unit matrix), and a multiple of it at nodes. The rows of held directions are those
- * of the unit matrix. */
+/* Matrices over the nodes, sums for each element of [B, -B; -O, O] + [near, far; far, near]
+ * (times the unit matrix), and of a multiple of it and a block at nodes. The rows of held
+ * directions are those of the unit matrix. */
+struct hawser__blocks_matrix {
+	const double (*B)[9];     /* [elements] */
+	const double (*other)[9]; /* [elements] O; NULL: B */
+	const double (*mass)[2];  /* [elements] near, far */
+	const double *point;      /* [nodes] */
+	const double (*block)[9]; /* [nodes]; NULL: 0 */
+};
 struct hawser__blocks;
 enum hawser_status hawser__blocks_open(struct hawser__blocks **blocks, const struct hawser__mesh *mesh,
                                        struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser__blocks_clear(struct hawser__blocks *blocks);
 /* Solve for r [nodes][3], in place; *good is 0 if the matrix is singular. */
 enum hawser_status hawser__blocks_solve(double (*r)[3], int *good, struct hawser__blocks *blocks,
-                                        const double (*B)[9] /* [elements] */,
-                                        const double (*mass)[2] /* [elements] near, far */,
-                                        const double *point /* [nodes] */,
+                                        const struct hawser__blocks_matrix *matrix,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
 /* Memory for the motion of a mesh: states, elements, factors; *chain as the next function. */
 enum hawser_status hawser__blocks_bytes(double *bytes, int *chain, const struct hawser__mesh *mesh,
@@ -85,18 +90,18 @@ void hawser__klu_clear(struct hawser__klu *klu);
 double hawser__klu_bytes(const struct hawser__klu *klu); /* with the factors to come, about */
 /* Choose new pivots for the next matrix: the pivots of a matrix serve others that differ little. */
 void hawser__klu_forget(struct hawser__klu *klu);
-/* A matrix by its parts: blocks [B, -B; -B, B] with near and far masses of elements, and blocks at the
- * node that is end 0 or 1 of an element. _divide: factors, and x [unknowns] becomes the solution; *good
- * is 0 where the matrix is singular. */
+/* A matrix by its parts: blocks [B, -B; -B, B] with near and far masses of elements, and blocks at
+ * the node that is end 0 or 1 of an element. _divide: factors, and x [unknowns] becomes the
+ * solution; *good is 0 where the matrix is singular. */
 void hawser__klu_zero(struct hawser__klu *klu);
 void hawser__klu_element(struct hawser__klu *klu, int element, const double B[9], const double mass[2]);
+/* Add a multiple of a block over both ends of an element. */
+void hawser__klu_ends(struct hawser__klu *klu, int element, const double block[6][6], double factor);
 void hawser__klu_node(struct hawser__klu *klu, int element, int end, const double block[3][3]);
 enum hawser_status hawser__klu_divide(double *x, int *good, struct hawser__klu *klu,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 enum hawser_status hawser__klu_solve(double (*r)[3], int *good, struct hawser__klu *klu,
-                                     const double (*B)[9] /* [elements] */,
-                                     const double (*mass)[2] /* [elements] near, far */,
-                                     const double *point /* [nodes] */,
+                                     const struct hawser__blocks_matrix *matrix,
                                      struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* Displacement and velocity of a support from a table of times, by a natural cubic spline. */
@@ -141,6 +146,8 @@ struct hawser__motion {
 	double (*past)[3], (*past2)[3]; /* [nodes] increments of the last two steps */
 	double past_h, past2_h;      /* their lengths; 0: there was none */
 	double (*B)[9], (*mass)[2], *point; /* the matrix */
+	double (*other)[9], (*block)[9]; /* of it, or NULL; see struct hawser__blocks_matrix */
+	struct hawser__water_motion *water; /* NULL: none; net/water/motion.c */
 	struct hawser__blocks *blocks;
 	struct hawser__cvode *cvode; /* of that scheme, or NULL */
 	struct hawser__motion_contact *contact; /* NULL: no obstacles; see net/motion/motion-contact.h */
@@ -151,11 +158,13 @@ struct hawser__motion {
 	double damps, reach;         /* N s/m, largest c of an element; m, largest displacement */
 	struct hawser__motion_energy energy;
 	double start_energy;         /* J */
+	double added;                /* J, kinetic energy of the water that moves with the net */
 	double most_energy;          /* J, largest of the ledger's terms */
 	double least_energy;         /* J, below which it is round-off */
 	double closure;              /* J, largest error of the ledger */
 	double error;                /* m, local error of the last step that was tried */
-	/* Asked after each step: not 0 ends hawser__motion_adapt and a scheme's own steps. May be NULL. */
+	/* Asked after each step: not 0 ends hawser__motion_adapt and a scheme's own steps. May be NULL.
+	 * */
 	int (*stop)(void *data);
 	void *data;
 	int stopped;
@@ -190,7 +199,8 @@ enum hawser_status hawser__motion_read(double **state /* [states] */, const char
 	HAWSER_MUST_CHECK;
 /* Tensions T [elements] of the state, with damping; returns the number of elements without. */
 int hawser__motion_tensions(double *T, const struct hawser__motion *motion);
-/* That of an element with the vector d (m) and the stretch p (m), and the velocities of the state. */
+/* That of an element with the vector d (m) and the stretch p (m), and the velocities of the state.
+ * */
 double hawser__motion_tension(const struct hawser__motion *motion, int element, const double d[3],
                               double p);
 /* After a change of u, v or t by the caller: energies and accelerations anew. */
@@ -229,12 +239,31 @@ void hawser__motion_account(struct hawser__motion *motion, const struct hawser__
 /* motion-result.c: room for rows. */
 enum hawser_status hawser__motion_rows(struct hawser_net_motion *to, size_t rows, size_t probes,
                                        struct hawser_report *report) HAWSER_MUST_CHECK;
-/* integrate.c: hawser_net_integrate without the error by another run; the default of its tolerance. */
+/* integrate.c: hawser_net_integrate without the error by another run; the default of its tolerance.
+ * */
 enum hawser_status hawser__net_integrate(struct hawser_net_motion *motion,
                                          const struct hawser_net *net,
                                          const struct hawser_net_motion_options *options,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
 extern const double hawser__motion_tolerance;
+
+/* net/water/motion.c: in water. The flow of a step, for motion->x as expected; its part of the
+ * residual and of the matrix, which returns the largest force; of the energies and the ledger; and
+ * the loads of the mesh in the state with accelerations a [nodes] or NULL, for tensions, with the
+ * kinetic energy. */
+enum hawser_status hawser__water_motion_open(struct hawser__motion *motion,
+                                             struct hawser_report *report) HAWSER_MUST_CHECK;
+void hawser__water_motion_clear(struct hawser__water_motion *water);
+/* After lengths or ends of elements have changed: the loads at rest at the reference, which mesh->force
+ * has then. */
+void hawser__water_still(struct hawser__motion *motion);
+void hawser__water_prepare(struct hawser__motion *motion, const struct hawser__motion_rule *rule,
+                           double h);
+double hawser__water_residual(struct hawser__motion *motion, const struct hawser__motion_rule *rule,
+                              int tangent);
+double hawser__water_kinetic(struct hawser__motion *motion);
+void hawser__water_account(struct hawser__motion *motion, double h);
+double hawser__water_row(struct hawser__motion *motion, const double (*a)[3]);
 
 /* motion-cvode.c */
 struct hawser__cvode;

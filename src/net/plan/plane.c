@@ -44,6 +44,11 @@ int hawser__net_still(double *place, const struct hawser_net *net, int k,
 	if (k == 1 || loaded(net, net->load, net->loads, k) ||
 	    loaded(net, net->motion, net->motions, k))
 		return 0;
+	if (net->water.waves.count && net->water.waves.along[k == 2] != 0.0)
+		return 0;
+	for (int i = 0; i < net->water.levels; i++)
+		if (net->water.current[i].u[k] != 0.0)
+			return 0;
 	for (int i = 0; i < net->nodes; i++) {
 		const struct hawser_net_node *node = &net->node[i];
 

@@ -12,6 +12,7 @@
 #define PASS_AT(member) offsetof(struct hawser__net_passing, member)
 #define FAILURE_AT(member) offsetof(struct hawser_net_failure, member)
 #define WINCH_AT(member) offsetof(struct hawser_net_winch, member)
+#define WAVES_AT(member) offsetof(struct hawser_net, water.given.member)
 #define SURFACE_AT(member) offsetof(struct hawser_surface, member)
 
 #define WAVE(path) \
@@ -36,6 +37,19 @@
 	NUMBER(path ".amplitude", REQUIRED, "m", ANY, LOAD_AT(value[k]), NULL, \
 	       "amplitude of the motion") \
 	WAVE(path)
+#define LINE_IN_WATER(path) \
+	NUMBER(path ".diameter", OPTIONAL, "m", NOT_NEGATIVE, CABLE_AT(line.diameter), NULL, \
+	       "diameter, in water: of the buoyancy, the drag and the added mass") \
+	SECTION(path ".drag", OPTIONAL, "coefficients of the drag of the water") \
+	NUMBER(path ".drag.normal", REQUIRED, "1", NOT_NEGATIVE, CABLE_AT(line.normal), NULL, \
+	       "across the cable, referred to the diameter") \
+	NUMBER(path ".drag.tangential", OPTIONAL, "1", NOT_NEGATIVE, CABLE_AT(line.tangential), "0", \
+	       "along it, referred to the surface") \
+	SECTION(path ".added_mass", OPTIONAL, "added mass over the mass of the water that is displaced") \
+	NUMBER(path ".added_mass.normal", REQUIRED, "1", NOT_NEGATIVE, CABLE_AT(line.added_normal), \
+	       NULL, "across the cable") \
+	NUMBER(path ".added_mass.tangential", OPTIONAL, "1", NOT_NEGATIVE, \
+	       CABLE_AT(line.added_tangential), "0", "along it")
 /* A third number, along z, may be left out: 0. */
 #define PLACE_OR(path, most, need, unit, at, doc) \
 	VECTOR(path, 2, need, unit, ANY, at, NULL, doc ", z = 0") \
@@ -59,6 +73,7 @@ static const struct hawser__tree_key net_rows[] = {
 	       "damper")
 	NUMBER("net.cables[].damper", OPTIONAL, "N.s/m", NOT_NEGATIVE, CABLE_AT(damper), "0",
 	       "force over the rate of its length, beside axial: a damper between two cables is a cable")
+	LINE_IN_WATER("net.cables[]")
 	CHOICE("net.cables[].length0", "m", CABLE_AT(value), CABLE_AT(given), "unstretched length")
 	CHOICE("net.cables[].tension", "N", CABLE_AT(value), CABLE_AT(given),
 	       "mean tension, from which the length follows")
@@ -81,6 +96,16 @@ static const struct hawser__tree_key net_rows[] = {
 	     "file with lines of t, x, y, z (s, m): motion by a table")
 	MAPPING("net.masses", OPTIONAL, "masses of nodes")
 	NUMBER("net.masses.*", OPTIONAL, "kg", NOT_NEGATIVE, NODE_AT(mass), NULL, "mass of this node")
+	MAPPING("net.buoys", OPTIONAL, "bodies at nodes in water; spheres, where the surface cuts them")
+	SECTION("net.buoys.*", OPTIONAL, "a body")
+	NUMBER("net.buoys.*.mass", OPTIONAL, "kg", NOT_NEGATIVE, NODE_AT(buoy.mass), "0",
+	       "mass, beside that in masses")
+	NUMBER("net.buoys.*.volume", REQUIRED, "m^3", NOT_NEGATIVE, NODE_AT(buoy.volume), NULL,
+	       "volume of the water that it displaces")
+	NUMBER("net.buoys.*.CdA", OPTIONAL, "m^2", NOT_NEGATIVE, NODE_AT(buoy.CdA), "0",
+	       "coefficient of the drag times area")
+	NUMBER("net.buoys.*.added_mass", OPTIONAL, "1", NOT_NEGATIVE, NODE_AT(buoy.added), "0",
+	       "added mass over the mass of the water that is displaced")
 	MAPPING("net.dampers", OPTIONAL, "of models, as of frf, alone: dampers from nodes to the ground")
 	VECTOR("net.dampers.*", 3, OPTIONAL, "N.s/m", ANY, NODE_AT(damper), NULL,
 	       "force along x, y, z over the velocity of this node, 0 or more")
@@ -150,11 +175,50 @@ static const struct hawser__tree_key net_rows[] = {
 	NUMBER("net.winches.*.speed", ONE_OF, "m/s", ANY, WINCH_AT(speed), NULL,
 	       "rate of the unstretched length: negative takes in")
 	NUMBER("net.winches.*.rise", OPTIONAL, "s", NOT_NEGATIVE, WINCH_AT(rise), "0",
-	       "time in which the speed rises from 0, linearly")
+	       "time in which the speed rises from 0, smoothly")
 	NUMBER("net.winches.*.tension", ONE_OF, "N", POSITIVE, WINCH_AT(tension), NULL,
 	       "tension at its end that it holds")
 	NUMBER("net.winches.*.limit", OPTIONAL, "m/s", POSITIVE, WINCH_AT(limit), NULL,
 	       "its largest speed then, where the tension differs by 5 %; linear between")
+	SECTION("net.water", OPTIONAL, "the water around the cables")
+	NUMBER("net.water.density", REQUIRED, "kg/m^3", POSITIVE, NET_AT(water.density), NULL,
+	       "its density")
+	NUMBER("net.water.surface", OPTIONAL, "m", ANY, NET_AT(water.surface), "0",
+	       "mean height of its surface, above which it is dry")
+	VECTOR("net.water.current", 3, OPTIONAL, "m/s", ANY, NOWHERE, "[0, 0, 0]",
+	       "velocity of the water")
+	MAPPING("net.water.current", OPTIONAL, "velocity of the water over the height")
+	LIST("net.water.current.table", REQUIRED, "heights, upwards, with velocities: linear between, "
+	     "and as at the ends beyond them")
+	VECTOR("net.water.current.table[]", 4, OPTIONAL, "m, m/s, m/s, m/s", ANY, NOWHERE, NULL,
+	       "[y, ux, uy, uz]")
+	NUMBER("net.water.depth", OPTIONAL, "m", POSITIVE_OR_INF, NET_AT(water.depth), NULL,
+	       "depth of the bed below the surface, of waves; .inf: deep water")
+	SECTION("net.water.waves", OPTIONAL, "linear waves: regular ones, or a sea")
+	NUMBER("net.water.waves.height", ONE_OF, "m", POSITIVE, WAVES_AT(height), NULL,
+	       "of regular waves, from trough to crest")
+	NUMBER("net.water.waves.period", OPTIONAL, "s", POSITIVE, WAVES_AT(period), NULL, "of these")
+	NUMBER("net.water.waves.phase", OPTIONAL, "rad", ANY, WAVES_AT(phase), "0",
+	       "of these: the elevation at x = z = 0 is height/2 cos(omega t - phase)")
+	SECTION("net.water.waves.jonswap", ONE_OF, "a sea by its spectrum")
+	NUMBER("net.water.waves.jonswap.Hs", REQUIRED, "m", POSITIVE, WAVES_AT(Hs), NULL,
+	       "significant height: 4 standard deviations of the elevation")
+	NUMBER("net.water.waves.jonswap.Tp", REQUIRED, "s", POSITIVE, WAVES_AT(Tp), NULL,
+	       "period of the peak")
+	NUMBER("net.water.waves.jonswap.gamma", OPTIONAL, "1", POSITIVE, WAVES_AT(gamma), "3.3",
+	       "enhancement of the peak, 1 or more; 1: Pierson-Moskowitz")
+	INTEGER("net.water.waves.components", OPTIONAL, 1, 100000, WAVES_AT(components), "400",
+	        "components of a sea")
+	INTEGER("net.water.waves.seed", OPTIONAL, 0, 2147483647, WAVES_AT(seed), "0",
+	        "of its random phases, and frequencies within their bins: so it does not repeat")
+	VECTOR("net.water.waves.frequencies", 2, OPTIONAL, "rad/s", INCREASING, WAVES_AT(range),
+	       "0.5 and 5 times that of the peak", "range of its frequencies")
+	NUMBER("net.water.waves.heading", OPTIONAL, "rad", ANY, WAVES_AT(heading), "0",
+	       "direction in which waves run, from x towards z")
+	WORD("net.water.stretching", OPTIONAL, "wheeler|none|vertical|extrapolate", WAVES_AT(stretching),
+	     "wheeler", "of the velocity of waves up to their crests")
+	NUMBER("net.water.ramp", OPTIONAL, "s", NOT_NEGATIVE, WAVES_AT(ramp), "0",
+	       "time from t = 0 on in which waves grow")
 	LIST("net.obstacles", OPTIONAL, "surfaces that the nodes of the mesh do not pass")
 	MAPPING("net.obstacles[]", OPTIONAL, "a surface")
 	TEXT("net.obstacles[].name", OPTIONAL, NOWHERE, "s0, s1 and so on", "name")

@@ -135,10 +135,9 @@ static enum hawser_status cables(struct hawser__reader *reader, struct hawser_ne
 	return status;
 }
 
-/* A mapping of nodes, whose values have this key. */
-static enum hawser_status of_nodes(struct hawser__reader *reader, struct hawser_net *net,
-                                   const struct hawser__tree *tree, const char *path,
-                                   const char *example)
+enum hawser_status hawser__net_of_nodes(struct hawser__reader *reader, struct hawser_net *net,
+                                        const struct hawser__tree *tree, const char *path,
+                                        const char *example)
 {
 	const char *section = path + strlen("net.");
 	char key[32];
@@ -165,13 +164,13 @@ static enum hawser_status of_nodes(struct hawser__reader *reader, struct hawser_
 static enum hawser_status masses(struct hawser__reader *reader, struct hawser_net *net,
                                  const struct hawser__tree *tree)
 {
-	return of_nodes(reader, net, tree, "net.masses", "{J: 12 kg}");
+	return hawser__net_of_nodes(reader, net, tree, "net.masses", "{J: 12 kg}");
 }
 
 static enum hawser_status dampers(struct hawser__reader *reader, struct hawser_net *net,
                                   const struct hawser__tree *tree)
 {
-	return of_nodes(reader, net, tree, "net.dampers", "{J: [0, 300 N.s/m, 0]}");
+	return hawser__net_of_nodes(reader, net, tree, "net.dampers", "{J: [0, 300 N.s/m, 0]}");
 }
 
 static enum hawser_status release(struct hawser__reader *reader, struct hawser_net *net,
@@ -241,6 +240,7 @@ static enum hawser_status rules(struct hawser__reader *reader, const struct haws
                                 const struct hawser__tree *tree)
 {
 	const struct hawser__tree *one = tree->child;
+	char what[CALLED];
 	enum hawser_status status = HAWSER_OK;
 
 	for (int i = 0; i < net->cables && !status; i++, one = one->next) {
@@ -254,6 +254,9 @@ static enum hawser_status rules(struct hawser__reader *reader, const struct haws
 			                             "different ones", name);
 		if (!status)
 			status = plausible(reader, net, one, i);
+		snprintf(what, sizeof what, "cable %s", name);
+		if (!status)
+			status = hawser__net_wet(reader, net, one, what);
 	}
 	return status;
 }
@@ -272,9 +275,10 @@ static enum hawser_status common(struct hawser__reader *reader, struct hawser_ne
 	} part[] = {{"nodes", nodes, 1}, {"cables", cables, 1}, {"supports", hawser__net_supports, 1},
 	            {"masses", masses, 0}, {"dampers", dampers, 0}, {"loads", hawser__net_loads, 0},
 	            {"passing", hawser__net_passing, 0}, {"dynamics", dynamics, 0},
+	            {"water", hawser__net_water, 0}, {"buoys", hawser__net_buoys, 0},
 	            {"obstacles", hawser__net_obstacles, 0}, {"contact", hawser__net_contact, 0},
 	            {"failures", hawser__net_failures, 0}, {"winches", hawser__net_winches, 0}};
-	static const char *const plain[] = {"g", "damping", "dynamics", "contact"};
+	static const char *const plain[] = {"g", "damping", "dynamics", "contact", "water"};
 	enum hawser_status status = HAWSER_OK;
 
 	net->g = 9.81;

@@ -21,6 +21,18 @@ enum hawser_status hawser__net_passing(struct hawser__reader *reader, struct haw
 /* loads.c: room for one more load. */
 enum hawser_status hawser__net_more(struct hawser_net_load **list, int count,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
+/* water.c: `water` and `buoys` of the scene, and whether a cable has what it needs in it. */
+enum hawser_status hawser__net_water(struct hawser__reader *reader, struct hawser_net *net,
+                                     const struct hawser__tree *tree) HAWSER_MUST_CHECK;
+enum hawser_status hawser__net_buoys(struct hawser__reader *reader, struct hawser_net *net,
+                                     const struct hawser__tree *tree) HAWSER_MUST_CHECK;
+enum hawser_status hawser__net_wet(struct hawser__reader *reader, const struct hawser_net *net,
+                                   const struct hawser__tree *tree, const char *what)
+	HAWSER_MUST_CHECK;
+/* read.c: a mapping of nodes, whose values have this key. */
+enum hawser_status hawser__net_of_nodes(struct hawser__reader *reader, struct hawser_net *net,
+                                        const struct hawser__tree *tree, const char *path,
+                                        const char *example) HAWSER_MUST_CHECK;
 /* read-span.c: nodes, supports and the cable of a span. */
 enum hawser_status hawser__net_of_span(struct hawser__reader *reader, struct hawser_net *net,
                                        const struct hawser__tree *root) HAWSER_MUST_CHECK;

@@ -171,8 +171,8 @@ static enum hawser_status step(struct hawser__net_work *work, int *definite,
 	status = hawser__net_factor(work, definite, report);
 	if (status || !*definite)
 		return status;
-	status = hawser__sparse_solve(work->x, work->sparse, report);
-	if (status)
+	status = hawser__touch_divide(work, definite, report);
+	if (status || !*definite)
 		return status;
 	for (int i = 0; i < mesh->elements; i++)
 		work->N[i] = hawser__net_force_after(work, i);

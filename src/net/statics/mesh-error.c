@@ -1,16 +1,17 @@
-/* net/statics/mesh-error.c - the error of tensions by the mesh, and the elements that make it small.
+/* net/statics/mesh-error.c - the error of tensions by the mesh, and the elements that make it
+ * small.
  *
  * T  tensions of a cable that are compared: at both ends, and the largest
  *
- * Without obstacles the judge is the exact catenary of each cable, with the same unstretched lengths
- * (net/statics/exact.c): it knows only the joints, and costs little. Elsewhere it is a mesh with
- * half the elements; tensions are of second order, so that with n and m elements the error of the
- * first is the difference over (n/m)^2 - 1. Where a cable leaves an obstacle within an element, the
- * error depends on the place as well, and may be small by chance: there it is over n/m - 1, and the
- * larger one of two meshes, with a half and two thirds of the elements.
+ * Without obstacles the judge is the exact catenary of each cable, with the same unstretched
+ * lengths (net/statics/exact.c): it knows only the joints, and costs little. Elsewhere it is a mesh
+ * with half the elements; tensions are of second order, so that with n and m elements the error of
+ * the first is the difference over (n/m)^2 - 1. Where a cable leaves an obstacle within an element,
+ * the error depends on the place as well, and may be small by chance: there it is over n/m - 1, and
+ * the larger one of two meshes, with a half and two thirds of the elements.
  *
- * Refinement: a cable that is off may be so because of one that ends at the same joint; both get more
- * elements. Where a cable folds, the order is 1, so that it takes several rounds.
+ * Refinement: a cable that is off may be so because of one that ends at the same joint; both get
+ * more elements. Where a cable folds, the order is 1, so that it takes several rounds.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -26,8 +27,8 @@
 static const double TARGET = 1e-3, SAFE = 0.5;
 /* Tensions below this part of the largest one of the net are compared with that part. */
 static const double SMALL = 0.01;
-/* A round that leaves more of the error has not helped: after two the cause is elsewhere, as in cables
- * whose elements are given. */
+/* A round that leaves more of the error has not helped: after two the cause is elsewhere, as in
+ * cables whose elements are given. */
 static const double BETTER = 0.7;
 /* Rounds of refinement, largest factor of a round, and most elements that are chosen for a cable: a
  * motion with more takes minutes. */
@@ -51,7 +52,8 @@ enum hawser_status hawser__net_exact(struct hawser_net_statics *exact, int *foun
 		by.cable[c].given = HAWSER_NET_LENGTH0;
 		by.cable[c].value = st->member[c].length0;
 	}
-	status = net->surfaces ? HAWSER_ERR_ARGUMENT : hawser_net_solve(exact, &by, &options, &unused);
+	status = net->surfaces || net->water.density > 0.0
+	         ? HAWSER_ERR_ARGUMENT : hawser_net_solve(exact, &by, &options, &unused);
 	free(by.cable);
 	*found = status == HAWSER_OK;
 	return status == HAWSER_ERR_MEMORY ? hawser__no_memory(report, "net") : HAWSER_OK;

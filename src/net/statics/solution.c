@@ -182,7 +182,7 @@ static enum hawser_status of_mesh(struct hawser_net_statics *st, const struct ha
 		status = hawser__net_supported(&mesh, net, report);
 	if (!status && !(T = calloc((size_t)mesh.elements, sizeof *T)))
 		status = hawser__no_memory(report, "net");
-	if (!status && !mesh.touches && method == hawser__net_method(0) &&
+	if (!status && !mesh.touches && !mesh.water && method == hawser__net_method(0) &&
 	    hawser__exact_start(&mesh, T, net)) {
 		settings.keep_start = 1;
 		settings.N = T;
@@ -217,6 +217,9 @@ enum hawser_status hawser__net_solve_by(struct hawser_net_statics *st, const str
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s: the method %s does not know "
 		                    "obstacles: give automatic, or leave it out", net->name,
 		                    method->shown.name);
+	if (net->water.density > 0.0 && !method->solve)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s: the method %s does not know "
+		                    "water: give automatic, or leave it out", net->name, method->shown.name);
 	status = method->solve ? of_mesh(st, net, method, options, report)
 	                       : hawser__exact_statics(st, net, options, report);
 	if (status)

@@ -78,6 +78,11 @@ enum hawser_status hawser__net_finish(struct hawser__net_work *work, int *done,
  * left of it for no step. After it is solved: the force N that goes with the step x. */
 void hawser__net_linear(struct hawser__net_work *work, int element);
 double hawser__net_force_after(const struct hawser__net_work *work, int element);
+/* net/water/statics.c: the equilibrium in water, by a method for loads that do not depend on the
+ * places. */
+enum hawser_status hawser__water_statics(struct hawser__net_work *work,
+                                         const struct hawser__net_method *method, int *done,
+                                         struct hawser_report *report) HAWSER_MUST_CHECK;
 /* The force next to N that an element of length l has by the law, if the error of positions may make
  * it shorter or longer. */
 double hawser__net_lawful_force(const struct hawser__mesh *mesh, int element, double l, double N);

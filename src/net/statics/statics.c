@@ -23,6 +23,7 @@
 #include "net/motion/motion.h"
 #include "net/statics/solve.h"
 #include "net/touch/touch.h"
+#include "net/water/water.h"
 
 static const struct hawser__net_method methods[] = {
 	{{"automatic", "Newton's method for positions and forces with slack members, from exact catenaries "
@@ -87,6 +88,8 @@ void hawser__net_move(struct hawser__net_work *work, double factor)
 		for (int k = 0; k < 3; k++)
 			if (mesh->unknown[i][k] >= 0)
 				mesh->q[i][k] += factor*work->x[mesh->unknown[i][k]];
+	if (mesh->water && mesh->water->follows)
+		hawser__water_load(mesh);
 }
 
 void hawser__net_stretch(double d[3], const struct hawser__net_work *work, int element)
@@ -331,6 +334,8 @@ static enum hawser_status certify(struct hawser__net_work *work, struct hawser__
 		if (mesh->touch[i].r > 0.0)
 			found->gap += hawser_surface_convex(mesh->touch[i].surface)
 			              ? fabs(mesh->touch[i].r*mesh->touch[i].g) : INFINITY;
+	if (hawser__water_flows(mesh))
+		found->gap = INFINITY;
 	return status;
 }
 
@@ -385,7 +390,8 @@ static enum hawser_status solve(struct hawser__net_work *work, struct hawser__eq
 	found->floor = hawser__mesh_floor(mesh);
 	work->wanted = tolerance*work->weight;
 	work->tolerance = fmax(work->wanted, found->floor);
-	status = method->solve(work, &done, report);
+	status = mesh->water ? hawser__water_statics(work, method, &done, report)
+	                     : method->solve(work, &done, report);
 	if (!work->own)
 		found->floor = hawser__mesh_floor(mesh);
 	else if (!status)

@@ -22,6 +22,7 @@
 
 #include "core/vec3.h"
 #include "net/statics/tension.h"
+#include "net/water/water.h"
 
 /* Of an element: a support this near to an obstacle is on it. */
 static const double ON = 1e-6;
@@ -114,6 +115,8 @@ static void load(double f[3], const struct hawser__tensions *of, int element, in
 
 	(void)carried(f, of, element, side);
 	f[1] -= 0.5*m*net->g;
+	for (int k = 0; mesh->water && k < 3; k++)
+		f[k] += mesh->water->load[element][side][k];
 	for (int i = 0; i < net->loads; i++) {
 		const struct hawser_net_load *one = &net->load[i];
 		const double *nodal = one->along ? one->along[side ? net->cable[c].elements : 0] : NULL;

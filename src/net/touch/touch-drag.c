@@ -1,4 +1,5 @@
-/* net/touch/touch-drag.c - linear equations of statics where nodes slide: friction follows the force r.
+/* net/touch/touch-drag.c - linear equations of statics that are not symmetric: where nodes slide
+ * friction follows the force r, and loads of the water follow the places.
  *
  * r     force of the obstacle along n, which a step d changes to r - k*(g + n.d)
  * drag  friction over r, along the surface: that of a node that slides is r*drag
@@ -14,11 +15,13 @@
 
 #include "net/motion/motion.h"
 #include "net/touch/touch.h"
+#include "net/water/water.h"
 
 /* The matrix of hawser__net_factor, with what is not symmetric. */
 static void assemble(struct hawser__net_work *work)
 {
 	const struct hawser__mesh *mesh = work->mesh;
+	const struct hawser__mesh_water *water = mesh->water && mesh->water->follows ? mesh->water : NULL;
 	const double damp[2] = {0.5*work->damp, 0.0}; /* of both elements of a node */
 
 	hawser__klu_zero(work->klu);
@@ -29,6 +32,16 @@ static void assemble(struct hawser__net_work *work)
 		for (int k = 0; k < 9; k++)
 			B[k] = work->b[i]*e[k/3]*e[k%3] + (k%4 == 0 ? work->a[i] : 0.0);
 		hawser__klu_element(work->klu, i, B, damp);
+		if (water)
+			hawser__klu_ends(work->klu, i, (const double (*)[6])water->slope[i], -1.0);
+	}
+	for (int i = 0; water && i < water->buoys; i++) {
+		double block[3][3];
+
+		for (int k = 0; k < 9; k++)
+			block[k/3][k%3] = -water->buoy[i].slope[k/3][k%3];
+		hawser__klu_node(work->klu, water->buoy[i].element, water->buoy[i].end,
+		                 (const double (*)[3])block);
 	}
 	for (int i = 0; i < mesh->touches; i++) {
 		const struct hawser__touch *touch = &mesh->touch[i];
@@ -48,7 +61,7 @@ enum hawser_status hawser__touch_divide(struct hawser__net_work *work, int *good
 {
 	const struct hawser__mesh *mesh = work->mesh;
 	enum hawser_status status = HAWSER_OK;
-	int slides = 0;
+	int slides = mesh->water && mesh->water->follows;
 
 	*good = 1;
 	for (int i = 0; i < mesh->touches && !slides; i++) {

@@ -19,6 +19,7 @@
 
 #include "core/report.h"
 #include "net/touch/touch.h"
+#include "net/water/water.h"
 
 enum { MOST = 1000 };
 /* A step of this size may be followed by a longer one; a larger one than WILD is taken back. */
@@ -43,6 +44,8 @@ static void keep(struct flow *flow, int back)
 	memcpy(back ? mesh->q : flow->q, back ? flow->q : mesh->q, nodes);
 	memcpy(back ? flow->work->N : flow->N, back ? flow->N : flow->work->N, N);
 	memcpy(back ? mesh->touch : flow->touch, back ? flow->touch : mesh->touch, touches);
+	if (back && mesh->water)
+		hawser__water_load(mesh);
 }
 
 /* Of the step work->x. */
@@ -103,7 +106,7 @@ enum hawser_status hawser__touch_flow(struct hawser__net_work *work, int *done,
 
 	flow.q = malloc((size_t)mesh->nodes*sizeof *flow.q);
 	flow.N = malloc((size_t)mesh->elements*sizeof *flow.N);
-	flow.touch = malloc((size_t)mesh->touches*sizeof *flow.touch);
+	flow.touch = malloc(((size_t)mesh->touches + 1)*sizeof *flow.touch);
 	status = flow.q && flow.N && flow.touch ? move(&flow, done, report)
 	                                        : hawser__no_memory(report, "net");
 	free(flow.q);

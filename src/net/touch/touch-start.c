@@ -79,11 +79,12 @@ enum hawser_status hawser__touch_again(struct hawser__mesh *mesh, const struct h
 enum hawser_status hawser__touch_none(const struct hawser_net *net, const char *command,
                                       struct hawser_report *report)
 {
-	if (!net->surfaces)
-		return HAWSER_OK;
-	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s: %s does not know obstacles in nets "
-	                    "yet, hawser statics does: leave the section obstacles out",
-	                    net->name ? net->name : "the net", command);
+	const char *what = net->surfaces ? "obstacles" : net->water.density > 0.0 ? "water" : NULL;
+
+	return !what ? HAWSER_OK
+	       : hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s: %s does not know %s in nets yet, "
+	                      "hawser statics does: leave the section %s out",
+	                      net->name ? net->name : "the net", command, what, what);
 }
 
 int hawser__touch_convex(const struct hawser__mesh *mesh)

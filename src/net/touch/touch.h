@@ -15,6 +15,9 @@ void hawser__touch_right(double *x, const struct hawser__mesh *mesh);
 enum hawser_status hawser__touch_step(struct hawser__net_work *work, int *definite, int *descends,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 int hawser__touch_done(struct hawser__net_work *work);
+/* Newton's method from places, forces of elements and of contacts that are near. */
+enum hawser_status hawser__touch_newton(struct hawser__net_work *work, int *done,
+                                        struct hawser_report *report) HAWSER_MUST_CHECK;
 /* touch-flow.c: a damped motion from the positions and forces that there are. */
 enum hawser_status hawser__touch_flow(struct hawser__net_work *work, int *done,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;

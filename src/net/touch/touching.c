@@ -98,7 +98,8 @@ int hawser__touch_done(struct hawser__net_work *work)
 	return settled(work, &rest);
 }
 
-static enum hawser_status newton(struct hawser__net_work *work, int *done, struct hawser_report *report)
+enum hawser_status hawser__touch_newton(struct hawser__net_work *work, int *done,
+                                        struct hawser_report *report)
 {
 	double best = INFINITY;
 	enum hawser_status status = HAWSER_OK;
@@ -165,7 +166,7 @@ static enum hawser_status history(struct hawser__net_work *work, int *done,
 	if (!touch)
 		return hawser__no_memory(report, "net");
 	memcpy(touch, mesh->touch, size);
-	status = newton(work, done, report);
+	status = hawser__touch_newton(work, done, report);
 	if (!status && !*done) {
 		memcpy(mesh->touch, touch, size);
 		memcpy(mesh->q, work->start, (size_t)mesh->nodes*sizeof *mesh->q);
@@ -191,7 +192,7 @@ enum hawser_status hawser__net_touching(struct hawser__net_work *work, int *done
 		keep_interior(work);
 		slacken(work);
 		if (!status)
-			status = newton(work, done, report);
+			status = hawser__touch_newton(work, done, report);
 	}
 	if (status || *done)
 		return status;

@@ -1,4 +1,4 @@
-/* tow/drag.c - drag of a line and of a ring.
+/* water/drag.c - drag of a line and of a ring.
  *
  *   t      unit tangent; p normal part of the flow u, a = u.t its part along the line
  *   P      1 - t t^T, the derivative of t by x' is P/|x'|
@@ -14,7 +14,7 @@
 
 #include <hawser/drag.h>
 
-#include "rod/so3.h"
+#include "core/vec3.h"
 
 #define PI 3.14159265358979323846 /* to the digits of a double */
 
@@ -46,6 +46,17 @@ void hawser_drag_line(double f[3], double (*f_u)[3], double (*f_x)[3], const str
 				f_x[i][j] = (-cn*(norm*(t[i]*p[j] + a*P) + a*pp) +
 				             ct*fabs(a)*(2.0*t[i]*p[j] + a*P))/length;
 		}
+}
+
+void hawser_drag_body(double f[3], double (*f_u)[3], double c, const double u[3])
+{
+	double speed = hawser__norm(u);
+
+	for (int i = 0; i < 3; i++) {
+		f[i] = c*speed*u[i];
+		for (int j = 0; f_u && j < 3; j++)
+			f_u[i][j] = c*((i == j ? speed : 0.0) + (speed > 0.0 ? u[i]*(u[j]/speed) : 0.0));
+	}
 }
 
 /* Two unit vectors normal to a unit vector and to each other. */

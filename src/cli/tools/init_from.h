@@ -1,0 +1,50 @@
+/* cli/tools/init_from.h - scenes from the input files of other programs for moorings.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_CLI_INIT_FROM_H
+#define HAWSER_CLI_INIT_FROM_H
+
+#include <stddef.h>
+#include <stdio.h>
+
+#include <hawser/status.h>
+
+/* Write to standard output the scene of kind `net` of a file of MoorDyn (version 2) or MoorPy. What
+ * scenes cannot say is named on standard error. HAWSER_ERR_SCENE with the line for a wrong file. */
+enum hawser_status cli_init_from(const char *path, struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* What such a file has, in its own axes: z upwards. */
+enum { CLI_MOORING_NAME = 32 };
+struct cli_mooring_type {
+	char name[CLI_MOORING_NAME];
+	double diameter, mass, EA;   /* m, kg/m, N */
+	double BA;                   /* N s; negative: minus the damping ratio of an element */
+	double normal, tangential;   /* coefficients of drag */
+	double added_normal, added_tangential;
+};
+struct cli_mooring_body {
+	int id;
+	double x[3];
+};
+struct cli_mooring_point {
+	int id, held;
+	double x[3], mass, volume, CdA, added;
+};
+struct cli_mooring_line {
+	int id, type, end[2]; /* type, points: indices */
+	double length;
+	int elements;
+};
+struct cli_mooring {
+	const char *path;
+	int number;           /* of the line that is read */
+	struct cli_mooring_type *type;
+	struct cli_mooring_body *body;
+	struct cli_mooring_point *point;
+	struct cli_mooring_line *line;
+	int types, bodies, points, lines;
+	double g, density, depth, stiffness, damping, friction; /* depth: NAN: not given */
+};
+/* init_write.c */
+void cli_mooring_write(FILE *stream, const struct cli_mooring *mooring);
+
+#endif

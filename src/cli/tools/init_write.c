@@ -1,0 +1,90 @@
+/* cli/tools/init_write.c - the scene of a mooring file. Its axes x, y, z with z upwards become x,
+ * -z, y. SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+
+#include "cli/tools/init_from.h"
+#include "core/file.h"
+
+static void nodes(FILE *stream, const struct cli_mooring *mooring)
+{
+	fprintf(stream, "nodes:                    # [x, y, z] m; y is upwards\n");
+	for (int i = 0; i < mooring->points; i++) {
+		const struct cli_mooring_point *point = &mooring->point[i];
+
+		fprintf(stream, "  P%d: [%.12g, %.12g, %.12g]\n", point->id, point->x[0], point->x[2],
+		        0.0 - point->x[1]);
+	}
+	fprintf(stream, "supports:\n");
+	for (int i = 0; i < mooring->points; i++)
+		if (mooring->point[i].held)
+			fprintf(stream, "  P%d: fixed\n", mooring->point[i].id);
+}
+
+/* Masses and floats; a support needs neither. */
+static void buoys(FILE *stream, const struct cli_mooring *mooring)
+{
+	int first = 1;
+
+	for (int i = 0; i < mooring->points; i++) {
+		const struct cli_mooring_point *point = &mooring->point[i];
+
+		if (point->held || (point->mass == 0.0 && point->volume == 0.0 && point->CdA == 0.0))
+			continue;
+		if (first)
+			fprintf(stream, "buoys:                    # kg, m^3, m^2\n");
+		first = 0;
+		fprintf(stream, "  P%d: {mass: %.12g, volume: %.12g, CdA: %.12g, added_mass: %.12g}\n",
+		        point->id, point->mass, point->volume, point->CdA, point->added);
+	}
+}
+
+/* Time (s) of damping: EA times it is BA; of a damping ratio, that of an element as an oscillator.
+ * */
+static double axial(const struct cli_mooring_type *type, const struct cli_mooring_line *line)
+{
+	if (type->BA >= 0.0)
+		return type->BA/type->EA;
+	return -type->BA*line->length/line->elements*sqrt(type->mass/type->EA);
+}
+
+static void cables(FILE *stream, const struct cli_mooring *mooring)
+{
+	fprintf(stream, "cables:                   # N, kg/m, m; axial: damping in s\n");
+	for (int i = 0; i < mooring->lines; i++) {
+		const struct cli_mooring_line *line = &mooring->line[i];
+		const struct cli_mooring_type *type = &mooring->type[line->type];
+
+		fprintf(stream, "  - {name: L%d, from: P%d, to: P%d, length0: %.12g, elements: %d,\n"
+		        "     EA: %.12g, rho: %.12g, axial: %.6g, diameter: %.12g,\n"
+		        "     drag: {normal: %.12g, tangential: %.12g},\n"
+		        "     added_mass: {normal: %.12g, tangential: %.12g}}  # %s\n", line->id,
+		        mooring->point[line->end[0]].id, mooring->point[line->end[1]].id, line->length,
+		        line->elements, type->EA, type->mass, axial(type, line), type->diameter,
+		        type->normal, type->tangential, type->added_normal, type->added_tangential,
+		        type->name);
+	}
+}
+
+void cli_mooring_write(FILE *stream, const struct cli_mooring *mooring)
+{
+	int deep = !isnan(mooring->depth);
+
+	fprintf(stream, "# The mooring of %s. Try: hawser statics SCENE --plot SCENE.svg\n"
+	        "# Of the file's axes, x is x, z is y, and y is -z here. Every key: man hawser-scene.\n"
+	        "kind: net\ng: %.12g\n", hawser__file_name(mooring->path), mooring->g);
+	fprintf(stream, "water:\n  density: %.12g\n", mooring->density);
+	if (deep)
+		fprintf(stream, "  depth: %.12g\n", mooring->depth);
+	nodes(stream, mooring);
+	buoys(stream, mooring);
+	cables(stream, mooring);
+	if (!deep)
+		return;
+	fprintf(stream, "obstacles:\n  - {name: bed, plane: {point: [0, %.12g], normal: [0, 1]}",
+	        -mooring->depth);
+	if (mooring->friction > 0.0)
+		fprintf(stream, ", friction: %.12g", mooring->friction);
+	fprintf(stream, "}\n");
+}

@@ -1,0 +1,106 @@
+/* net/read/water.c - `water` and `buoys` of a net's scene, and what of cables needs them.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "net/read/read.h"
+
+/* Rows [y, ux, uy, uz], in the order of the heights. */
+static enum hawser_status table(struct hawser__reader *reader, struct hawser_water *water,
+                                const struct hawser__tree *tree)
+{
+	enum hawser_status status = HAWSER_OK;
+
+	for (const struct hawser__tree *one = tree->child; one && !status; one = one->next) {
+		struct hawser_water_level *level = &water->current[water->levels++];
+		const struct hawser__tree *number = one->child;
+
+		if (one->kind != HAWSER__SEQUENCE || one->children != 4)
+			return hawser__reader_fail(reader, &one->at, "water.current.table: a row must be [y, ux, "
+			                           "uy, uz], a height and the velocity there, such as [-20 m, 1 "
+			                           "m/s, 0, 0]");
+		for (int k = 0; k < 4 && !status; k++, number = number->next)
+			status = hawser__tree_number(reader, k ? &level->u[k - 1] : &level->y, number,
+			                             "water.current.table", k ? "m/s" : "m", HAWSER__TREE_ANY);
+		if (!status && water->levels > 1 && level->y <= level[-1].y)
+			status = hawser__reader_fail(reader, &one->at, "water.current.table: the height %g m is "
+			                             "not above %g m, that of the row before: sort the rows "
+			                             "upwards", level->y, level[-1].y);
+	}
+	return status;
+}
+
+static enum hawser_status waves(struct hawser__reader *reader, struct hawser_net *net,
+                                const struct hawser__tree *tree)
+{
+	struct hawser_water *water = &net->water;
+	struct hawser_report why;
+	enum hawser_status status;
+
+	if (!tree)
+		return HAWSER_OK;
+	water->given.depth = water->depth;
+	water->given.surface = water->surface;
+	water->given.g = net->g;
+	status = hawser_waves_make(&water->waves, &water->given, &why);
+	return status == HAWSER_ERR_ARGUMENT
+		? hawser__reader_fail(reader, &tree->at, "water.waves: %s", why.message)
+		: status ? hawser__no_memory(reader->report, "scene") : HAWSER_OK;
+}
+
+enum hawser_status hawser__net_water(struct hawser__reader *reader, struct hawser_net *net,
+                                     const struct hawser__tree *tree)
+{
+	const struct hawser__tree *current = hawser__tree_find(tree, "current"), *rows;
+	struct hawser_water *water = &net->water;
+	enum hawser_status status = waves(reader, net, hawser__tree_find(tree, "waves"));
+
+	if (status || !current)
+		return status;
+	rows = hawser__tree_find(current, "table");
+	if (current->kind == HAWSER__MAPPING && (!rows || rows->kind != HAWSER__SEQUENCE || !rows->child))
+		return hawser__reader_fail(reader, &current->at, "water.current must be a velocity, such as "
+		                           "[0.8 m/s, 0, 0.6 m/s], or {table: [[-200 m, 0.1 m/s, 0, 0], [0, "
+		                           "1 m/s, 0, 0]]}, heights with velocities");
+	water->current = calloc(rows ? (size_t)rows->children : 1, sizeof *water->current);
+	if (!water->current)
+		return hawser__no_memory(reader->report, "scene");
+	if (rows)
+		return table(reader, water, rows);
+	status = hawser__tree_value(reader, water->current->u, current, "water.current",
+	                            "net.water.current");
+	water->levels = !status;
+	return status;
+}
+
+enum hawser_status hawser__net_buoys(struct hawser__reader *reader, struct hawser_net *net,
+                                     const struct hawser__tree *tree)
+{
+	enum hawser_status status = hawser__net_of_nodes(reader, net, tree, "net.buoys",
+	                                                 "{J: {mass: 3 t, volume: 8 m^3}}");
+
+	if (!status && !(net->water.density > 0.0))
+		return hawser__reader_fail(reader, &tree->at, "buoys are in water, and the scene has none: add "
+		                           "water: {density: 1025 kg/m^3}, or give masses");
+	for (int i = 0; i < net->nodes; i++)
+		net->node[i].mass += net->node[i].buoy.mass;
+	return status;
+}
+
+enum hawser_status hawser__net_wet(struct hawser__reader *reader, const struct hawser_net *net,
+                                   const struct hawser__tree *tree, const char *what)
+{
+	static const char *const of_water[] = {"drag", "added_mass"};
+
+	if (net->water.density > 0.0 && !hawser__tree_find(tree, "diameter"))
+		return hawser__reader_fail(reader, &tree->at, "%s has no diameter, which its buoyancy and its "
+		                           "drag in the water need: add, for example, diameter: 0.1 m", what);
+	for (size_t i = 0; i < sizeof of_water/sizeof *of_water && !(net->water.density > 0.0); i++)
+		if (hawser__tree_find(tree, of_water[i]))
+			return hawser__reader_fail(reader, &tree->at, "%s has %s, and the scene has no water: add "
+			                           "water: {density: 1025 kg/m^3}", what, of_water[i]);
+	return HAWSER_OK;
+}

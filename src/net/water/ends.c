@@ -1,0 +1,115 @@
+/* net/water/ends.c - loads of the water on the ends of an element and on a buoy, and their
+ * derivatives.
+ *
+ * part   of an element that is wet, at an end (water/water.h)
+ * t, P   direction of the element; 1 - t t'
+ * z      du - a; the added mass is m*(cn*(a - t t.a) + ct*t t.a) with the mass m of the water
+ *
+ * Morison's equation: the load of an end is part*(buoyancy + drag + m*du + added mass*(du - a)),
+ * with the flow at the end and the direction of the element.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include <hawser/drag.h>
+
+#include "core/vec3.h"
+#include "net/water/water.h"
+#include "water/water.h"
+
+/* Of the diameter: the height over which a line comes out of the water. With all of it a line that
+ * ends at the surface would lack the drag of the last half. */
+static const double BAND = 0.01;
+
+/* Per length: added mass, its load and that of the water's own acceleration, and the derivative by
+ * d. */
+static void inertia(double f[3], double (*f_d)[3], double (*mass)[3], double m,
+                    const struct hawser_water_line *line, const double d[3],
+                    const struct hawser__water_past *past)
+{
+	double l = hawser__norm(d), across = m*line->added_normal;
+	double more = m*(line->added_tangential - line->added_normal), t[3], z[3], along;
+
+	for (int k = 0; k < 3; k++) {
+		t[k] = d[k]/l;
+		z[k] = past->du[k] - past->a[k];
+	}
+	along = hawser__dot(t, z);
+	for (int i = 0; i < 3; i++) {
+		f[i] += m*past->du[i] + across*z[i] + more*along*t[i];
+		for (int j = 0; j < 3; j++) {
+			mass[i][j] = (i == j ? across : 0.0) + more*t[i]*t[j];
+			/* dt = P dd/l: t.z changes by (z - along*t).dd/l */
+			f_d[i][j] += more/l*(along*((i == j) - t[i]*t[j]) + t[i]*(z[j] - along*t[j]));
+		}
+	}
+}
+
+void hawser__water_ends(struct hawser__water_end end[2], const struct hawser__mesh *mesh, int e,
+                        const double d[3], const struct hawser__water_past past[2])
+{
+	const struct hawser__mesh_water *water = mesh->water;
+	const struct hawser_water_line *line = water->line[e];
+	const struct hawser_drag drag = {water->of->density, 0.5*line->diameter, line->normal,
+	                                 line->tangential};
+	const double m = drag.density*M_PI*drag.radius*drag.radius, L = mesh->length0[e];
+	struct hawser__wet wet = {.part = {0.0}};
+
+	memset(end, 0, 2*sizeof *end);
+	if (line->diameter > 0.0 && hawser__dot(d, d) > 0.0)
+		hawser__wet_line(&wet, 0.0, fmax(BAND*line->diameter, water->band),
+		                 (const double[2]){past[0].height, past[1].height});
+	for (int i = 0; i < 2; i++) {
+		double f[3], part = L*wet.part[i];
+
+		if (!(part > 0.0) && wet.by[i][0] == 0.0 && wet.by[i][1] == 0.0)
+			continue;
+		hawser_drag_line(f, end[i].by_r, end[i].by_d, &drag, past[i].r, d);
+		memcpy(end[i].drag, f, sizeof f);
+		f[1] += m*mesh->g;
+		inertia(f, end[i].by_d, end[i].mass, m, line, d, &past[i]);
+		for (int j = 0; j < 2; j++)
+			end[i].spring[j] = L*wet.by[i][j]*m*mesh->g;
+		for (int k = 0; k < 3; k++) {
+			end[i].load[k] = part*f[k];
+			end[i].drag[k] *= part;
+			end[i].by_y[0][k] = L*wet.by[i][0]*f[k];
+			end[i].by_y[1][k] = L*wet.by[i][1]*f[k];
+			for (int j = 0; j < 3; j++) {
+				end[i].by_r[k][j] *= part;
+				end[i].by_d[k][j] *= part;
+				end[i].mass[k][j] *= part;
+			}
+		}
+	}
+}
+
+void hawser__water_buoy(struct hawser__water_end *end, const struct hawser__mesh *mesh,
+                        const struct hawser_water_buoy *buoy, const struct hawser__water_past *past)
+{
+	const double density = mesh->water->of->density;
+	/* of a larger sphere where the band is wider: as much of it is wet */
+	const double larger = fmax(1.0, 0.5*mesh->water->band/fmax(cbrt(0.75*buoy->volume/M_PI), DBL_MIN));
+	double by, wet = hawser__wet_sphere(&by, 0.0, buoy->volume, past->height/larger);
+	double part = buoy->volume > 0.0 ? wet/buoy->volume : past->height < 0.0;
+	double slope = buoy->volume > 0.0 ? (by /= larger)/buoy->volume : 0.0;
+
+	memset(end, 0, sizeof *end);
+	end->spring[0] = by*density*mesh->g;
+	hawser_drag_body(end->drag, end->by_r, 0.5*density*buoy->CdA, past->r);
+	for (int k = 0; k < 3; k++) {
+		double inertia = density*((1.0 + buoy->added)*past->du[k] - buoy->added*past->a[k]) +
+		                 (k == 1 ? density*mesh->g : 0.0);
+
+		end->by_y[0][k] = slope*end->drag[k] + by*inertia;
+		end->drag[k] *= part;
+		end->load[k] = end->drag[k] + wet*inertia;
+		end->mass[k][k] = density*wet*buoy->added;
+		for (int j = 0; j < 3; j++)
+			end->by_r[k][j] *= part;
+	}
+}

@@ -1,0 +1,290 @@
+/* net/water/motion.c - loads of the water in the time steps of a mesh.
+ *
+ * The loads are those at the middle of a step: of the mean places and the mean velocities, with the
+ * direction of the elements there, so that drag and added mass are implicit. The flow is that where
+ * the nodes are expected to be then, and does not change within a step.
+ *
+ * The ledger of a step, with the force f on a node, its increment x, and r = u - v:
+ *   dissipated   h*(drag.r), >= 0
+ * work f.x plus what is dissipated: so of drag h*f.u; and the change of the kinetic energy of
+ * the added mass M: together with its inertia in f.x that is h*v'*(dM/dt)*v/2, as it turns
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "core/hold.h"
+#include "core/report.h"
+#include "core/vec3.h"
+#include "net/motion/motion.h"
+#include "net/water/water.h"
+#include "water/near.h"
+#include "water/water.h"
+
+struct hawser__water_motion {
+	double (*still)[3];  /* [nodes] N: loads at rest at the reference, which motion->base has */
+	double (*force)[3];  /* [nodes] N, of the last residual, without those */
+	double (*mid)[3];    /* [nodes] m: places in the step */
+	double (*u)[3], (*du)[3]; /* [nodes] m/s, m/s^2: the flow there */
+	double *surface;     /* [nodes] m */
+	double part;         /* of the increment, in the places of the step */
+	double lost;         /* W, of the drag at the last residual */
+	struct hawser__near *near; /* NULL: no waves */
+	struct hawser__hold hold;
+};
+
+void hawser__water_motion_clear(struct hawser__water_motion *water)
+{
+	if (!water)
+		return;
+	hawser__near_free(water->near);
+	hawser__hold_clear(&water->hold);
+	free(water);
+}
+
+void hawser__water_still(struct hawser__motion *motion)
+{
+	struct hawser__mesh *mesh = motion->mesh;
+
+	hawser__water_load(mesh); /* at the reference */
+	for (int i = 0; i < mesh->nodes; i++)
+		for (int k = 0; k < 3; k++)
+			motion->water->still[i][k] = mesh->force[i][k] - mesh->water->dead[i][k];
+}
+
+enum hawser_status hawser__water_motion_open(struct hawser__motion *motion,
+                                             struct hawser_report *report)
+{
+	struct hawser__mesh *mesh = motion->mesh;
+	size_t nodes = (size_t)mesh->nodes;
+	struct hawser__water_motion *water;
+
+	if (!mesh->water)
+		return HAWSER_OK;
+	water = motion->water = calloc(1, sizeof *water);
+	if (!water)
+		return hawser__no_memory(report, "net");
+	water->still = hawser__hold(&water->hold, nodes, sizeof *water->still);
+	water->force = hawser__hold(&water->hold, nodes, sizeof *water->force);
+	water->mid = hawser__hold(&water->hold, nodes, sizeof *water->mid);
+	water->u = hawser__hold(&water->hold, nodes, sizeof *water->u);
+	water->du = hawser__hold(&water->hold, nodes, sizeof *water->du);
+	water->surface = hawser__hold(&water->hold, nodes, sizeof *water->surface);
+	motion->block = hawser__hold(&water->hold, nodes, sizeof *motion->block);
+	motion->other = hawser__hold(&water->hold, (size_t)mesh->elements + 1, sizeof *motion->other);
+	if (water->hold.short_of_memory)
+		return hawser__no_memory(report, "net");
+	if (mesh->water->of->waves.count) {
+		enum hawser_status status = hawser__near_open(&water->near, &mesh->water->of->waves,
+		                                              mesh->nodes, report);
+
+		if (status)
+			return status;
+	}
+	hawser__water_still(motion);
+	return HAWSER_OK;
+}
+
+/* The flow at the places and a time. Waves in the steps are found by `near`, without by
+ * hawser_waves_at, as rows must not change what comes later. */
+static void flow(struct hawser__motion *motion, struct hawser__near *near, double t)
+{
+	struct hawser__water_motion *water = motion->water;
+	const struct hawser_water *of = motion->mesh->water->of;
+
+	for (int i = 0; i < motion->nodes; i++) {
+		struct hawser_wave_flow wave = {.elevation = 0.0};
+		double u_y[3];
+
+		hawser__water_current(water->u[i], u_y, of, water->mid[i][1]);
+		if (near)
+			hawser__near_at(&wave, near, i, water->mid[i], t);
+		else if (of->waves.count)
+			hawser_waves_at(&wave, &of->waves, water->mid[i], t);
+		for (int k = 0; k < 3; k++)
+			water->u[i][k] += wave.u[k];
+		memcpy(water->du[i], wave.du, sizeof wave.du);
+		water->surface[i] = of->surface;
+		if (of->waves.stretching != HAWSER_STRETCH_NONE)
+			water->surface[i] += wave.elevation;
+	}
+}
+
+/* Places of the step, with this part of the increment. */
+static void place(struct hawser__motion *motion, double part)
+{
+	for (int i = 0; i < motion->nodes; i++)
+		for (int k = 0; k < 3; k++)
+			motion->water->mid[i][k] = motion->reference[i][k] + motion->u0[i][k] +
+			                           part*motion->x[i][k];
+}
+
+void hawser__water_prepare(struct hawser__motion *motion, const struct hawser__motion_rule *rule,
+                           double h)
+{
+	/* without a velocity by the increment it is an acceleration, at the beginning */
+	double part = rule->c[0] > 0.0 ? 0.5 : 0.0;
+
+	motion->water->part = part;
+	place(motion, part);
+	flow(motion, motion->water->near, motion->t + part*h);
+}
+
+/* What flows past a node with the velocity v and the acceleration a. */
+static void past(struct hawser__water_past *past, const struct hawser__water_motion *water, int node,
+                 const double v[3], const double a[3])
+{
+	past->height = water->mid[node][1] - water->surface[node];
+	for (int k = 0; k < 3; k++) {
+		past->r[k] = water->u[node][k] - v[k];
+		past->du[k] = water->du[node][k];
+		past->a[k] = a[k];
+	}
+}
+
+/* The ends of an element, with the velocities v and accelerations a [nodes]. */
+static void ends(struct hawser__water_end end[2], const struct hawser__motion *motion, int e,
+                 const double (*v)[3], const double (*a)[3], struct hawser__water_past flow[2])
+{
+	const struct hawser__motion_element *el = &motion->element[e];
+	const double *from = motion->water->mid[el->a], *to = motion->water->mid[el->b];
+	const double d[3] = {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
+
+	past(&flow[0], motion->water, el->a, v[el->a], a[el->a]);
+	past(&flow[1], motion->water, el->b, v[el->b], a[el->b]);
+	hawser__water_ends(end, motion->mesh, e, d, flow);
+}
+
+/* Load and derivatives of an end at a node; m, c: of the acceleration and the velocity by x. */
+static void put(struct hawser__motion *motion, int node, const struct hawser__water_end *end,
+                const struct hawser__water_past *flow, double m, double c, int tangent)
+{
+	struct hawser__water_motion *water = motion->water;
+
+	water->lost += hawser__dot(end->drag, flow->r);
+	for (int k = 0; k < 3; k++)
+		water->force[node][k] += end->load[k];
+	for (int k = 0; k < 9 && tangent; k++)
+		motion->block[node][k] += c*end->by_r[k/3][k%3] + m*end->mass[k/3][k%3];
+}
+
+/* The derivatives of the load of end i of an element by the places: rows [B, -B] or [-B, B] with a
+ * block at the node. */
+static void turn(struct hawser__motion *motion, int e, int i, const struct hawser__water_end *end)
+{
+	const struct hawser__motion_element *el = &motion->element[e];
+	double *B = i ? motion->other[e] : motion->B[e], *block = motion->block[i ? el->b : el->a];
+	double sign = i ? -motion->water->part : motion->water->part;
+
+	for (int k = 0; k < 9; k++)
+		B[k] += sign*end->by_d[k/3][k%3];
+	for (int k = 0; k < 3; k++) {
+		B[3*k + 1] += motion->water->part*end->by_y[!i][k];
+		block[3*k + 1] -= motion->water->part*(end->by_y[0][k] + end->by_y[1][k]);
+	}
+}
+
+double hawser__water_residual(struct hawser__motion *motion, const struct hawser__motion_rule *rule,
+                              int tangent)
+{
+	const struct hawser__mesh *mesh = motion->mesh;
+	struct hawser__water_motion *water = motion->water;
+	const double (*v)[3] = (const double (*)[3])motion->vel, (*a)[3] = (const double (*)[3])motion->acc;
+	struct hawser__water_past flow[2];
+	struct hawser__water_end end[2];
+	double most = 0.0;
+
+	place(motion, water->part);
+	water->lost = 0.0;
+	memset(water->force, 0, (size_t)motion->nodes*sizeof *water->force);
+	for (int e = 0; e < motion->elements; e++) {
+		const struct hawser__motion_element *el = &motion->element[e];
+
+		ends(end, motion, e, v, a, flow);
+		for (int i = 0; i < 2; i++) {
+			put(motion, i ? el->b : el->a, &end[i], &flow[i], rule->m[0], rule->c[0], tangent);
+			if (tangent)
+				turn(motion, e, i, &end[i]);
+		}
+	}
+	for (int i = 0; i < mesh->water->buoys; i++) {
+		const struct hawser__mesh_buoy *buoy = &mesh->water->buoy[i];
+
+		past(flow, water, buoy->node, v[buoy->node], a[buoy->node]);
+		hawser__water_buoy(end, mesh, buoy->of, flow);
+		put(motion, buoy->node, end, flow, rule->m[0], rule->c[0], tangent);
+		for (int k = 0; k < 3 && tangent; k++)
+			motion->block[buoy->node][3*k + 1] -= water->part*end->by_y[0][k];
+	}
+	for (int i = 0; i < motion->nodes; i++)
+		for (int k = 0; k < 3; k++) {
+			water->force[i][k] -= water->still[i][k];
+			motion->r[i][k] -= water->force[i][k];
+			most = fmax(most, fabs(water->force[i][k]));
+		}
+	return most;
+}
+
+static double moved(const struct hawser__water_end *end, const double v[3])
+{
+	return 0.5*(v[0]*hawser__dot(end->mass[0], v) + v[1]*hawser__dot(end->mass[1], v) +
+	            v[2]*hawser__dot(end->mass[2], v));
+}
+
+/* To the state: places, flow and, unless NULL, the loads with the accelerations a, for its
+ * tensions. */
+static double state(struct hawser__motion *motion, const double (*a)[3])
+{
+	const struct hawser__mesh *mesh = motion->mesh;
+	const struct hawser__water_motion *water = motion->water;
+	const double (*v)[3] = (const double (*)[3])motion->v;
+	struct hawser__water_past flow[2];
+	struct hawser__water_end end[2];
+	double sum = 0.0;
+
+	for (int i = 0; i < motion->nodes; i++)
+		for (int k = 0; k < 3; k++)
+			water->mid[i][k] = motion->reference[i][k] + motion->u[i][k];
+	for (int e = 0; e < motion->elements; e++) {
+		const struct hawser__motion_element *el = &motion->element[e];
+
+		ends(end, motion, e, v, a ? a : v, flow);
+		sum += moved(&end[0], v[el->a]) + moved(&end[1], v[el->b]);
+		for (int k = 0; a && k < 6; k++)
+			mesh->water->load[e][k/3][k%3] = end[k/3].load[k%3];
+	}
+	for (int i = 0; i < mesh->water->buoys; i++) {
+		const struct hawser__mesh_buoy *buoy = &mesh->water->buoy[i];
+
+		past(flow, water, buoy->node, v[buoy->node], v[buoy->node]);
+		hawser__water_buoy(end, mesh, buoy->of, flow);
+		sum += moved(end, v[buoy->node]);
+	}
+	return sum;
+}
+
+double hawser__water_kinetic(struct hawser__motion *motion)
+{
+	return state(motion, NULL);
+}
+
+void hawser__water_account(struct hawser__motion *motion, double h)
+{
+	double lost = h*motion->water->lost;
+
+	motion->energy.dissipated += lost;
+	motion->energy.work += lost;
+	for (int i = 0; i < motion->nodes; i++)
+		motion->energy.work += hawser__dot(motion->water->force[i], motion->x[i]);
+}
+
+double hawser__water_row(struct hawser__motion *motion, const double (*a)[3])
+{
+	for (int i = 0; i < motion->nodes; i++)
+		for (int k = 0; k < 3; k++)
+			motion->water->mid[i][k] = motion->reference[i][k] + motion->u[i][k];
+	flow(motion, NULL, motion->t);
+	return state(motion, a);
+}

@@ -1,0 +1,74 @@
+/* net/water/water.h - the loads of the water on a mesh, where its nodes are.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_NET_WATER_H
+#define HAWSER_NET_WATER_H
+
+#include "net/net.h"
+
+/* Of a mesh in water. Loads go to the ends of elements, drag with the velocity there. */
+struct hawser__mesh_water {
+	const struct hawser_water *of;
+	const struct hawser_water_line **line; /* [elements] */
+	double (*dead)[3];      /* [nodes] N: what is in mesh->force without the water */
+	double (*load)[2][3];   /* [elements] N: of the water on both ends of an element, as last found */
+	double (*mass)[2][3][3]; /* [elements] kg: added mass of both ends */
+	double (*spring)[2][2];  /* [elements] N/m: of the derivatives what is buoyancy, upwards */
+	double (*slope)[6][6];  /* [elements] N/m: their derivatives by both ends */
+	struct hawser__mesh_buoy {
+		int node, element, end; /* it is this end of this element */
+		const struct hawser_water_buoy *of;
+		double load[3], slope[3][3], mass[3][3], spring;
+	} *buoy;                /* [buoys] */
+	int buoys;
+	int follows;            /* 1: mesh->force follows mesh->q (net/water/statics.c) */
+	double part;            /* of the current: 1, or less on the way to it */
+	double band;            /* m: height over which a line and a buoy come out of the water, if that is
+	                         * more than a hundredth of a line's diameter, and the diameter of a buoy */
+};
+
+/* What flows past an end of an element. */
+struct hawser__water_past {
+	double height;     /* m, above the surface */
+	double r[3];       /* m/s, of the water relative to the line */
+	double du[3], a[3]; /* m/s^2, of the water and of the line */
+};
+/* What the water does to an end of an element, and the derivatives of the load. */
+struct hawser__water_end {
+	double load[3], drag[3]; /* N: all, and of it the drag */
+	double mass[3][3];       /* kg: added mass */
+	double by_r[3][3];       /* by the relative velocity */
+	double by_d[3][3];       /* by the vector along the element */
+	double by_y[2][3];       /* by the heights of both ends */
+	double spring[2];        /* N/m: of that what is buoyancy, of the force upwards */
+};
+/* d: vector along element e. */
+void hawser__water_ends(struct hawser__water_end end[2], const struct hawser__mesh *mesh, int e,
+                        const double d[3], const struct hawser__water_past past[2]);
+/* The same of a buoy, without by_d; of by_y the first. */
+void hawser__water_buoy(struct hawser__water_end *end, const struct hawser__mesh *mesh,
+                        const struct hawser_water_buoy *buoy, const struct hawser__water_past *past);
+
+/* Room for it, and what does not change. Nothing without water. */
+enum hawser_status hawser__water_open(struct hawser__mesh *mesh, const struct hawser_net *net,
+                                      struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Loads and derivatives at mesh->q, at rest; mesh->force gets the loads. */
+void hawser__water_load(struct hawser__mesh *mesh);
+/* Added mass number j of the mesh at its places, kg, of an end of an element; returns 0 beyond the
+ * last. */
+struct hawser__water_mass {
+	int element, end;
+	const double (*mass)[3];
+};
+int hawser__water_mass(struct hawser__water_mass *at, const struct hawser__mesh *mesh, int j);
+/* Stiffness number j of the buoyancy, by the heights of both ends of an element, N/m; returns 0
+ * beyond the last. */
+struct hawser__water_spring {
+	int element;
+	double k[2][2];
+};
+int hawser__water_spring(struct hawser__water_spring *at, const struct hawser__mesh *mesh, int j);
+/* 1 if there is a current, so that the loads have no energy. */
+int hawser__water_flows(const struct hawser__mesh *mesh);
+
+#endif

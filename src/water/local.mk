@@ -1,0 +1,13 @@
+noinst_LTLIBRARIES += %D%/libwater.la
+%C%_libwater_la_SOURCES = \
+	%D%/drag.c \
+	%D%/linear.c \
+	%D%/linear.h \
+	%D%/near.c \
+	%D%/near.h \
+	%D%/profile.h \
+	%D%/sea.c \
+	%D%/water.c \
+	%D%/water.h \
+	%D%/waves.c \
+	%D%/wet.c

@@ -1,0 +1,44 @@
+/* water/water.c - the flow of the water around cables.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <string.h>
+
+#include <hawser/water.h>
+
+#include "water/water.h"
+
+void hawser__water_current(double u[3], double u_y[3], const struct hawser_water *water, double y)
+{
+	const struct hawser_water_level *level = water->current;
+	int last = water->levels - 1, i = 0;
+
+	memset(u, 0, 3*sizeof *u);
+	memset(u_y, 0, 3*sizeof *u_y);
+	if (last < 0)
+		return;
+	while (i < last && y > level[i + 1].y)
+		i++;
+	for (int k = 0; k < 3; k++)
+		if (i == last || y <= level[0].y) {
+			u[k] = level[i].u[k];
+		} else {
+			u_y[k] = (level[i + 1].u[k] - level[i].u[k])/(level[i + 1].y - level[i].y);
+			u[k] = level[i].u[k] + (y - level[i].y)*u_y[k];
+		}
+}
+
+void hawser_water_at(double u[3], double du[3], const struct hawser_water *water, const double x[3],
+                     double t)
+{
+	struct hawser_wave_flow flow = {.elevation = 0.0};
+	double u_y[3];
+
+	hawser__water_current(u, u_y, water, x[1]);
+	if (water->waves.count)
+		hawser_waves_at(&flow, &water->waves, x, t);
+	for (int k = 0; k < 3; k++)
+		u[k] += flow.u[k];
+	if (du)
+		memcpy(du, flow.du, sizeof flow.du);
+}

@@ -1,0 +1,21 @@
+/* water/water.h - what nets need of the water. SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_WATER_WATER_H
+#define HAWSER_WATER_WATER_H
+
+#include <hawser/water.h>
+
+/* The current at a height y (m), and its derivative u_y[3] (1/s). */
+void hawser__water_current(double u[3], double u_y[3], const struct hawser_water *water, double y);
+
+/* What of an element is in the water, by its ends, and its derivatives by their heights y (m). With
+ * the shape functions N, part[i] is the integral of N_i over what is wet, over the length: 1/2 of
+ * an element below the surface. A line comes out of the water within the height `band` (m). */
+struct hawser__wet {
+	double part[2], by[2][2];
+};
+void hawser__wet_line(struct hawser__wet *wet, double surface, double band, const double y[2]);
+/* The volume of a sphere that is in the water, m^3, and its derivative by the height y of the
+ * centre. */
+double hawser__wet_sphere(double *by, double surface, double volume, double y);
+
+#endif
