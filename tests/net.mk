@@ -21,6 +21,7 @@ tests_net_SOURCES = tests/cases.c \
 	tests/reference/test-net-belt.c \
 	tests/reference/test-net-contact-modes.c \
 	tests/reference/test-net-contact.c \
+	tests/reference/test-net-events.c \
 	tests/reference/test-net-impact.c \
 	tests/reference/test-net-modes.c \
 	tests/reference/test-net-motion.c \

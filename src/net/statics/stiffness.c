@@ -1,7 +1,7 @@
 /* net/statics/stiffness.c - the tangent stiffness of an equilibrium at nodes that move as a rigid
  * body.
  *
- * K     second derivative of the energy of the mesh, and what friction that slides adds to it
+ * K     second derivative of the energy of the mesh, and what friction that slides and water add
  * u     displacements of all nodes for a unit motion of the body: those of its nodes are given, and
  *       K u = 0 at all others that are free
  * T, h  tension and length of an element
@@ -29,6 +29,7 @@
 #include "core/vec3.h"
 #include "net/motion/motion.h"
 #include "net/touch/touch.h"
+#include "net/water/water.h"
 
 enum { MOTIONS = 6 };
 /* The springs of contacts over the stiffness of the elements there: the error is the inverse. */
@@ -143,6 +144,16 @@ static void assemble(struct tangent *at)
 		const double lift[2] = {at->T[i] > 0.0 ? 0.0 : LIFT*mesh->EA[i]/mesh->length0[i], 0.0};
 
 		hawser__klu_element(at->klu, i, at->block[i], lift);
+		if (mesh->water)
+			hawser__klu_ends(at->klu, i, (const double (*)[6])mesh->water->slope[i], -1.0);
+	}
+	for (int i = 0; mesh->water && i < mesh->water->buoys; i++) {
+		const struct hawser__mesh_buoy *buoy = &mesh->water->buoy[i];
+		double block[3][3];
+
+		for (int k = 0; k < 9; k++)
+			block[k/3][k%3] = -buoy->slope[k/3][k%3];
+		hawser__klu_node(at->klu, buoy->element, buoy->end, (const double (*)[3])block);
 	}
 }
 
@@ -164,6 +175,14 @@ static void forces(struct tangent *at)
 			at->force[end[0]][k] -= f;
 			at->force[end[1]][k] += f;
 		}
+		for (int k = 0; mesh->water && k < 36; k++)
+			at->force[end[k/18]][k/6%3] -= mesh->water->slope[i][k/6][k%6]*at->u[end[k%6/3]][k%3];
+	}
+	for (int i = 0; mesh->water && i < mesh->water->buoys; i++) {
+		const struct hawser__mesh_buoy *buoy = &mesh->water->buoy[i];
+
+		for (int k = 0; k < 3; k++)
+			at->force[buoy->node][k] -= hawser__dot(buoy->slope[k], at->u[buoy->node]);
 	}
 }
 
@@ -245,6 +264,8 @@ static enum hawser_status hold(struct hawser_net_stiffness *to, struct tangent *
 	double arm[3], moment[3];
 	enum hawser_status status;
 
+	if (at->mesh.water) /* with derivatives at the equilibrium */
+		hawser__water_load(&at->mesh);
 	hawser__mesh_gradient(at->force, NULL, &at->mesh);
 	for (int i = 0; i < at->nodes; i++) {
 		static const unsigned char all[3] = {1, 1, 1};
