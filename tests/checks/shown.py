@@ -45,7 +45,7 @@ INSTALLED = "/usr/local/share/hawser/scenes"
 # Commands of README.md that other tests run: .ci/run does.
 ELSEWHERE = re.compile(r"\./quickstart")
 COPY = "copy of the folder of scenes"
-DOCUMENTS = ("README.md", "doc/tutorial.md", "doc/tutorial-nets.md", "doc/tutorial-galloping.md", "doc/commands.md", "doc/gallery.md",
+DOCUMENTS = ("README.md", "doc/tutorial.md", "doc/tutorial-nets.md", "doc/tutorial-mooring.md", "doc/tutorial-galloping.md", "doc/commands.md", "doc/gallery.md",
              "doc/water.md")
 
 source = os.path.abspath(os.environ["SRCDIR"])
