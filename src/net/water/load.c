@@ -8,6 +8,7 @@
 
 #include "core/report.h"
 #include "core/vec3.h"
+#include "net/motion/motion.h"
 #include "net/water/water.h"
 #include "water/water.h"
 
@@ -141,6 +142,36 @@ void hawser__water_load(struct hawser__mesh *mesh)
 		for (int k = 0; k < 3; k++)
 			mesh->force[water->buoy[i].node][k] += water->buoy[i].load[k];
 	}
+}
+
+void hawser__water_matrix(struct hawser__klu *klu, const struct hawser__mesh *mesh)
+{
+	const struct hawser__mesh_water *water = mesh->water;
+
+	for (int e = 0; e < mesh->elements; e++)
+		hawser__klu_ends(klu, e, (const double (*)[6])water->slope[e], -1.0);
+	for (int i = 0; i < water->buoys; i++) {
+		double block[3][3];
+
+		for (int k = 0; k < 9; k++)
+			block[k/3][k%3] = -water->buoy[i].slope[k/3][k%3];
+		hawser__klu_node(klu, water->buoy[i].element, water->buoy[i].end, (const double (*)[3])block);
+	}
+}
+
+void hawser__water_spread(double (*force)[3], const struct hawser__mesh *mesh, const double (*u)[3])
+{
+	const struct hawser__mesh_water *water = mesh->water;
+
+	for (int k = 0; k < 36*mesh->elements; k++) {
+		const int *end = mesh->end[k/36], row = k%36/6, column = k%6;
+
+		force[end[row/3]][row%3] -= water->slope[k/36][row][column]*u[end[column/3]][column%3];
+	}
+	for (int i = 0; i < water->buoys; i++)
+		for (int k = 0; k < 3; k++)
+			force[water->buoy[i].node][k] -= hawser__dot(water->buoy[i].slope[k],
+			                                             u[water->buoy[i].node]);
 }
 
 int hawser__water_mass(struct hawser__water_mass *at, const struct hawser__mesh *mesh, int j)

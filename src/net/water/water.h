@@ -54,6 +54,10 @@ enum hawser_status hawser__water_open(struct hawser__mesh *mesh, const struct ha
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 /* Loads and derivatives at mesh->q, at rest; mesh->force gets the loads. */
 void hawser__water_load(struct hawser__mesh *mesh);
+/* Take the derivatives of the loads off a matrix of the mesh, and off its product with u [nodes]. */
+struct hawser__klu;
+void hawser__water_matrix(struct hawser__klu *klu, const struct hawser__mesh *mesh);
+void hawser__water_spread(double (*force)[3], const struct hawser__mesh *mesh, const double (*u)[3]);
 /* Added mass number j of the mesh at its places, kg, of an end of an element; returns 0 beyond the
  * last. */
 struct hawser__water_mass {
