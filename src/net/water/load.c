@@ -23,6 +23,7 @@ static enum hawser_status allocate(struct hawser__mesh *mesh, int buoys, struct 
 	water->line = hawser__hold(&mesh->hold, elements, sizeof *water->line);
 	water->dead = hawser__hold(&mesh->hold, (size_t)mesh->nodes, sizeof *water->dead);
 	water->load = hawser__hold(&mesh->hold, elements, sizeof *water->load);
+	water->wet = hawser__hold(&mesh->hold, elements, sizeof *water->wet);
 	water->mass = hawser__hold(&mesh->hold, elements, sizeof *water->mass);
 	water->spring = hawser__hold(&mesh->hold, elements, sizeof *water->spring);
 	water->slope = hawser__hold(&mesh->hold, elements, sizeof *water->slope);
@@ -91,6 +92,7 @@ static void element(struct hawser__mesh *mesh, int e)
 	for (int i = 0; i < 2; i++)
 		current(&past[i], u_y[i], water, i ? b[1] : a[1]);
 	hawser__water_ends(end, mesh, e, d, past);
+	water->wet[e] = end[0].wet + end[1].wet;
 	for (int i = 0; i < 2; i++) {
 		memcpy(water->mass[e][i], end[i].mass, sizeof end[i].mass);
 		memcpy(water->spring[e][i], end[i].spring, sizeof end[i].spring);
