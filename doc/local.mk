@@ -45,6 +45,7 @@ dist_doc_DATA += \
 	%D%/theory.md \
 	%D%/tutorial.md \
 	%D%/tutorial-galloping.md \
+	%D%/tutorial-models.md \
 	%D%/tutorial-nets.md \
 	%D%/water.md
 # The list of all messages, from the sources. It is not in the repository, and not in a build without python3.

@@ -1,5 +1,6 @@
-/* cli/tools/init_structures.c - scenes of well-known structures, with the names of their field, for
- * hawser init. A test runs the first command of each. SPDX-License-Identifier: GPL-3.0-or-later */
+/* cli/tools/init_structures.c - scenes of well-known structures, with the names of their field, and a
+ * model of one's own, for hawser init. A test runs the first command of each.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include "cli/tools/init_scenes.h"
@@ -112,3 +113,16 @@ const char cli_init_mooring[] =
 	"  length0: 740 m          # of chain, unstretched\n"
 	"obstacles:\n"
 	"  - {name: seabed, plane: {point: [0 m, 0 m], normal: [0, 1]}}\n";
+
+const char cli_init_model[] =
+	"{\n"
+	"  \"hawser_rom\": 1,\n"
+	"  \"comment\": \"Duffing: u'' + 2 zeta u' + u + alpha u^3 = F cos(Omega t). Try: hawser frf "
+	"SCENE. Every key: man hawser-rom\",\n"
+	"  \"n\": 1,\n"
+	"  \"parameters\": {\"zeta\": 0.02, \"alpha\": 0.5, \"F\": 0.1},\n"
+	"  \"D\": [[\"2*zeta\"]],\n"
+	"  \"K\": [[1]],\n"
+	"  \"C\": [[0, 0, 0, 0, \"alpha\"]],\n"
+	"  \"harmonics\": [{\"k\": 1, \"f\": [\"F\"]}]\n"
+	"}\n";
