@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "cli/statics/contacts_net.h"
+#include "cli/motion/events_net.h"
 #include "cli/motion/film_net.h"
 #include "cli/motion/integrate_net.h"
 #include "cli/frame/mesh_net.h"
@@ -27,6 +28,7 @@ struct result {
 	struct cli_mesh mesh;
 	struct hawser_net_motion motion;
 	struct cli_contacts contacts;
+	struct cli_events events;
 	struct hawser_net_probe probe[CLI_PROBES];
 	struct cli_probed probed;
 	enum hawser_status failed; /* of a frame */
@@ -146,6 +148,8 @@ static void gather(struct result *result)
 			result->probed.held[result->probed.holds++] = p;
 	}
 	result->contacts = (struct cli_contacts){&result->mesh.net, motion->contact, motion->contacts, 0.0};
+	result->events = (struct cli_events){&result->mesh.net, motion->failure, motion->winch,
+	                                     motion->failures, motion->winches};
 	for (int i = 0; i < motion->rows && motion->apart; i++)
 		result->contacts.apart = fmax(result->contacts.apart, motion->apart[i]);
 }
@@ -180,6 +184,7 @@ static void comments(struct hawser__table *table, const void *of)
 		if (motion->still[k])
 			hawser__table_comment(table, "no motion along %c in the model: nothing drives it",
 			                      "xyz"[k]);
+	cli_events_comments(table, &result->events);
 	if (motion->interrupted)
 		hawser__table_comment(table, "interrupted at %.6g s", motion->reached);
 }
@@ -239,6 +244,7 @@ const struct hawser__field cli_net_motion_field[] = {
 	 .unit = HAWSER__SECOND, .given = fronts},
 	PART(mesh, cli_mesh_field)},
 	{"slack", "slack", "number of elements without tension", ROWS_OF(slack)},
+	PART(events, cli_events_field)},
 	{"still", NULL, "axes along which nothing moves the net", HAWSER__CALLS(still_json),
 	 .from = HAWSER__IN_PARENT},
 	{"touching", "touching", "with obstacles: number of contacts", ROWS_OF(touching), TOUCH},
@@ -275,7 +281,9 @@ static struct cli_head head(const void *of)
 	const struct result *result = of;
 
 	return cli_si_head(result->common, "integrate", result->motion.scheme, &result->probed,
-	                   result->mesh.net.surfaces ? SURFACES : 0u);
+	                   (result->mesh.net.surfaces ? SURFACES : 0u) |
+	                   (result->motion.failures ? CLI_FAILURES : 0u) |
+	                   (result->motion.winches ? CLI_WINCHES : 0u));
 }
 
 /* Heights of the first probes over time; below, the energies. */

@@ -28,6 +28,8 @@ void hawser_net_motion_clear(struct hawser_net_motion *motion)
 	free(motion->impacts);
 	free(motion->apart);
 	free(motion->contact);
+	free(motion->failure);
+	free(motion->winch);
 	free(motion->state);
 	memset(motion, 0, sizeof *motion);
 }

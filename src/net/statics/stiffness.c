@@ -1,8 +1,7 @@
 /* net/statics/stiffness.c - the tangent stiffness of an equilibrium at nodes that move as a rigid
  * body.
  *
- * K     second derivative of the energy of the mesh, and what friction that slides and the loads of
- *       the water add to it
+ * K     second derivative of the energy of the mesh, and what friction that slides and water add
  * u     displacements of all nodes for a unit motion of the body: those of its nodes are given, and
  *       K u = 0 at all others that are free
  * T, h  tension and length of an element
@@ -251,6 +250,8 @@ static enum hawser_status hold(struct hawser_net_stiffness *to, struct tangent *
 	double arm[3], moment[3];
 	enum hawser_status status;
 
+	if (at->mesh.water) /* with derivatives at the equilibrium */
+		hawser__water_load(&at->mesh);
 	hawser__mesh_gradient(at->force, NULL, &at->mesh);
 	for (int i = 0; i < at->nodes; i++) {
 		static const unsigned char all[3] = {1, 1, 1};
@@ -298,8 +299,6 @@ static enum hawser_status solve(struct hawser_net_stiffness *to, struct tangent 
 	at->on = hawser__hold(&at->memory, nodes, sizeof *at->on);
 	at->x = hawser__hold(&at->memory, 3*nodes, sizeof *at->x);
 	status = at->memory.short_of_memory ? hawser__no_memory(report, "net") : hold(to, at, report);
-	if (at->mesh.water)
-		hawser__water_load(&at->mesh); /* with its derivatives */
 	if (!status)
 		status = hawser__klu_open(&at->klu, &at->mesh, report);
 	if (!status)

@@ -12,16 +12,17 @@
 #include "net/water/water.h"
 #include "water/water.h"
 
-static enum hawser_status allocate(struct hawser__mesh *mesh, int buoys, struct hawser_report *report)
+static enum hawser_status allocate(struct hawser__mesh *mesh, int buoys, int failures,
+                                   struct hawser_report *report)
 {
-	size_t elements = (size_t)mesh->elements;
+	size_t elements = (size_t)mesh->elements, nodes = (size_t)(mesh->nodes + failures);
 	struct hawser__mesh_water *water = hawser__hold(&mesh->hold, 1, sizeof *water);
 
 	mesh->water = water;
 	if (!water)
 		return hawser__no_memory(report, "net");
 	water->line = hawser__hold(&mesh->hold, elements, sizeof *water->line);
-	water->dead = hawser__hold(&mesh->hold, (size_t)mesh->nodes, sizeof *water->dead);
+	water->dead = hawser__hold(&mesh->hold, nodes, sizeof *water->dead);
 	water->load = hawser__hold(&mesh->hold, elements, sizeof *water->load);
 	water->wet = hawser__hold(&mesh->hold, elements, sizeof *water->wet);
 	water->mass = hawser__hold(&mesh->hold, elements, sizeof *water->mass);
@@ -46,7 +47,7 @@ enum hawser_status hawser__water_open(struct hawser__mesh *mesh, const struct ha
 		return HAWSER_OK;
 	for (int i = 0; i < net->nodes; i++)
 		buoys += is_buoy(&net->node[i].buoy);
-	status = allocate(mesh, buoys, report);
+	status = allocate(mesh, buoys, net->failures, report);
 	if (status)
 		return status;
 	mesh->water->of = &net->water;
