@@ -139,6 +139,14 @@ static void gather(struct result *result)
 	result->probed.rows = motion->rows;
 	result->probed.x = (const double (*)[3])motion->x;
 	result->probed.T = motion->T;
+	result->probed.pull = (const double (*)[3])motion->pull;
+	for (int p = 0; p < motion->probes; p++) {
+		int at = result->probe[p].node;
+		const unsigned char *held = at < 0 ? NULL : result->mesh.net.node[at].held;
+
+		if (held && (held[0] || held[1] || held[2]))
+			result->probed.held[result->probed.holds++] = p;
+	}
 	result->contacts = (struct cli_contacts){&result->mesh.net, motion->contact, motion->contacts, 0.0};
 	result->events = (struct cli_events){&result->mesh.net, motion->failure, motion->winch,
 	                                     motion->failures, motion->winches};
@@ -214,13 +222,15 @@ const struct hawser__field cli_net_motion_field[] = {
 	PART(probed, cli_probed_field)},
 	{NULL, "", "of each probe: its place, and the largest tension there",
 	 HAWSER__VECTOR_OF(cli_probed_vector)},
+	{NULL, "", "of each probe that is a support: what the cables pull on it",
+	 HAWSER__VECTOR_OF(cli_pulled_vector), .unit = HAWSER__NEWTON},
 	{"energy.kinetic", "kinetic", "kinetic energy", ROWS_OF(kinetic), JOULE},
 	{"energy.potential", "potential", "of strain, weight and constant loads, since the beginning",
 	 ROWS_OF(potential), JOULE},
-	{"energy.work", "work", "of harmonic loads, moving supports and surfaces, since the beginning",
-	 ROWS_OF(work), JOULE},
-	{"energy.dissipated", "dissipated", "by damping, friction and impacts, since the beginning",
-	 ROWS_OF(dissipated), JOULE},
+	{"energy.work", "work", "of harmonic loads, moving supports and surfaces, and water, since the "
+	 "beginning", ROWS_OF(work), JOULE},
+	{"energy.dissipated", "dissipated", "by damping, drag of water, friction and impacts, since the "
+	 "beginning", ROWS_OF(dissipated), JOULE},
 	{"energy.closure", NULL, "largest error of this ledger over its largest term", ONE(closure)},
 	{"energy.friction", "friction", "with obstacles: dissipated by friction", ROWS_OF(friction), JOULE,
 	 .place = 1, TOUCH},
