@@ -14,6 +14,7 @@ dist_doc_DATA += \
 	%D%/theory-bending.md \
 	%D%/robustness.md \
 	%D%/theory-campbell.md \
+	%D%/moorings.md \
 	%D%/theory-contact.md \
 	%D%/theory-compare.md \
 	%D%/theory-friction.md \
@@ -44,6 +45,7 @@ dist_doc_DATA += \
 	%D%/theory.md \
 	%D%/tutorial.md \
 	%D%/tutorial-galloping.md \
+	%D%/tutorial-models.md \
 	%D%/tutorial-mooring.md \
 	%D%/tutorial-nets.md \
 	%D%/waves.md \

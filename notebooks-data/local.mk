@@ -43,6 +43,7 @@ dist_scenes_DATA = \
 	%D%/scenes/net-belt-driven.yaml \
 	%D%/scenes/net-table-3-6.yaml \
 	%D%/scenes/span-seabed.yaml \
+	%D%/scenes/net-mooring.yaml \
 	%D%/scenes/net-seabed.yaml \
 	%D%/scenes/net-table-3-1.yaml \
 	%D%/scenes/stay-anchorage.yaml \

@@ -18,9 +18,10 @@ struct hawser_accuracy_try {
 	int functions;  /* per component, of the full-order model; 0: condensed model */
 	double moved;   /* hawser_accuracy_distance from the response of the previous model; NAN for the
 	                 * first model. Of the full-order model the distance of its draft from that of
-	                 * `checked` */
+	                 * `checked`; of a condensed one with `checked` its distance from the
+	                 * exact energy */
 	int checked;    /* coordinates of the next full-order model, with whose curve that of this one
-	                 * was compared; 0: a condensed model */
+	                 * was compared; 0: of a condensed model that was compared with none */
 	double rest;    /* sum of the measures of the omitted modes (choose.h) in this model's motions;
 	                 * 0 of the full-order model */
 	double truncation; /* error in these motions that further modes do not reduce (choose.h); 0 of

@@ -106,6 +106,8 @@ struct hawser_locus_options {
 	double from, to;             /* scaled Omega: the range, as in hawser_frf_options */
 	double parameter_from, parameter_to;
 	double at;                   /* the parameter of the response whose bifurcations begin the curves */
+	const struct hawser_frf_options *first; /* NULL, or where that response begins: its start, along and
+	                              * begin; it is then followed to both sides */
 	double near;                 /* scaled Omega: only the bifurcation next to it; 0: all */
 	double tolerance;            /* of the defect and of the truncation error, relative; 0: 1e-9 */
 	int max_points;              /* of a curve in each direction, and of the response; 0: 2000 */

@@ -217,6 +217,25 @@ enum hawser_status hawser_net_mesh_error(struct hawser_net_mesh_error *error,
 enum hawser_status hawser_net_refine(struct hawser_net *net, struct hawser_report *report)
 	HAWSER_MUST_CHECK;
 
+/* The tangent stiffness of the equilibrium at nodes that move together, as a rigid body, while all
+ * other free nodes follow. Contacts stay as they are; those of these nodes themselves are not
+ * counted. */
+struct hawser_net_stiffness {
+	int size;         /* 3: motions along x, y, z; 6: turns about x, y, z through `about` too */
+	double about[3];  /* m */
+	double K[6][6];   /* row: force (N) or moment (N m) of the outside on the body; column: motion, of
+	                   * 1 m or 1 rad. A body turns with the forces on it: its lines keep their ends */
+	double force[6];  /* N, N m: of the outside on the body, in the equilibrium */
+	double asymmetry; /* largest |K_ij - K_ji| over sqrt(|K_ii K_jj|) + |K_ij| + |K_ji|: of friction
+	                   * that slides, or of turns, where moments act; else round-off */
+};
+/* Of the nodes node [nodes]; about [3], m, or NULL: size 3. A net without equilibrium fails as
+ * hawser_net_solve does. */
+enum hawser_status hawser_net_stiffness_of(struct hawser_net_stiffness *stiffness,
+                                           const struct hawser_net *net,
+                                           const int *node, int nodes, const double *about,
+                                           struct hawser_report *report) HAWSER_MUST_CHECK;
+
 struct hawser_net_method {
 	const char *name, *summary, *source;
 };

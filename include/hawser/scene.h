@@ -88,7 +88,8 @@ struct hawser_attachment {
 	double mass;      /* kg */
 	double force[3];  /* N along x, y, z */
 	double spring[3]; /* N/m along x, y, z */
-	double damper[3]; /* N s/m along x, y, z */
+	double damper[3]; /* N s/m along x, y, z, */
+	int damper_to;    /* to the ground (0), or to what end A (1) or B (2) is fixed to */
 	/* An absorber: a mass that moves along a fixed direction relative to the point, on a spring and a
 	 * damper between both. Across this direction it moves with the point. */
 	double absorber_mass;         /* kg; 0: none */

@@ -47,7 +47,8 @@ struct hawser_attached {
 	double jump[3];   /* change of the force in the cable, along the axes of its plane, over w*d with
 	                   * the static force w per length: (0, m, 0) where only weight acts */
 	double spring[3]; /* N/m along x, y, z */
-	double damper[3]; /* N s/m */
+	double damper[3]; /* N s/m, */
+	int damper_to;    /* to the ground (0), or to what end A (1) or B (2) is fixed to */
 	/* Of the absorber, whose mass is part of `mass` and `m`: */
 	double absorber;           /* its share of m, scaled; 0: none */
 	double absorber_stiffness; /* N/m */

@@ -125,6 +125,8 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/frame/mesh_net.h \
 	%D%/statics/statics_net.c \
 	%D%/statics/statics_net.h \
+	%D%/statics/stiffness_net.c \
+	%D%/statics/stiffness_net.h \
 	%D%/statics/statics_cases.c \
 	%D%/statics/statics_loaded.c \
 	%D%/statics/statics_marks.c \

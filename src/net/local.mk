@@ -81,6 +81,7 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/span/span-statics.c \
 	%D%/statics/sparse.c \
 	%D%/statics/start.c \
+	%D%/statics/stiffness.c \
 	%D%/statics/statics.c \
 	%D%/modes/symmetry.c \
 	%D%/modes/symmetry.h \

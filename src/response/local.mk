@@ -54,6 +54,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/family/factor.c \
 	%D%/family/plane.c \
 	%D%/family/parameter.c \
+	%D%/family/numbers.c %D%/family/numbers.h %D%/family/smooth.c %D%/family/smooth.h \
 	%D%/time/flow.c \
 	%D%/time/flow_drag.c \
 	%D%/time/flow.h \
@@ -83,6 +84,8 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/locus/locus_events.c \
 	%D%/locus/locus_hill.c \
 	%D%/locus/locus_phase.c \
+	%D%/locus/locus_responses.c \
+	%D%/locus/locus_responses.h \
 	%D%/locus/locus_sample.c \
 	%D%/locus/locus_second.c \
 	%D%/locus/locus_system.c \

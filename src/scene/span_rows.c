@@ -179,7 +179,10 @@
 	    "springs to ground along x, y, z, unstressed in the static equilibrium") \
 	TO##_VECTOR("span.attach[].damper", 3, OPTIONAL, "N.s/m", NOT_NEGATIVE, PLACE_AT(damper), \
 	    "[0, 0, 0]", \
-	    "viscous dampers to ground along x, y, z") \
+	    "viscous dampers along x, y, z") \
+	TO##_WORD("span.attach[].damper_to", OPTIONAL, "ground|A|B", PLACE_AT(damper_to), "ground", \
+	    "what they are fixed to: the ground, or what end A or B is fixed to, such as a deck that " \
+	    "moves with it") \
 	TO##_NUMBER("span.attach[].absorber_mass", OPTIONAL, "kg", NOT_NEGATIVE, PLACE_AT(absorber_mass), \
 	    "0", \
 	    "mass of an absorber, which moves along a direction relative to the point, on a spring " \

@@ -98,8 +98,10 @@ enum hawser_status hawser__tree_number(struct hawser__reader *reader, double *va
 		                           "is %s%s%s%s", what, shown, limits[range].text, in, shown_unit,
 		                           strstr(what, "EA") ? "; of a cable that hardly stretches, 1e6 times "
 		                           "its tension" : "");
-	return hawser__reader_fail(reader, &tree->value, "%s: \"%s\" is out of range: it must be %s%s%s",
-	                           what, shown, limits[range].text, in, shown_unit);
+	return hawser__reader_fail(reader, &tree->value, "%s: \"%s\" is out of range: it must be %s%s%s%s",
+	                           what, shown, limits[range].text, in, shown_unit,
+	                           strcmp(what, "span.d") == 0 && *value == 0.0
+	                           ? "; of a vertical rope 1e-5 of its height, or take a net" : "");
 }
 
 enum hawser_status hawser__tree_position(struct hawser__reader *reader, double *value, int *by_length,

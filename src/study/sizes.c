@@ -280,6 +280,7 @@ static const struct row {
 	ROW(hawser_net_equilibria),
 	ROW(hawser_net_equilibria_options),
 	ROW(hawser_net_mesh_error),
+	ROW(hawser_net_stiffness),
 	ROW(hawser_net_modes),
 	ROW(hawser_net_motion),
 	ROW(hawser_net_motion_options),

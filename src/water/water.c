@@ -31,7 +31,7 @@ void hawser__water_current(double u[3], double u_y[3], const struct hawser_water
 void hawser_water_at(double u[3], double du[3], const struct hawser_water *water, const double x[3],
                      double t)
 {
-	struct hawser_wave_flow flow = {.elevation = 0.0};
+	struct hawser_wave_flow flow = {.u = {0.0}};
 	double u_y[3];
 
 	hawser__water_current(u, u_y, water, x[1]);

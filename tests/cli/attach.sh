@@ -264,8 +264,32 @@ python "and what a damper adds" <<'END'
 import json
 plan = json.load(open("damper.json"))
 why = {d["subject"]: d["why"] for d in plan["decisions"]}
-assert why["dampers to ground"].startswith("at 1 point:"), why
+assert why["dampers"].startswith("at 1 point:"), why
 assert any("not weighed with dampers" in f["why"] for f in plan["fidelities"]), plan["fidelities"]
+END
+# A damper on the deck that moves end A, and the same cable seen from the deck: B moves, the damper is to ground, and every mass
+# has the load rho a of the deck's acceleration (8.2 rad/s: 12 kg/m*0.02 m*8.2^2/s^2).
+cat >deck.yaml <<'END'
+cable: {EA: 150 MN, rho: 12 kg/m}
+span: {d: 80 m, h: 35 m}
+tension: {T0: 600 kN}
+attach: [{at: 5 %, damper: [0, 20 kN.s/m, 20 kN.s/m], damper_to: A}]
+support: {A: {motion: [0, 20 mm, 10 mm]}}
+damping: {ratio: 0.2 %}
+model: {modes: 4}
+END
+works "a damper on the deck" frf deck.yaml --from 8.2 --to 8.2001 --step 1 --json deck.json -q
+works "seen from the deck" frf deck.yaml --set 'attach.0.damper_to=ground' --set 'support={B: {motion: [0, -20 mm, -10 mm]}}' \
+	--set 'load={frame: global, per_length: [0, 16.1376, 8.0688]}' --from 8.2 --to 8.2001 --step 1 --json seen.json -q
+works "over a period" orbit deck.json#1 --tsv deck.tsv -q
+works "over a period of a result with --set" orbit seen.json#1 --tsv seen.tsv -q
+python "is the same motion" <<'END'
+import csv, math
+a, b = (list(csv.DictReader((r for r in open(n) if r[0] != "#"), delimiter="\t")) for n in ("deck.tsv", "seen.tsv"))
+for p, q in zip(a, b, strict=True):
+    deck = 0.02*math.cos(8.2*float(p["t_s"]))
+    for key, part in (("y_mid_m", 1), ("z_mid_m", 0.5), ("y_quarter_m", 1)):
+        assert abs(float(p[key]) - float(q[key]) - part*deck) < 1e-12, (key, p[key], q[key])
 END
 works "plan with masses" plan "$scene" --fidelities "raw 1, condensed 1" --to 1.1w1 --json plan.json -q
 works "plan with springs" plan "$scene" --set 'attach.0.spring=[0, 1e3, 0]' --fidelities 'condensed 1' --to 1.1w1 --json plan-springs.json -q

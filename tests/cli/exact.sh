@@ -18,7 +18,7 @@ works "frf takes the exact energy" frf footbridge.yaml $range --json exact.json 
 try "says so, and how wrong the modes are" grep -q \
 	'^# with an energy of degree 4 the motion is off by about 0.0[56]' exact.tsv
 try "in whose place" grep -q \
-	'^# exact energy on 6 functions a component, 18 coordinates, in place of the 5 modes asked for' exact.tsv
+	'^# exact energy on 6 functions a component, 18 coordinates, in place of the model.s 5 modes' exact.tsv
 python "its peak is that of an outside chain of 64 exact bars" <<'END'
 import json
 of = json.load(open("exact.json"))

@@ -209,8 +209,12 @@ refuses_like 1 "there the cable is slack: take a label before, or --slack follow
 refuses_like 1 "at a branch point two curves cross" frf pair.json --from-label defects.json#6
 refuses_like 1 "at a fold the motion can't be followed in another parameter" \
 	frf pair.json --over factor.load=0.5:2 --from-label "pair-frf.json#$(cat fold)"
+refuses_like 1 "the motion of the label is at Omega = .*: leave --Omega out" \
+	frf pair.json --over factor.load=0.5:2 --Omega 1.77 --from-label pair-frf.json#2
 refuses_like 1 "a motion of several periods of the load is followed over the frequency only" \
 	frf cascade.json --over factor.load=0.5:2 --from-label cascade-frf.json#16
+refuses_like 1 "a motion of several periods of the load is followed over the frequency only: hawser frf" \
+	locus cascade.json --from 1.6 --to 0.7 --from-label cascade-frf.json#16
 cat >half.json <<'END'
 {"n": 1, "periods": 2, "K": [[1]], "D": [[0.4]], "Q": [[0, 0, 0, -1]],
  "harmonics": [{"k": 2, "phase": "cos", "f": [0.25]}]}
@@ -225,6 +229,7 @@ works "from its label" frf half.json --from 1.6 --to 0.7 --step 0.01 --from-labe
 works "the motion at it" orbit half.json --from-label half-frf.json#16 --json half-orbit.json -q
 works "a model with parameters" frf first.json --from 3 --to 0.9 --branches 1 --json first-frf.json -q
 works "from its label over one of them" frf first.json --over a=0.05:0.06 --max-points 3 --from-label first-frf.json#3 --json over-a.json -q
+works "a motion of it, by the file alone" orbit over-a.json#2 -q
 python "models of several periods and with parameters have labels" <<'END'
 import sys; sys.path.insert(0, ".")
 from lib import *

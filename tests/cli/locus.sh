@@ -109,6 +109,32 @@ for name in "up", "down":
     found = cusps(name)
     assert len(found) == 2 and all(abs(a[i]/b[i] - 1) < 1e-6 for a, b in zip(found, right) for i in (0, 1)), (name, found, right)
 END
+# A stay that whirls: its torus points are on a branch, to which a label leads.
+cat >stay.yaml <<'END'
+cable: {EA: 150 MN, rho: 12 kg/m}
+span: {d: 80 m, h: 35 m}
+tension: {T0: 600 kN}
+damping: {ratio: 0.2 %}
+load: {frame: local, per_length: [0, 0, 1.5 N/m]}
+model: {modes: 4, energy: quartic}
+END
+works "a stay whirls" frf stay.yaml --from 0.98w1 --to 1.02w1 --branches 1 --json whirls.json -q
+works "under more load" frf stay.yaml --from 0.98w1 --to 1.02w1 --branches 1 --set 'load.per_length=[0, 0, 1.575 N/m]' --json more.json -q
+python "a label on the branch" <<'END'
+import json
+branch, = json.load(open("whirls.json"))["branches"]
+open("inside", "w").write(str([p["label"] for p in branch["points"][1:-1] if "label" in p][0]))
+END
+refuses_like 2 "has no torus in this range" locus stay.yaml --kind torus --from 0.98w1 --to 1.02w1
+works "torus points from a label" locus stay.yaml --kind torus --from 0.98w1 --to 1.02w1 --over factor.load=0.95:1.05 \
+	--from-label "whirls.json#$(cat inside)" --json whirling-locus.json -q
+python "which end at those of the other load" <<'END'
+import json
+curve, = json.load(open("whirling-locus.json"))["curves"]
+torus, = [e["Omega"] for b in json.load(open("more.json"))["branches"] for e in b["events"] if e["kind"] == "torus"]
+end, = [p["Omega"] for p in (curve["points"][0], curve["points"][-1]) if p["parameter"] == 1.05]
+assert abs(end/torus - 1) < 1e-8, (end, torus)
+END
 # an outside program found that the start depended on the tolerance
 for tolerance in 1e-7 1e-9 1e-10 1e-11; do
 	works "branch points with tolerance $tolerance" locus "$SRCDIR/tests/reference/one-to-three.json" --from 0.7 --to 1.8 \

@@ -24,6 +24,15 @@ A, B = r["reactions"]["A"], r["reactions"]["B"]
 assert abs(A[1] + B[1] + sum(one["r_N"] for one in c) - 500*81.549439*9.81) < 1e-3
 assert abs(A[0] + B[0] + sum(one["r_T"][0] for one in c)) < 1e-3
 END
+works "stiffness of a body" statics "$sea" --set cables.line.elements=50 --set cables.line.EA=5e7 --stiffness B --about "400 m,200,0" --json body.json --tsv body.tsv -q
+try "  columns" grep -q '^motion	F_x_N	F_y_N	F_z_N	M_x_Nm	M_y_Nm	M_z_Nm$' body.tsv
+try "  friction is told" grep -q '^# the matrix is not symmetric, by 0.0[0-9]*: friction' body.tsv
+python "  one node: no moment resists" <<'END'
+import json
+k = json.load(open("body.json"))["stiffness"]
+assert [row["motion"] for row in k["rows"]] == ["x", "y", "z", "rx", "ry", "rz"] and k["about"] == [400, 200, 0]
+assert all(abs(row["moment_" + axis]) < 1e-9 for row in k["rows"] for axis in "xyz") and k["rows"][0]["force_x"] > 1e3
+END
 works "a drum" statics "$scenes/net-capstan.yaml" --json drum.json -q
 python "  has no gap" <<'END'
 import json, math

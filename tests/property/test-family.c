@@ -171,8 +171,55 @@ done:
 	hawser_scene_clear(&scene);
 }
 
+/* Accelerations of the model at `value`, at a state of size 1e-3. */
+static int accelerate(double *to, const struct hawser_rom_family *family, double value)
+{
+	const struct hawser_rom *rom;
+	double u[16], v[16];
+
+	if (!ok(!family->model(family->context, &rom, value, NULL) && rom->n <= 16, "a model"))
+		return 0;
+	for (int j = 0; j < rom->n; j++) {
+		u[j] = 1e-3*cos(2.385*j + 0.3);
+		v[j] = 1e-3*sin(1.37*j - 0.2);
+	}
+	hawser_rom_acceleration(rom, to, u, v, 0.7, 1.2);
+	return rom->n;
+}
+
+/* The models of many values are interpolated: they are those that are made. */
+static void interpolate(const char *key, double from, double to)
+{
+	enum { VALUES = 5, MORE = 30 };
+	struct hawser_rom_family family;
+	struct hawser_scene scene;
+	double made[VALUES][16], now[16], worst = 0.0, most = 0.0;
+
+	if (!read_scene(&scene, key, from))
+		return;
+	ok(!hawser_scene_family_open(&family, &scene, key, from, to, from, 1.2, NULL), "a family");
+	for (int round = 0; round < 2; round++) {
+		for (int i = 0; i < VALUES; i++) {
+			double *a = round ? now : made[i];
+			int n = accelerate(a, &family, from + (to - from)*(0.03 + 0.21*i));
+
+			for (int j = 0; j < n; j++) {
+				worst = fmax(worst, fabs(a[j] - made[i][j]));
+				most = fmax(most, fabs(a[j]));
+			}
+		}
+		for (int i = 0; i < MORE; i++)
+			(void)accelerate(now, &family, from + (to - from)*i/MORE);
+	}
+	ok(worst > 0.0 && worst < 1e-9*most, "%s: interpolated models are those that are made: %.1e", key,
+	   worst/most);
+	hawser_scene_family_close(&family);
+	hawser_scene_clear(&scene);
+}
+
 CASE(property_family)
 {
+	interpolate("tension.T0", 150e3, 160e3);
 	follow_factor("duffing-nlvib-01", HAWSER_FACTOR_LOAD, 1.2, 0.05, 4.0, 2);
 	follow_factor("pair-2to1", HAWSER_FACTOR_LOAD, 1.01, 0.05, 1.5, 3);
 	follow_factor("pair-2to1", HAWSER_FACTOR_DAMPING, 0.99, 3.0, 0.5, 1);

@@ -310,7 +310,8 @@ static const struct {
 	{"cable: {rho: 1e-400}\n", NULL,
 	 "s.yaml:1:14: cable.rho: \"1e-400\" is out of range: it must be > 0, in kg/m"},
 	{"span: {d: 0 m}\n", NULL,
-	 "s.yaml:1:11: span.d: \"0 m\" is out of range: it must be > 0, in m"},
+	 "s.yaml:1:11: span.d: \"0 m\" is out of range: it must be > 0, in m; of a "
+	 "vertical rope 1e-5 of its height, or take a net"},
 	{"span: {d: -250}\n", NULL,
 	 "s.yaml:1:11: span.d: \"-250\" is out of range: it must be > 0, in m"},
 	{"span: {h: .inf}\n", NULL,

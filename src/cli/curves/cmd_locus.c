@@ -11,11 +11,12 @@
 #include "cli/curves/locus_result.h"
 #include "cli/frame/progress.h"
 #include "cli/frame/view.h"
+#include "cli/model/label.h"
 #include "core/report.h"
 
 struct settings {
 	struct cli_common common;
-	const char *from, *to, *kind, *over, *and, *Omega, *at, *near;
+	const char *from, *to, *kind, *over, *and, *Omega, *at, *near, *label;
 	double tolerance, step;
 	int n, points, harmonic;
 };
@@ -33,6 +34,8 @@ static const struct cli_option options[] = {
 	              .needs = "Omega", .excludes = "from, to, near"),
 	CLI_TEXT_WITH(Omega, "FREQUENCY", "of the load, with --and", .needs = "and"),
 	CLI_TEXT_OPTION(at, "VALUE", "of the parameter where the curves begin (the model's own)"),
+	{"from-label", 0, "FILE#LABEL", "the response goes through this label of a JSON result of frf",
+	 CLI_TEXT(label), .excludes = "and, at"},
 	CLI_TEXT_OPTION(near, "FREQUENCY", "only the bifurcation next to it (all in the range)"),
 	{"harmonic", 0, "K", "of load and motion, of --kind resonance (the load's lowest)",
 	 CLI_COUNT(harmonic)},
@@ -94,13 +97,14 @@ static enum hawser_status start_of(double *at, const struct cli_over *over, cons
 
 static enum hawser_status trace(struct hawser_locus *locus, const struct settings *settings,
                                 const struct cli_locus_result *result, const struct cli_over *over,
-                                const struct hawser_rom_plane *plane, struct cli_model *model,
+                                const struct hawser_rom_plane *plane,
+                                const struct hawser_frf_options *first, struct cli_model *model,
                                 struct hawser_report *report)
 {
 	struct cli_watch watch = {.progress = {.quiet = settings->common.quiet}};
 	struct hawser_locus_options choice = {.from = result->from, .to = result->to,
 		.parameter_from = over->from, .parameter_to = over->to, .max_points = settings->points,
-		.plane = plane, .harmonic = settings->harmonic};
+		.plane = plane, .harmonic = settings->harmonic, .first = first};
 	double near = 0.0;
 	enum hawser_status status = kind_of(&choice.kind, settings->kind, report);
 
@@ -119,6 +123,24 @@ static enum hawser_status trace(struct hawser_locus *locus, const struct setting
 	status = hawser_locus_trace(locus, &over->family, &choice, report);
 	cli_progress_end(&watch.progress);
 	return status;
+}
+
+/* The motion of --from-label; along [2n] is used at a fold. */
+static enum hawser_status open_label(struct cli_label *label, struct hawser_frf_options *first,
+                                     double *along, const struct settings *settings,
+                                     const struct cli_locus_result *result,
+                                     struct hawser_report *report)
+{
+	enum hawser_status status = cli_label_open(label, "from-label", settings->label, NULL,
+	                                           result->model, &settings->common, report);
+
+	if (!status && label->period > 1)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "locus",
+		                      "--from-label %s: a motion of several periods of the load is followed "
+		                      "over the frequency only: hawser frf", settings->label);
+	*first = (struct hawser_frf_options){.from = result->from, .to = result->to};
+	return status ? status : cli_label_begin(first, along, label, NULL, result->model, settings->label,
+	                                         report);
 }
 
 static int factor_of(const struct cli_over *over)
@@ -162,6 +184,9 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	struct hawser_locus locus = {0};
 	struct cli_model model = {0};
 	struct cli_over over = {.at = NAN}, other = {.at = NAN};
+	struct cli_label label = {.state = NULL};
+	struct hawser_frf_options first;
+	double *along = NULL;
 	struct hawser_rom_plane plane = {.context = NULL};
 	struct cli_locus_result result = {.common = &settings->common, .model = &model, .locus = &locus};
 	enum hawser_status status = cli_outputs_check(&settings->common, report);
@@ -175,6 +200,10 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		status = cli_basis_check(&model, fmax(result.from, result.to), report);
 	if (!status && !settings->and)
 		status = cli_exact_range(&model, result.from, result.to, work, &settings->common, report);
+	if (!status && settings->label && !(along = calloc(2*(size_t)model.rom.n, sizeof *along)))
+		status = hawser__no_memory(report, "locus");
+	if (!status && settings->label)
+		status = open_label(&label, &first, along, settings, &result, report);
 	if (!status)
 		status = cli_over_open(&over, settings->over ? settings->over : "factor.load=0.5:2",
 		                       settings->Omega ? settings->Omega : "1", &model, report);
@@ -194,7 +223,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		result.omega = other.omega;
 	}
 	if (!status)
-		status = trace(&locus, settings, &result, &over, settings->and ? &plane : NULL, &model, report);
+		status = trace(&locus, settings, &result, &over, settings->and ? &plane : NULL,
+		               settings->label ? &first : NULL, &model, report);
 	if (!status)
 		status = cli_show(&settings->common, &cli_locus_showing, &result, report);
 	if (!status)
@@ -202,6 +232,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (!status)
 		cli_range_warn(&model, cli_range_reach(NULL, &model, locus.coordinate, locus.points,
 		                                       model.rom.n));
+	free(along);
+	cli_label_clear(&label);
 	hawser_locus_clear(&locus);
 	hawser_plane_close(&plane);
 	cli_over_clear(&other);

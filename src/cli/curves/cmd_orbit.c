@@ -15,6 +15,7 @@
 
 #include "cli/motion/integrate_result.h"
 #include "cli/model/exact.h"
+#include "cli/model/key_sweep.h"
 #include "cli/model/label.h"
 #include "cli/model/made.h"
 #include "cli/frame/progress.h"
@@ -149,9 +150,13 @@ static void comments(struct hawser__table *table, const void *of)
 	const struct cli_orbit *orbit = result->orbit;
 
 	cli_integrate_comments(table, of);
-	hawser__table_comment(table, "label %d%s%s: a motion of %d period%s of the load", orbit->label,
-	                      *orbit->kind ? ", " : "", orbit->kind, orbit->period,
-	                      orbit->period > 1 ? "s" : "");
+	if (hawser_rom_autonomous(&result->model->rom))
+		hawser__table_comment(table, "label %d%s%s: a limit cycle", orbit->label,
+		                      *orbit->kind ? ", " : "", orbit->kind);
+	else
+		hawser__table_comment(table, "label %d%s%s: a motion of %d period%s of the load",
+		                      orbit->label, *orbit->kind ? ", " : "", orbit->kind, orbit->period,
+		                      orbit->period > 1 ? "s" : "");
 	hawser__table_comment(table, "closure after one period of the motion: %.1e of its size",
 	                      orbit->closure);
 	if (*orbit->verdict)
@@ -216,8 +221,9 @@ static enum hawser_status animate(const struct cli_integrate_result *result,
 	return status;
 }
 
-/* FILE#LABEL in place of the scene: the result, *from, names the scene or model, scene [size]. */
-static enum hawser_status of_result(struct settings *settings, char *scene, size_t size,
+/* FILE#LABEL in place of the scene: the result, *from, names the scene or model, scene [size], and the
+ * value of its --over, set [CLI_KEY_SWEEP_SET]. */
+static enum hawser_status of_result(struct settings *settings, char *scene, size_t size, char *set,
                                     json_t **from, struct hawser_report *report)
 {
 	struct cli_common *common = &settings->common;
@@ -229,7 +235,9 @@ static enum hawser_status of_result(struct settings *settings, char *scene, size
 	settings->label = common->input;
 	status = cli_label_scene(scene, size, &modes, from, settings->label, report);
 	common->input = scene;
-	cli_made_as(&common->lane, settings->n, *from);
+	cli_made_as(common, settings->n, *from);
+	if (common->sets < CLI_SETS && cli_label_value(set, CLI_KEY_SWEEP_SET, *from, settings->label))
+		common->set[common->sets++] = set;
 	if (settings->n == 0)
 		settings->n = modes;
 	return status;
@@ -246,13 +254,13 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	                                      .orbit = &orbit};
 	struct cli_showing showing = cli_integrate_showing;
 	enum hawser_status status = cli_outputs_check(&settings->common, report);
-	char text[CLI_WARNING_SIZE], scene[4096];
+	char text[CLI_WARNING_SIZE], scene[4096], set[CLI_KEY_SWEEP_SET];
 	json_t *from = NULL;
 
 	if (!status)
 		status = hawser__animate_check(settings->animate, "orbit", report);
 	if (!status)
-		status = of_result(&own, scene, sizeof scene, &from, report);
+		status = of_result(&own, scene, sizeof scene, set, &from, report);
 	if (!status && !settings->label)
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "orbit",
 		                      "which motion? write hawser orbit FILE#LABEL, with a label of a JSON "

@@ -337,7 +337,7 @@ static const struct hawser__field result_field[] = {
 	THROUGH(scales, cli_modulation_field),
 	THROUGH(model, cli_si_field),
 	{"parameters", NULL, "of a model file or library that names some", HAWSER__CALLS(parameters_json)},
-	{"made", NULL, "of nets and ropeways: options by which the model is made again, keep among them",
+	{"made", NULL, "options by which the model is made again: set, of nets and ropeways keep and more",
 	 HAWSER__CALLS(cli_made_json)},
 	{"over", NULL, "with --over", HAWSER__THROUGH(struct cli_frf_result, over, over_field)},
 	{"range", NULL, "of Omega", HAWSER__PAIR_AT(struct cli_frf_result, from, to),

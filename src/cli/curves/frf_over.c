@@ -58,6 +58,7 @@ enum hawser_status cli_over_open(struct cli_over *over, const char *text, const 
                                  struct cli_model *model, struct hawser_report *report)
 {
 	enum hawser_status status;
+	double label = over->omega;
 
 	if (!frequency && !(over->omega > 0.0) && !hawser_rom_autonomous(&model->rom))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
@@ -71,6 +72,10 @@ enum hawser_status cli_over_open(struct cli_over *over, const char *text, const 
 	if (!status && frequency)
 		status = cli_map_frequency(hawser_rom_autonomous(&model->rom) ? &over->guess : &over->omega,
 		                           frequency, "Omega", model, report);
+	if (!status && label > 0.0 && fabs(over->omega - label) > 1e-9*label)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
+		                      "--Omega %s: the motion of the label is at Omega = %.9g: leave --Omega "
+		                      "out, or take a label there", frequency, label);
 	if (status)
 		return status;
 	over->from = over->axis.backwards ? over->axis.to : over->axis.from;

@@ -114,24 +114,38 @@ static const struct {
 	{"beam.speed", "Speed", ""},
 };
 
-/* Whether the row is that of the key: "attach.2.mass" and "attach.NAME.mass" are attach[].mass. */
-static int is_of(const char *row, const char *key, size_t length)
+/* The next character of a key in which every index is written as ".0"; NUL at its end. */
+static char next(const char **key)
 {
-	const char *item = strstr(row, "[].");
-	size_t section = item ? (size_t)(item - row) : 0, leaf = length;
+	char c;
 
-	if (strlen(row) == length && strncmp(row, key, length) == 0)
-		return 1;
-	while (leaf > 0 && key[leaf - 1] != '.')
-		leaf--;
-	return item && strncmp(row, key, section) == 0 && key[section] == '.' && leaf > section + 1 &&
-	       strlen(item + 3) == length - leaf && strncmp(item + 3, key + leaf, length - leaf) == 0;
+	if (**key == ']')
+		++*key;
+	c = **key;
+	if (c)
+		++*key;
+	return c == '[' ? '.' : c;
+}
+
+/* What follows in a key the part that a row names, in which "[]" stands for every index and name:
+ * attach[2].mass, attach.2.mass and attach.NAME.mass are attach[].mass. NULL if the key is another. */
+static const char *behind(const char *row, const char *key)
+{
+	for (char c; (c = next(&row)) != '\0';) {
+		if (next(&key) != c)
+			return NULL;
+		if (c == '.' && *row == ']')
+			key += strcspn(key, ".]");
+	}
+	return key + (*key == ']');
 }
 
 int cli_axis_quantity(const char **quantity, const char **symbol, const char *key)
 {
+	const char *rest;
+
 	for (size_t i = 0; i < sizeof rows/sizeof *rows; i++)
-		if (is_of(rows[i].key, key, strlen(key))) {
+		if ((rest = behind(rows[i].key, key)) && !*rest) {
 			*quantity = rows[i].quantity;
 			*symbol = rows[i].symbol;
 			return 1;
@@ -144,13 +158,11 @@ int cli_axis_quantity(const char **quantity, const char **symbol, const char *ke
 const char *cli_key_unit(const char *key)
 {
 	const struct hawser_scene_key *row;
-	size_t length = strcspn(key, "[");
-	const char *leaf = strrchr(key, '.');
+	const char *rest;
 
-	if (leaf && leaf[1] && !leaf[1 + strspn(leaf + 1, "0123456789")])
-		length = (size_t)(leaf - key); /* an element of a list: attach.0.damper.1 */
 	for (int k = 0; (row = hawser_scene_key(k)); k++)
-		if (is_of(row->path, key, length))
+		if ((rest = behind(row->path, key)) &&
+		    strspn(rest, "[.0123456789]") == strlen(rest)) /* or an element of a vector */
 			return row->unit;
 	return "1";
 }

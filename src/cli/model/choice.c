@@ -124,9 +124,9 @@ void cli_choice_comments(struct hawser__table *table, const struct cli_model *mo
 
 	if (model->made)
 		model->made->by->comments(table, model);
-	if (model->made && isfinite(cli_modes_end(model)))
-		hawser__table_comment(table, "a range without --to ends at %.9g rad/s, past the highest of "
-		                      "these modes (-n keeps more), or at 3.3w1",
+	if (isfinite(cli_modes_end(model)))
+		hawser__table_comment(table, "a range without --to ends at %.9g rad/s, where these modes end "
+		                      "(-n keeps more), or at 3.3w1",
 		                      cli_modes_end(model)*cli_per_omega(model));
 	if (!model->automatic)
 		return;
@@ -138,7 +138,9 @@ void cli_choice_comments(struct hawser__table *table, const struct cli_model *mo
 		char moved[48] = "", lacks[96] = "";
 
 		if (isfinite(this->moved))
-			snprintf(moved, sizeof moved, ", moved by %.1e", this->moved);
+			snprintf(moved, sizeof moved, ", %s by %.1e",
+			         this->checked && !this->functions ? "off from the exact energy" : "moved",
+			         this->moved);
 		if (this->truncation > 0.0)
 			snprintf(lacks, sizeof lacks, ", beyond modes: %.1e (order of the energy: %.1e)",
 			         this->truncation, this->energy);
@@ -248,7 +250,7 @@ static const struct hawser__field try_field[] = {
 	{"modes", NULL, "modes kept", OF(modes)},
 	{"full_order", NULL, "whether it is the full-order model",
 	 HAWSER__FLAG_AT(struct hawser_accuracy_try, functions)},
-	{"moved", NULL, "distance from the response before, relative", OF(moved),
+	{"moved", NULL, "distance from the response before or the exact energy, relative", OF(moved),
 	 .flags = HAWSER__OMIT | HAWSER__INFINITE},
 	{"rest", NULL, "error by the modes left out", HAWSER__BY(rest_of)},
 	{"truncation", NULL, "error that no mode makes up for", OF(truncation)},

@@ -420,7 +420,7 @@ void cli_exact_comment(struct hawser__table *table, const struct cli_model *mode
 	if (!exact->functions)
 		return;
 	hawser__table_comment(table, "exact energy on %d functions a component, %d coordinates, in place "
-	                      "of the %d modes asked for", exact->functions, exact->coordinates,
+	                      "of the model's %d modes", exact->functions, exact->coordinates,
 	                      exact->modes);
 	if (isnan(exact->before))
 		hawser__table_comment(table, "with an energy of degree 4 and these modes there is no answer");

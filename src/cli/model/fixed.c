@@ -87,6 +87,9 @@ static enum hawser_status estimate(struct cli_frf_result *result, struct hawser_
 
 	if (result->frf->branch > 1 ? !model->has_scene : model->automatic || error->stated)
 		return HAWSER_OK; /* of models that are made: the first */
+	/* a model of one's own leaves nothing out */
+	if (!model->has_scene && !model->made && model->rom.shapes.points == 0)
+		return HAWSER_OK;
 	*error = cli_fixed_unknown(model, "folds and peaks", !result->common->reproducible);
 	if (model->automatic || model->exact.functions)
 		return not_known(error, "the accuracy that is stated is that of the first branch");

@@ -18,17 +18,19 @@ static enum hawser_status wrong(const struct cli_key_sweep *of, struct hawser_re
 {
 	return hawser__fail(report, HAWSER_ERR_ARGUMENT, of->command,
 	                    "--over %s: write KEY=FROM:TO, KEY=FROM:TO:POINTS with 2 to %d points or "
-	                    "KEY=[A, B, ...], with the same unit in all, such as \"%s\"", of->over,
+	                    "KEY=[A, B, ...], with units of one kind or none, such as \"%s\"", of->over,
 	                    most(of), of->example);
 }
 
-/* The number at *at, before one of the letters `ends`, to which *at is moved; 0 if there is none, or
- * with another unit than the first one has. */
+/* The number at *at, before one of the letters `ends`, to which *at is moved, in the unit of the first
+ * one; 0 if there is none, or its unit is of another kind. */
 static int number_at(double *value, const char **at, const char *ends, struct cli_key_sweep *of,
                      int first)
 {
-	char *end;
+	char *end, text[96];
+	const char *begin = *at;
 	size_t length, unit;
+	struct hawser_report detail;
 
 	*value = strtod(*at, &end);
 	if (end == *at || !isfinite(*value))
@@ -42,7 +44,10 @@ static int number_at(double *value, const char **at, const char *ends, struct cl
 	if (first)
 		snprintf(of->si, sizeof of->si, "%.*s", (int)unit, end);
 	*at = end + length;
-	return strlen(of->si) == unit && strncmp(end, of->si, unit) == 0;
+	if (strlen(of->si) == unit && strncmp(end, of->si, unit) == 0)
+		return 1;
+	snprintf(text, sizeof text, "%.*s", (int)(end + unit - begin), begin);
+	return unit > 0 && *of->si && !hawser_unit_parse(value, text, of->si, &detail);
 }
 
 /* A, B, ...] */

@@ -19,6 +19,8 @@ static const double part = 0.5;
  * peak: others follow within some percent, and a response beyond has their peaks as if they were
  * linear. Chosen. */
 static const double last = 1.1;
+/* It does not end below this multiple of the first mode, whose peak it is to show. Chosen. */
+static const double least = 1.3;
 /* Models of scenes are off by 1e-5 at best, by what they leave out; chosen. Looser ones let steps
  * jump: with 1e-5 the folds of the chairlift had six curves more. */
 static const double enough = 1e-7;
@@ -85,7 +87,13 @@ double cli_tolerance(double given, const struct cli_model *model)
 double cli_modes_end(const struct cli_model *model)
 {
 	const struct hawser_modes *modes = model->made ? &model->made->modes.modes : NULL;
+	const struct hawser_rom *rom = &model->rom;
+	double top = model->naturals > 0 ? model->natural[model->naturals - 1] : INFINITY;
 
+	/* a span with dampers, of which no mode is known but those that are kept (cli_known) */
+	if (model->has_scene && !model->automatic && !rom->exact && model->naturals > 0 &&
+	    multiple(rom) > 0 && !(rom->known.reach > top))
+		return fmax(top/multiple(rom), least*model->natural[0]);
 	if (!modes || modes->n == 0 || model->naturals == 0)
 		return INFINITY;
 	/* the highest frequencies may be those of second-order shapes */

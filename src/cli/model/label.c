@@ -270,6 +270,20 @@ enum hawser_status cli_label_scene(char *scene, size_t size, int *modes, json_t 
 	                           scene, path, number);
 }
 
+int cli_label_value(char *set, size_t size, const json_t *result, const char *text)
+{
+	char path[4096], key[96];
+	const json_t *branch, *row;
+	int most = 0;
+
+	row = find(result, &branch, cli_label_split(path, sizeof path, text), &most);
+	text_of(key, sizeof key, json_object_get(result, "over"), "key");
+	if (!row || !*key || !cli_over_needs_scene(key) || !isfinite(number(row, "parameter")))
+		return 0;
+	snprintf(set, size, "%s=%.17g", key, number(row, "parameter"));
+	return 1;
+}
+
 void cli_label_clear(struct cli_label *label)
 {
 	free(label->state);

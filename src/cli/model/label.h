@@ -41,6 +41,9 @@ void cli_label_clear(struct cli_label *label);
  * HAWSER_ERR_ARGUMENT: there is none. */
 enum hawser_status cli_label_scene(char *scene, size_t size, int *modes, json_t **result,
                                    const char *text, struct hawser_report *report) HAWSER_MUST_CHECK;
+/* KEY=VALUE in set [size], of --over at the label of text, FILE#LABEL; 0: the result is not over a key
+ * of the scene or model, or has no such label. */
+int cli_label_value(char *set, size_t size, const json_t *result, const char *text);
 
 /* Set the first orbit of a trace. `along` [2n], the caller's, is used at a fold.
  * HAWSER_ERR_ARGUMENT: no curve begins there. */

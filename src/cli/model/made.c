@@ -126,12 +126,17 @@ void cli_made_json(struct hawser__json *json, json_t *into, const void *row)
 	const struct cli_frf_result *result = row;
 	struct cli_lane_choice choice = result->common->lane;
 	char list[LIST];
-	json_t *object;
+	json_t *object, *sets;
 
+	if (!result->model->made && result->common->sets == 0)
+		return;
+	object = hawser__json_object(json, into, "made");
+	sets = result->common->sets > 0 ? hawser__json_array(json, object, "set") : NULL;
+	for (int i = 0; i < result->common->sets; i++)
+		hawser__json_text(json, sets, NULL, result->common->set[i]);
 	if (!result->model->made)
 		return;
 	choice.keep = list_of(list, sizeof list, &result->model->made->modes.modes);
-	object = hawser__json_object(json, into, "made");
 	for (int i = 0; i < TEXTS; i++) {
 		const char *text = *(const char *const *)((const char *)&choice + by_text[i].at);
 
@@ -146,10 +151,22 @@ void cli_made_json(struct hawser__json *json, json_t *into, const void *row)
 	}
 }
 
-void cli_made_as(struct cli_lane_choice *to, int n, const json_t *root)
+void cli_made_as(struct cli_common *common, int n, const json_t *root)
 {
-	const json_t *made = json_object_get(root, "made");
+	const json_t *made = json_object_get(root, "made"), *sets = json_object_get(made, "set");
+	struct cli_lane_choice *to = &common->lane;
+	int old = common->sets, more = (int)json_array_size(sets);
 
+	/* before those of this command, which win */
+	if (old + more <= CLI_SETS) {
+		memmove(common->set + more, common->set, (size_t)old*sizeof *common->set);
+		for (int i = 0; i < more; i++) {
+			const char *text = json_string_value(json_array_get(sets, (size_t)i));
+
+			common->set[i] = text ? text : "";
+		}
+		common->sets += more;
+	}
 	for (int i = 0; i < TEXTS; i++) {
 		const char **text = (const char **)((char *)to + by_text[i].at);
 

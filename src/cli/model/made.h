@@ -60,10 +60,10 @@ void cli_made_warn(const struct cli_model *model);
 void cli_made_chosen(struct hawser__table *table, const struct cli_model *model);
 /* The inertia of what follows, where it matters. */
 void cli_made_inertia(struct hawser__table *table, const struct hawser_rom *rom);
-/* The object "made" of a result of frf (row): how its model was made; and take from a result what is
- * not given, the modes with n = 0 only. *to lasts as long as the result. */
+/* The object "made" of a result of frf (row): how its model was made, with --set; and take from a
+ * result what is not given, the modes with n = 0 only. *common lasts as long as the result. */
 void cli_made_json(struct hawser__json *json, json_t *into, const void *row);
-void cli_made_as(struct cli_lane_choice *to, int n, const json_t *root);
+void cli_made_as(struct cli_common *common, int n, const json_t *root);
 /* Whether a harmonic acts on coordinate j by more than round-off. */
 int cli_made_loaded(const struct hawser_rom *rom, int j);
 

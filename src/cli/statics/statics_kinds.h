@@ -18,6 +18,7 @@ struct cli_statics_kinds {
 	const char *load_case, *sliding;  /* ropeways */
 	int spans, worst, phases, tolerate; /* ropeways */
 	const char *vtk;                  /* rods and nets */
+	const char *stiffness, *about;    /* nets */
 	int load_steps;                   /* rods */
 };
 /* Their rows in the command's table; its `struct settings` has them as the member `kinds`. */
@@ -28,6 +29,10 @@ struct cli_statics_kinds {
 	 CLI_FLAG_FOR(kinds.profile, CLI_NET | CLI_ROPEWAY), .excludes = "cases"}, \
 	{"equilibria", 0, "N", "nets: all equilibria of bars instead of cables, from N random starts", \
 	 CLI_COUNT_FOR(kinds.equilibria, CLI_NET)}, \
+	{"stiffness", 0, "NODES", "nets: table of the stiffness at nodes that move together, as one body", \
+	 CLI_TEXT_FOR(kinds.stiffness, CLI_NET), .excludes = "profile, equilibria"}, \
+	{"about", 0, "X,Y,Z", "nets: with turns about axes through this place", \
+	 CLI_TEXT_FOR(kinds.about, CLI_NET), .needs = "stiffness"}, \
 	{"spans", 0, "", "ropeways, obstacles: table of the spans", \
 	 CLI_FLAG_FOR(kinds.spans, CLI_ROPEWAY | CLI_OBSTACLES), .excludes = "worst, profile, cases"}, \
 	{"worst", 0, "", "ropeways: table of the worst values over the phases", \

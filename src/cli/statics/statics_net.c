@@ -11,6 +11,7 @@
 #include "cli/frame/mesh_net.h"
 #include "cli/statics/statics_kinds.h"
 #include "cli/statics/statics_net.h"
+#include "cli/statics/stiffness_net.h"
 #include "core/append.h"
 #include "core/report.h"
 #include "output/structures/plot_net.h"
@@ -23,6 +24,7 @@ struct result {
 	struct cli_mesh mesh;
 	struct hawser_net_statics st;
 	struct cli_contacts contacts;
+	struct cli_stiffness stiffness;
 	char warning[CLI_WARNING_SIZE]; /* "": none */
 };
 
@@ -120,6 +122,7 @@ static void comments(struct hawser__table *table, const void *of)
 	                      st->floor);
 	cli_mesh_comment(table, &result->mesh);
 	cli_contacts_comments(table, &result->mesh.net, st);
+	cli_stiffness_comments(table, &result->stiffness);
 	if (*result->warning)
 		hawser__table_comment(table, "%s", result->warning);
 	slack_comment(table, result);
@@ -227,6 +230,7 @@ static const struct hawser__field net_field[] = {
 	{"unknowns", NULL, "of the mesh", OF(st.unknowns)},
 	{"iterations", NULL, "of the method", OF(st.iterations)},
 	{"", NULL, "", HAWSER__PART_OF(struct result, contacts, cli_apart_field), .when = SURFACES},
+	{"", NULL, "", HAWSER__PART_OF(struct result, stiffness, cli_stiffness_member)},
 	{"profile", NULL, "with --profile, of each cable: [S, x, y, z, T], m and N",
 	 HAWSER__CALLS(profile_json), .when = PROFILE},
 	{"", NULL, "", HAWSER__PART_OF(struct result, warning, cli_warnings_field)},
@@ -237,6 +241,7 @@ static const struct hawser__field net_field[] = {
 const struct cli_listing cli_statics_net_listing[] = {
 	{"Columns of a net:", member_field, 0},
 	{"Columns of a net with --profile:", point_field, 0},
+	{"Columns of a net with --stiffness:", cli_stiffness_field, 0},
 	{"Columns of a net with --equilibria:", cli_equilibria_net_field, 0},
 	{"Keys of JSON of a net:", net_field, 1},
 	{"Keys of JSON of a net with --equilibria:", cli_equilibria_net_member, 1},
@@ -248,14 +253,20 @@ static struct cli_head head(const void *of)
 	const struct result *result = of;
 
 	return cli_si_head(result->common, "statics", result->st.method, &result->mesh.net,
-	                   (result->mesh.net.surfaces ? SURFACES : 0u) | (result->profile ? PROFILE : 0u));
+	                   (result->mesh.net.surfaces ? SURFACES : 0u) | (result->profile ? PROFILE : 0u) |
+	                   (result->stiffness.rows ? CLI_STIFFNESS : 0u) |
+	                   (result->stiffness.rows > 3 ? CLI_STIFFNESS_TURNS : 0u));
 }
 
 static void rows(struct hawser__table *table, const void *of)
 {
 	const struct hawser__view view = head(of).view;
 
-	hawser__fields_table(table, view.options & PROFILE ? &point_list : &member_list, of, &view);
+	if (view.options & CLI_STIFFNESS)
+		hawser__fields_table(table, &cli_stiffness_list, &((const struct result *)of)->stiffness,
+		                     &view);
+	else
+		hawser__fields_table(table, view.options & PROFILE ? &point_list : &member_list, of, &view);
 }
 
 static enum hawser_status draw(const char *path, const void *of, struct hawser_report *report)
@@ -298,6 +309,9 @@ enum hawser_status cli_statics_net(const void *settings, struct hawser_report *r
 		status = hawser_net_solve(&result.st, &result.mesh.net, &options, report);
 	if (!status)
 		status = hawser_net_mesh_error(&result.mesh.error, &result.mesh.net, &result.st, report);
+	if (!status)
+		status = cli_stiffness_fill(&result.stiffness, &result.mesh.net, kinds->stiffness, kinds->about,
+		                            report);
 	result.contacts = (struct cli_contacts){&result.mesh.net, result.st.contact, result.st.contacts,
 	                                        result.st.apart};
 	if (!status)

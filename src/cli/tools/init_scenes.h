@@ -7,7 +7,7 @@ extern const char cli_init_cable[], cli_init_travelling[], cli_init_beam[], cli_
                   cli_init_obstacles[], cli_init_ropeway[], cli_init_rod[], cli_init_tow[];
 
 /* Structures by the names of their field. */
-#define CLI_INIT_STRUCTURES(X) X(stay) X(conductor) X(chairlift) X(footbridge) X(mooring)
+#define CLI_INIT_STRUCTURES(X) X(stay) X(conductor) X(chairlift) X(footbridge) X(mooring) X(model)
 #define CLI_INIT_DECLARE(name) extern const char cli_init_##name[];
 CLI_INIT_STRUCTURES(CLI_INIT_DECLARE)
 #undef CLI_INIT_DECLARE

@@ -1,5 +1,6 @@
-/* cli/tools/init_structures.c - scenes of well-known structures, with the names of their field, for
- * hawser init. A test runs the first command of each. SPDX-License-Identifier: GPL-3.0-or-later */
+/* cli/tools/init_structures.c - scenes of well-known structures, with the names of their field, and a
+ * model of one's own, for hawser init. A test runs the first command of each.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include "cli/tools/init_scenes.h"
@@ -114,13 +115,26 @@ const char cli_init_mooring[] =
 	"  J: {}                   # its place is found\n"
 	"supports: {A1: fixed, A2: fixed, A3: fixed}\n"
 	"cables:                   # chain; drag and added mass by its volume-equivalent diameter\n"
-	"  - {name: c1, from: A1, to: J, EA: 450 MN, rho: 68 kg/m, length0: 690 m, elements: 30,\n"
-	"     diameter: 0.105 m, drag: {normal: 2, tangential: 0.4}, added_mass: {normal: 1}}\n"
-	"  - {name: c2, from: A2, to: J, EA: 450 MN, rho: 68 kg/m, length0: 690 m, elements: 30,\n"
-	"     diameter: 0.105 m, drag: {normal: 2, tangential: 0.4}, added_mass: {normal: 1}}\n"
-	"  - {name: c3, from: A3, to: J, EA: 450 MN, rho: 68 kg/m, length0: 690 m, elements: 30,\n"
-	"     diameter: 0.105 m, drag: {normal: 2, tangential: 0.4}, added_mass: {normal: 1}}\n"
+	"  - {name: c1, from: A1, to: J, EA: 450 MN, rho: 68 kg/m, length0: 690 m, elements: 30, "
+	"diameter: 0.105 m, drag: {normal: 2, tangential: 0.4}, added_mass: {normal: 1}}\n"
+	"  - {name: c2, from: A2, to: J, EA: 450 MN, rho: 68 kg/m, length0: 690 m, elements: 30, "
+	"diameter: 0.105 m, drag: {normal: 2, tangential: 0.4}, added_mass: {normal: 1}}\n"
+	"  - {name: c3, from: A3, to: J, EA: 450 MN, rho: 68 kg/m, length0: 690 m, elements: 30, "
+	"diameter: 0.105 m, drag: {normal: 2, tangential: 0.4}, added_mass: {normal: 1}}\n"
 	"buoys:\n"
 	"  J: {mass: 60 t, volume: 160 m^3, CdA: 25 m^2, added_mass: 0.5}\n"
 	"obstacles:\n"
 	"  - {name: seabed, plane: {point: [0 m, -200 m], normal: [0, 1]}}\n";
+
+const char cli_init_model[] =
+	"{\n"
+	"  \"hawser_rom\": 1,\n"
+	"  \"comment\": \"Duffing: u'' + 2 zeta u' + u + alpha u^3 = F cos(Omega t). Try: hawser frf "
+	"SCENE. Every key: man hawser-rom\",\n"
+	"  \"n\": 1,\n"
+	"  \"parameters\": {\"zeta\": 0.02, \"alpha\": 0.5, \"F\": 0.1},\n"
+	"  \"D\": [[\"2*zeta\"]],\n"
+	"  \"K\": [[1]],\n"
+	"  \"C\": [[0, 0, 0, 0, \"alpha\"]],\n"
+	"  \"harmonics\": [{\"k\": 1, \"f\": [\"F\"]}]\n"
+	"}\n";

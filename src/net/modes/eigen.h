@@ -64,11 +64,7 @@ enum hawser_status hawser__eigen_dense(struct hawser__eigen *eigen, struct hawse
 enum hawser_status hawser__eigen_lanczos(struct hawser__eigen *eigen, struct hawser_report *report)
 	HAWSER_MUST_CHECK;
 
-/* modes.c: the equilibrium, as hawser statics has it, and its tensions T [elements]. */
-enum hawser_status hawser__net_balance(struct hawser__mesh *mesh, double *T,
-                                       const struct hawser_net *net, struct hawser_report *report)
-	HAWSER_MUST_CHECK;
-/* An equilibrium, the factors of K there, and modes. */
+/* modes.c: an equilibrium, the factors of K there, and modes. */
 struct hawser__net_modal {
 	struct hawser__mesh mesh;
 	double *T;                      /* [elements] N */

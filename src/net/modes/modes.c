@@ -259,18 +259,6 @@ static enum hawser_status contacts(struct hawser_net_modes *modes, struct hawser
 	return status;
 }
 
-enum hawser_status hawser__net_balance(struct hawser__mesh *mesh, double *T,
-                                       const struct hawser_net *net, struct hawser_report *report)
-{
-	struct hawser__equilibrium equilibrium;
-	struct hawser__mesh_options settings = {0};
-	enum hawser_status status = net->contact.history
-		? hawser__net_history(mesh, T, &equilibrium, net, &settings, report)
-		: hawser__mesh_form(mesh, T, &equilibrium, net, &settings, report);
-
-	return status ? status : hawser__touch_sides(mesh, net, report);
-}
-
 void hawser__net_modal_clear(struct hawser__net_modal *modal)
 {
 	hawser__eigen_clear(&modal->eigen);
@@ -294,7 +282,7 @@ enum hawser_status hawser__net_modal_open(struct hawser__net_modal *modal, const
 	if (!status && !(modal->T = calloc((size_t)mesh->elements + 1, sizeof *modal->T)))
 		status = hawser__no_memory(report, "net");
 	if (!status)
-		status = hawser__net_balance(mesh, modal->T, net, report);
+		status = hawser__net_equilibrium(mesh, modal->T, net, report);
 	if (!status && axes != HAWSER__NET_SPACE)
 		hawser__mesh_along(mesh, axes);
 	if (!status && mesh->touches)

@@ -134,3 +134,15 @@ enum hawser_status hawser__net_history(struct hawser__mesh *mesh, double *T,
 	free(way.touch);
 	return status;
 }
+
+enum hawser_status hawser__net_equilibrium(struct hawser__mesh *mesh, double *T,
+                                           const struct hawser_net *net, struct hawser_report *report)
+{
+	struct hawser__equilibrium equilibrium;
+	struct hawser__mesh_options settings = {0};
+	enum hawser_status status = net->contact.history
+		? hawser__net_history(mesh, T, &equilibrium, net, &settings, report)
+		: hawser__mesh_form(mesh, T, &equilibrium, net, &settings, report);
+
+	return status ? status : hawser__touch_sides(mesh, net, report);
+}

@@ -58,6 +58,10 @@ enum hawser_status hawser__net_history(struct hawser__mesh *mesh, double *T,
                                        struct hawser__equilibrium *found, const struct hawser_net *net,
                                        const struct hawser__mesh_options *options,
                                        struct hawser_report *report) HAWSER_MUST_CHECK;
+/* The equilibrium as hawser statics has it: at mesh->q, with the tensions T [elements]. */
+enum hawser_status hawser__net_equilibrium(struct hawser__mesh *mesh, double *T,
+                                           const struct hawser_net *net,
+                                           struct hawser_report *report) HAWSER_MUST_CHECK;
 /* touched.c: fail where the net passes a circle on the other side than the scene says, or cuts a
  * segment. */
 enum hawser_status hawser__touch_sides(const struct hawser__mesh *mesh, const struct hawser_net *net,

@@ -15,12 +15,15 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "core/vec3.h"
 #include "net/touch/touch.h"
 
 /* Of an element: a node is no further behind a surface that holds it. */
 static const double ROUND = 1e-9;
 /* Of an element: without an equilibrium, ends of segments within it are named as the reason. */
 static const double NEAR = 2.0;
+/* Friction at its bound, as of a surface that moves, has the round-off of a few products. */
+static const double AT_BOUND = 1e-12;
 /* Of a radius: the end of a segment that is no further from a circle is meant to be on it. */
 static const double CLOSE = 1e-3;
 
@@ -34,7 +37,7 @@ int hawser__touch_sticks(const struct hawser__touch *touch)
 	double bound = hawser__touch_friction(touch)*touch->r;
 	const double *f = touch->friction;
 
-	return bound > 0.0 && !touch->slides && sqrt(f[0]*f[0] + f[1]*f[1] + f[2]*f[2]) < bound;
+	return bound > 0.0 && !touch->slides && hawser__norm(f) < (1.0 - AT_BOUND)*bound;
 }
 
 /* Elements of one cable are of one length: form finding does not go with obstacles. */

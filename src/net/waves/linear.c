@@ -221,7 +221,7 @@ enum hawser_status hawser__linear_mesh_open(struct hawser__linear_mesh *linear,
 	if (!status && !(linear->T = calloc(elements, sizeof *linear->T)))
 		status = hawser__no_memory(report, "net");
 	if (!status)
-		status = hawser__net_balance(mesh, linear->T, net, report);
+		status = hawser__net_equilibrium(mesh, linear->T, net, report);
 	if (!status && mesh->touches)
 		status = hold(linear, report);
 	linear->K = calloc(elements, sizeof *linear->K);

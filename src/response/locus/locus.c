@@ -6,12 +6,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include <hawser/cover.h>
-
 #include "core/grow.h"
 #include "core/report.h"
 #include "core/settle.h"
-#include "response/locus/folds_known.h"
+#include "response/locus/locus_responses.h"
 #include "response/locus/locus_walk.h"
 #include "rom/terms/drag.h"
 #include "rom/terms/terms.h"
@@ -20,7 +18,6 @@
 /* Part of a search that is done after the first response, and after the others; of shipped scenes. */
 #define FIRST 0.1
 #define RESPONSES 0.2
-#define SAME_ORBIT 1e-5 /* relative distance of states that are one; chosen, above their errors */
 
 const char *hawser_locus_special_name(enum hawser_event_kind kind, enum hawser_locus_special special)
 {
@@ -169,23 +166,18 @@ static enum hawser_status join(struct hawser_locus *to, const struct hawser__loc
 	return HAWSER_OK;
 }
 
-/* Whether a curve passes the start value of the parameter at this Omega, or ends there. */
+/* Whether a curve passes the start value of the parameter at this Omega, begins or ends there: a motion
+ * and its mirror image have the same. */
 static int is_known(const struct hawser_locus *locus, double omega, const double extent[2])
 {
 	for (int e = 0; e < locus->events; e++)
 		if (locus->event[e].kind == HAWSER_LOCUS_START &&
 		    fabs(locus->event[e].omega - omega) < SAME*extent[0])
 			return 1;
-	for (int c = 0; c < locus->curves; c++)
-		for (int side = 0; side < 2; side++) {
-			const struct hawser_locus_curve *curve = &locus->curve[c];
-			const struct hawser_locus_point *end =
-				&locus->point[curve->first + (side ? curve->points - 1 : 0)];
-
-			if (curve->points > 0 && fabs(end->omega - omega) < SAME*extent[0] &&
-			    fabs(end->parameter - locus->at) < SAME*extent[1])
-				return 1;
-		}
+	for (int i = 0; i < locus->points; i++)
+		if (fabs(locus->point[i].omega - omega) < SAME*extent[0] &&
+		    fabs(locus->point[i].parameter - locus->at) < SAME*extent[1])
+			return 1;
 	return 0;
 }
 
@@ -222,81 +214,21 @@ static enum hawser_status trace_from(struct hawser_locus *locus, struct hawser__
 	return status;
 }
 
-/* --- the responses --- */
-
-/* The first response, and those that it does not lead to: one from the other end of the range, and
- * others where parts of the range have none (cover.h). */
-struct responses {
-	struct hawser_frf *first;
-	struct hawser_cover cover;
-};
-
-static struct hawser_frf *response(const struct responses *all, int k)
-{
-	return k ? &all->cover.branch[k - 1] : all->first;
-}
-
-/* A response that reaches the other end of the range need not be the one that begins there: *other. */
-static enum hawser_status look_back(const struct responses *all, int *other,
-                                    const struct hawser_rom *rom,
-                                    const struct hawser_frf_options *back)
-{
-	struct hawser_frf_options choice = *back;
-	const struct hawser_frf *first = all->first;
-	int m = 2*first->n;
-	struct hawser_frf frf;
-	enum hawser_status status;
-
-	choice.max_points = 1;
-	choice.skip_events = 1;
-	status = hawser_frf_trace(&frf, rom, &choice, NULL);
-	*other = frf.points > 0 && first->end == HAWSER_END_RANGE &&
-	         !hawser__same_state(first->state + (size_t)m*(size_t)(first->points - 1), frf.state, m,
-	                             SAME_ORBIT);
-	hawser_frf_clear(&frf);
-	return status == HAWSER_ERR_MEMORY ? status : HAWSER_OK;
-}
-
-static enum hawser_status trace_others(struct responses *all, const struct hawser_rom *rom,
-                                       const struct hawser_frf_options *choice,
-                                       struct hawser_report *report)
-{
-	struct hawser_frf_options back = *choice;
-	struct hawser_cover *cover = &all->cover;
-	int other;
-	enum hawser_status status;
-
-	if (hawser_cover_needed(all->first, choice))
-		return hawser_cover_trace(cover, all->first, rom, choice, report);
-	if (all->first->end != HAWSER_END_RANGE)
-		return HAWSER_OK;
-	back.from = choice->to;
-	back.to = choice->from;
-	status = look_back(all, &other, rom, &back);
-	if (status || !other)
-		return status;
-	cover->branch = malloc(sizeof *cover->branch);
-	if (!cover->branch)
-		return hawser__no_memory(report, "locus");
-	cover->branches = 1;
-	status = hawser_frf_trace(cover->branch, rom, &back, report);
-	return status == HAWSER_ERR_CONVERGENCE ? HAWSER_OK : status;
-}
-
-/* --- their events --- */
+/* --- the events of the responses --- */
 
 struct start {
 	int response, event; /* -1: none */
 };
 
 /* The event of that kind next to `near`, if only one is asked for. */
-static struct start nearest(const struct responses *all, const struct hawser_locus_options *options)
+static struct start nearest(const struct hawser__locus_responses *all,
+                            const struct hawser_locus_options *options)
 {
 	struct start best = {-1, -1};
 	double least = INFINITY;
 
 	for (int k = 0; options->near != 0.0 && k <= all->cover.branches; k++) {
-		const struct hawser_frf *frf = response(all, k);
+		const struct hawser_frf *frf = hawser__locus_response(all, k);
 
 		for (int e = 0; e < frf->events; e++) {
 			double away = fabs(frf->event[e].parameter - options->near);
@@ -350,7 +282,8 @@ static enum hawser_status trace_events(struct hawser_locus *locus, struct hawser
 }
 
 static enum hawser_status trace_all(struct hawser_locus *locus, struct hawser__locus_walk *walk,
-                                    const struct responses *all, struct hawser_report *report)
+                                    const struct hawser__locus_responses *all,
+                                    struct hawser_report *report)
 {
 	const struct hawser_locus_options *o = walk->options;
 	struct start only = nearest(all, o);
@@ -360,7 +293,8 @@ static enum hawser_status trace_all(struct hawser_locus *locus, struct hawser__l
 		enum hawser_status status = HAWSER_OK;
 
 		if (only.response < 0 || only.response == k)
-			status = trace_events(locus, walk, response(all, k), only.event, &any, report);
+			status = trace_events(locus, walk, hawser__locus_response(all, k), only.event, &any,
+			                      report);
 		if (status)
 			return status;
 	}
@@ -422,7 +356,7 @@ enum hawser_status hawser_locus_trace(struct hawser_locus *locus,
 	struct hawser__locus system = {.n = 0};
 	struct hawser__locus_walk walk = {.span = {hawser__wall_seconds(), 0.0, FIRST, 0.0}};
 	struct told told = {&own.progress, &walk.span};
-	struct responses all = {.first = &locus->response};
+	struct hawser__locus_responses all = {.first = &locus->response};
 	enum hawser_status status;
 
 	*locus = (struct hawser_locus){.kind = own.kind, .at = own.at};
@@ -445,19 +379,20 @@ enum hawser_status hawser_locus_trace(struct hawser_locus *locus,
 	locus->harmonic = system.harmonic;
 	if (own.plane)
 		choice.family = &across;
+	if (own.first) {
+		choice.start = own.first->start;
+		choice.along = own.first->along;
+		choice.begin = own.first->begin;
+	}
 	if (!status)
-		status = hawser_frf_trace(&locus->response, system.rom, &choice, report);
-	if (status == HAWSER_ERR_CONVERGENCE && locus->response.points > 0)
-		status = HAWSER_OK;
-	hawser__span_stage(&walk.span, FIRST, RESPONSES);
-	if (!status)
-		status = trace_others(&all, system.rom, &choice, report);
+		status = hawser__locus_responses_trace(&all, system.rom, &choice, &walk.span,
+		                                       (const double[2]){FIRST, RESPONSES}, report);
 	system.extent[0] = fabs(own.to - own.from);
 	system.extent[1] = fabs(own.parameter_to - own.parameter_from);
 	if (!status)
 		status = hawser__locus_walk_open(&walk, &system, &own, report);
 	for (int k = 0; !status && own.kind == HAWSER_RESONANCE && k <= all.cover.branches; k++)
-		status = hawser__locus_find_resonances(&walk, response(&all, k));
+		status = hawser__locus_find_resonances(&walk, hawser__locus_response(&all, k));
 	if (!status && locus->response.end != HAWSER_END_INTERRUPTED)
 		status = trace_all(locus, &walk, &all, report);
 	locus->interrupted |= locus->response.end == HAWSER_END_INTERRUPTED;

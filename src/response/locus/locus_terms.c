@@ -37,7 +37,7 @@ void hawser__locus_terms(struct hawser__locus *locus, double *tangent, double *s
 		return;
 	memset(slope, 0, (size_t)locus->rows*n*n*sizeof *slope);
 	for (int r = 0; r < locus->rows; r++) {
-		double *force = locus->force + r*n, *v = locus->velocity;
+		double *force = locus->force + r*n, *v = locus->velocity, tau = 2.0*M_PI*r/locus->rows;
 		const struct hawser__more to = {.force = force, .by_u = tangent ? tangent + r*n*n : NULL,
 			.by_v = slope + r*n*n, .sign = -1.0, .stride = 1};
 
@@ -45,7 +45,7 @@ void hawser__locus_terms(struct hawser__locus *locus, double *tangent, double *s
 			force[j] = -force[j];
 			v[j] = locus->omega*du[r*n + j];
 		}
-		hawser__rom_more_add(locus->rom, &to, u + r*n, v, 2.0*M_PI*r/locus->rows, locus->omega);
+		hawser__rom_more_add(locus->rom, &to, u + r*n, v, &tau, locus->omega);
 		cblas_dscal((int)n, -1.0, force, 1);
 	}
 }

@@ -93,13 +93,13 @@ void hawser__balance_terms(struct hawser__balance *balance, double omega, int de
 	}
 	for (int r = 0; r < rows; r++) {
 		double *force = balance->force + r*n, *v = balance->rates + r*n;
-		double *slope = balance->slope + r*n*n, *shift = balance->shift + r*n;
+		double *slope = balance->slope + r*n*n, *shift = balance->shift + r*n, tau = 2.0*M_PI*r/rows;
 		const struct hawser__more to = {.force = force,
 			.by_u = derive ? balance->tangent + r*n*n : NULL, .by_v = derive ? slope : NULL,
 			.by_omega = derive ? shift : NULL, .sign = -1.0, .stride = 1};
 
 		cblas_dscal((int)n, -1.0, force, 1);
-		hawser__rom_more_add(rom, &to, balance->base.samples + r*n, v, 2.0*M_PI*r/rows, omega);
+		hawser__rom_more_add(rom, &to, balance->base.samples + r*n, v, &tau, omega);
 		cblas_dscal((int)n, -1.0, force, 1);
 		if (derive)
 			finish_shift(shift, slope, v, omega, (int)n);

@@ -43,16 +43,17 @@ void hawser__flow_more(struct hawser__flow *flow, int s, int derive, int live, d
 	double *f = flow->f + (size_t)s*n*lanes, *by_omega = flow->f_omega + (size_t)s*n*lanes;
 	double *by_u = flow->by_u + (size_t)s*n*n*lanes, *by_v = flow->by_v + (size_t)s*n*n*lanes;
 
-	for (int lane = 0; lane < lanes; lane++) {
-		double before = derive ? trace_of(by_v + lane, n) : 0.0;
-		const struct hawser__more to = {.force = f + lane, .by_u = derive ? by_u + lane : NULL,
-			.by_v = derive ? by_v + lane : NULL, .by_omega = derive ? by_omega + lane : NULL,
-			.sign = -1.0, .stride = lanes};
+	double before[HAWSER_LANES] = {0.0}, at[HAWSER_LANES];
+	const struct hawser__more to = {.force = f, .by_u = derive ? by_u : NULL,
+		.by_v = derive ? by_v : NULL, .by_omega = derive ? by_omega : NULL,
+		.sign = -1.0, .stride = lanes};
 
-		hawser__rom_more_add(flow->rom, &to, flow->stage_u + lane, flow->stage_v + lane,
-		                     flow->at[lane] + hawser__dop853.c[s]*flow->h, omega);
-		if (derive && lane < live)
-			flow->drained += hawser__dop853.b[s]*flow->h/omega*
-			                 (trace_of(by_v + lane, n) - before);
+	for (int lane = 0; lane < lanes; lane++) {
+		at[lane] = flow->at[lane] + hawser__dop853.c[s]*flow->h;
+		before[lane] = derive ? trace_of(by_v + lane, n) : 0.0;
 	}
+	hawser__rom_more_add(flow->rom, &to, flow->stage_u, flow->stage_v, at, omega);
+	for (int lane = 0; derive && lane < live; lane++)
+		flow->drained += hawser__dop853.b[s]*flow->h/omega*
+		                 (trace_of(by_v + lane, n) - before[lane]);
 }

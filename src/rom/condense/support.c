@@ -13,10 +13,11 @@
  *
  *    - r'' - alpha r'       (scaled; the mass per length is 1)
  *
- * and so are, at attachments and at ends with a mass, -m r'' and the forces -c r' of dampers. The
- * condensed modes respond to them as to any other load (answer_make.c, follow.h), but for the dampers'
- * forces: their responses to these are coordinates of the model (dampers.c). Damping that is
- * proportional to the stiffness has no force in r, and a ratio of critical damping refers to u.
+ * and so are, at attachments and at ends with a mass, -m r'' and the forces -c r' of dampers, r there
+ * relative to what they are fixed to (attach.damper_to). The condensed modes respond to them as to any
+ * other load (answer_make.c, follow.h), but for the dampers' forces: their responses to these are
+ * coordinates of the model (dampers.c). Damping that is proportional to the stiffness has no force in
+ * r, and a ratio of critical damping refers to u.
  * The terms of higher degree of the strain energy are in support_energy.c (doc/theory-rom.md, "Moving
  * supports").
  *
@@ -176,6 +177,14 @@ static enum hawser_status show(struct hawser_harmonic *h, const struct hawser_ro
 	return HAWSER_OK;
 }
 
+/* Displacement along axis c of what an attachment's damper is fixed to. */
+static double fixed_to(const struct field *field, const struct hawser_attached *at, int c)
+{
+	double end = at->damper_to == 2 ? field->rigid[c] + field->factor[c] : field->rigid[c];
+
+	return at->damper_to ? end : 0.0;
+}
+
 /* Forces of unit inertia (rate = 0) or damping (1) of r, times `factor`; those of dampers of
  * attachments only with `dampers`. Returns whether there are any. */
 static int set_force(struct field *field, const struct hawser_scene *scene,
@@ -204,11 +213,14 @@ static int set_force(struct field *field, const struct hawser_scene *scene,
 	for (int i = 0; i < hawser__points(st); i++)
 		for (int c = 0; c < 3; c++) {
 			double each = on_mass*(rate ? hawser__point_bare(st, i) : hawser__point(st, i).m);
+			double force = each*field->at[i][c], damper = 0.0;
 
 			if (rate && dampers && i < st->attachments)
-				each += st->attached[i].damper[c]/sqrt(st->span.rho*st->H);
-			field->point[i][c] = factor*each*field->at[i][c];
-			any |= each != 0.0;
+				damper = st->attached[i].damper[c]/sqrt(st->span.rho*st->H);
+			if (damper > 0.0)
+				force += damper*(field->at[i][c] - fixed_to(field, &st->attached[i], c));
+			field->point[i][c] = factor*force;
+			any |= each != 0.0 || damper > 0.0;
 		}
 	return any;
 }

@@ -51,8 +51,8 @@ static int call(const struct at *at, double *a, double *by_u, double *by_v, doub
 	                            at->parameter);
 }
 
-void hawser__plug_add(const struct hawser_rom *rom, const struct hawser__more *to, const double *u,
-                      const double *v, double tau, double omega)
+static void add_lane(const struct hawser_rom *rom, const struct hawser__more *to, const double *u,
+                     const double *v, double tau, double omega)
 {
 	const struct hawser_rom_plug *plug = rom->plug;
 	double own_u[MOST], own_v[MOST], a[MOST], by_omega[MOST], by_u[MOST*MOST], by_v[MOST*MOST];
@@ -79,6 +79,20 @@ void hawser__plug_add(const struct hawser_rom *rom, const struct hawser__more *t
 	for (int i = 0; derive && i < n*n; i++) {
 		to->by_u[i*to->stride] += to->sign*(by_u[i] + plug->K[i]);
 		to->by_v[i*to->stride] += to->sign*(by_v[i] + plug->D[i]);
+	}
+}
+
+void hawser__plug_add(const struct hawser_rom *rom, const struct hawser__more *to, const double *u,
+                      const double *v, const double *tau, double omega)
+{
+	for (int lane = 0; lane < to->stride; lane++) {
+		struct hawser__more one = *to;
+
+		one.force += lane;
+		one.by_u = to->by_u ? to->by_u + lane : NULL;
+		one.by_v = to->by_v ? to->by_v + lane : NULL;
+		one.by_omega = to->by_omega ? to->by_omega + lane : NULL;
+		add_lane(rom, &one, u + lane, v + lane, tau[lane], omega);
 	}
 }
 

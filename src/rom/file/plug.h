@@ -24,6 +24,6 @@ void hawser__plug_free(struct hawser_rom_plug *plug);
 
 /* What the function has beyond the linear part and the harmonics of the model. */
 void hawser__plug_add(const struct hawser_rom *rom, const struct hawser__more *to, const double *u,
-                      const double *v, double tau, double omega);
+                      const double *v, const double *tau, double omega);
 
 #endif

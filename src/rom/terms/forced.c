@@ -86,7 +86,7 @@ void hawser_rom_acceleration(const struct hawser_rom *rom, double *acceleration,
 	finish(rom, acceleration, NULL, u, v, tau, omega);
 	if (hawser__rom_more(rom))
 		hawser__rom_more_add(rom, &(struct hawser__more){.force = acceleration, .stride = 1}, u, v,
-		                     tau, omega);
+		                     &tau, omega);
 }
 
 void hawser_rom_acceleration_jacobian(const struct hawser_rom *rom, double *acceleration,
@@ -121,7 +121,7 @@ void hawser_rom_acceleration_jacobian(const struct hawser_rom *rom, double *acce
 	if (hawser__rom_more(rom))
 		hawser__rom_more_add(rom, &(struct hawser__more){.force = acceleration, .by_u = by_u,
 		                     .by_v = by_v, .by_omega = by_omega, .sign = 1.0, .stride = 1}, u, v,
-		                     tau, omega);
+		                     &tau, omega);
 }
 
 void hawser__rom_term(const struct hawser_ramp_term *term, double s, double *acceleration,

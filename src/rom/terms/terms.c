@@ -14,7 +14,9 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "core/hot.h"
 #include "core/report.h"
+#include "rom/energy/kernel.h"
 #include "rom/file/plug.h"
 #include "rom/terms/terms.h"
 
@@ -31,61 +33,81 @@ struct state {
 	int n, stride;
 };
 
-static double factor_of(const struct hawser_term *term, int i, const struct state *x)
+/* Of all lanes; one state stands in all of them. */
+HAWSER_PART void get_lanes(hawser__vec *to, const double *from, int stride)
 {
-	const double *of = i < term->factors - term->rates ? x->u : x->v;
-
-	return of[term->factor[i]*x->stride];
+	*to = stride == HAWSER_LANES ? *(const hawser__vec *)from
+	                             : (hawser__vec){*from, *from, *from, *from};
 }
 
-/* Without factor `but`; -1: with all. */
-static double product(const struct hawser_term *term, int but, const struct state *x)
+HAWSER_PART void take_off(double *to, int stride, hawser__vec part)
 {
-	double value = term->value;
-
-	for (int i = 0; i < term->factors; i++)
-		value *= i == but ? 1.0 : factor_of(term, i, x);
-	return value;
+	if (stride == HAWSER_LANES)
+		*(hawser__vec *)to -= part;
+	else
+		*to -= part[0];
 }
 
-/* force -= s term, by_omega -= ds term. */
-static void add(const struct hawser__more *to, const struct hawser_term *term, const struct state *x,
-                double s, double ds)
+/* force -= s term, by_omega -= ds term. The product of all factors but one is that of those before
+ * it times that of those behind it. */
+HAWSER_PART void subtract_term(const struct hawser__more *to, const struct hawser_term *term,
+                               const struct state *x, const double *factor_s, const double *factor_ds)
 {
-	double whole = product(term, -1, x);
+	hawser__vec factor[HAWSER_TERM_FACTORS], before[HAWSER_TERM_FACTORS], whole, behind, s, ds;
+	int displacements = term->factors - term->rates;
 
-	to->force[term->j*to->stride] -= s*whole;
-	if (to->by_omega)
-		to->by_omega[term->j*to->stride] -= ds*whole;
+	get_lanes(&whole, &term->value, 1);
+	get_lanes(&s, factor_s, x->stride);
+	get_lanes(&ds, factor_ds, x->stride);
+	behind = s*to->sign;
 	for (int i = 0; i < term->factors; i++) {
-		double *matrix = i < term->factors - term->rates ? to->by_u : to->by_v;
+		get_lanes(&factor[i], (i < displacements ? x->u : x->v) + term->factor[i]*x->stride, x->stride);
+		before[i] = whole;
+		whole *= factor[i];
+	}
+	take_off(to->force + term->j*x->stride, x->stride, s*whole);
+	if (to->by_omega)
+		take_off(to->by_omega + term->j*x->stride, x->stride, ds*whole);
+	for (int i = term->factors - 1; (to->by_u || to->by_v) && i >= 0; i--) {
+		double *matrix = i < displacements ? to->by_u : to->by_v;
 
 		if (matrix)
-			matrix[(term->j*x->n + term->factor[i])*to->stride] -= to->sign*s*product(term, i, x);
+			take_off(matrix + (term->j*x->n + term->factor[i])*x->stride, x->stride,
+			         before[i]*behind);
+		behind *= factor[i];
 	}
 }
 
-void hawser__rom_more_add(const struct hawser_rom *rom, const struct hawser__more *to,
-                          const double *u, const double *v, double tau, double omega)
+HAWSER_HOT static void subtract_terms(const struct hawser__more *to, const struct hawser_term *term,
+                                    int terms, const struct state *x, const double *s,
+                                    const double *ds)
 {
+	for (int i = 0; i < terms; i++)
+		subtract_term(to, &term[i], x, s, ds);
+}
+
+void hawser__rom_more_add(const struct hawser_rom *rom, const struct hawser__more *to,
+                          const double *u, const double *v, const double *tau, double omega)
+{
+	static const double one[] = {1.0, 1.0, 1.0, 1.0}, zero[] = {0.0, 0.0, 0.0, 0.0};
 	const struct state x = {u, v, rom->n, to->stride};
 
 	if (rom->plug)
 		hawser__plug_add(rom, to, u, v, tau, omega);
-	for (int i = 0; i < rom->terms; i++)
-		add(to, &rom->term[i], &x, 1.0, 0.0);
+	subtract_terms(to, rom->term, rom->terms, &x, one, zero);
 	for (int h = 0; h < rom->harmonics; h++) {
 		const struct hawser_harmonic *harmonic = &rom->harmonic[h];
-		double s, ds;
+		double s[HAWSER_LANES], ds[HAWSER_LANES];
 
-		if (harmonic->terms == 0)
-			continue;
-		s = harmonic->phase == HAWSER_COS ? cos(harmonic->k*tau) : sin(harmonic->k*tau);
-		for (int p = 0; p < harmonic->omega_power; p++)
-			s *= omega;
-		ds = harmonic->omega_power*s/omega;
-		for (int i = 0; i < harmonic->terms; i++)
-			add(to, &harmonic->term[i], &x, s, ds);
+		for (int lane = 0; harmonic->terms > 0 && lane < to->stride; lane++) {
+			double angle = harmonic->k*tau[lane];
+
+			s[lane] = harmonic->phase == HAWSER_COS ? cos(angle) : sin(angle);
+			for (int p = 0; p < harmonic->omega_power; p++)
+				s[lane] *= omega;
+			ds[lane] = harmonic->omega_power*s[lane]/omega;
+		}
+		subtract_terms(to, harmonic->term, harmonic->terms, &x, s, ds);
 	}
 }
 
@@ -103,13 +125,16 @@ double hawser__rom_weighed(const struct hawser_rom *rom, const double *w, int j)
 /* A term of order d has the integral of u . term(s u) ds from 0 to 1, the term at u over d + 1. */
 double hawser__terms_potential(const struct hawser_rom *rom, const double *u)
 {
-	const struct state x = {u, u, rom->n, 1};
 	double sum = 0.0;
 
-	for (int i = 0; i < rom->terms; i++)
-		if (rom->term[i].rates == 0)
-			sum += hawser__rom_weighed(rom, u, rom->term[i].j)*product(&rom->term[i], -1, &x)/
-			       (rom->term[i].factors + 1);
+	for (int i = 0; i < rom->terms; i++) {
+		const struct hawser_term *term = &rom->term[i];
+		double product = term->value*hawser__rom_weighed(rom, u, term->j);
+
+		for (int f = 0; f < term->factors; f++)
+			product *= u[term->factor[f]];
+		sum += term->rates == 0 ? product/(term->factors + 1) : 0.0;
+	}
 	return sum;
 }
 

@@ -11,7 +11,8 @@
 int hawser__rom_more(const struct hawser_rom *rom);
 
 /* Where their derivatives are added: by_u and by_v [n][n], times `sign`, and by_omega [n]; each may be
- * NULL. The values of one quantity are `stride` apart, in force, u and v too. */
+ * NULL. The values of one quantity are `stride` apart, in force, u and v too: 1, or HAWSER_LANES for as
+ * many states at once. */
 struct hawser__more {
 	double *force; /* [n] += on the right side of the equations */
 	double *by_u, *by_v, *by_omega;
@@ -19,7 +20,7 @@ struct hawser__more {
 	int stride;
 };
 void hawser__rom_more_add(const struct hawser_rom *rom, const struct hawser__more *to,
-                          const double *u, const double *v, double tau, double omega);
+                          const double *u, const double *v, const double *tau, double omega);
 
 /* The potential energy of the terms without velocities, if they derive from one; see `mass` of the
  * model. */

@@ -41,7 +41,6 @@
                         * cannot carry such tensions, so that no such model is valid */
 #define SLACK_POINTS 50 /* fewest points of which this part is judged */
 #define POINTS_MOST 2500 /* most points of a response: a longer one has too many peaks to match */
-#define SHARP 0.2     /* error of located peaks */
 #define CONDENSED_TRIES 7 /* most condensed models; full-order ones have the remaining tries */
 
 /* --- candidates --- */
@@ -197,7 +196,7 @@ static enum hawser_status compare(struct hawser_accuracy *a, struct hawser__mark
 	struct hawser_accuracy_try *this = &a->attempt[a->tries];
 	struct hawser__marks found;
 	enum hawser_status status = hawser__marks_find(&found, &a->frf, &a->rom, options,
-	                                               SHARP*a->asked, report);
+	                                               HAWSER__LOCATED*a->asked, report);
 
 	if (status)
 		return status;

@@ -10,6 +10,9 @@
 /* Smallest error that is claimed, relative to the accuracy: tolerances are chosen for it. */
 #define HAWSER__LEAST_CLAIM 0.02
 
+/* Error of located peaks, relative to the accuracy; chosen. */
+#define HAWSER__LOCATED 0.2
+
 /* Factor on first-order measures for the terms of higher order; calibrated by bench/accuracy.c. */
 #define HAWSER__SAFETY 3.0
 /* The same on those that add all terms of first order with their signs; by bench/practical.py too. */

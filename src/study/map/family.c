@@ -20,6 +20,7 @@
 
 #include "core/grow.h"
 #include "core/report.h"
+#include "response/family/smooth.h"
 #include "rom/energy/kernel.h"
 
 #define SURE 0.75  /* least overlap by which a mode is recognised: its square is above a half; chosen */
@@ -37,6 +38,8 @@ struct scene_family {
 	const struct hawser_scene *scene;
 	const char *key[2]; /* the second one may be NULL */
 	double extent[2];   /* of the ranges */
+	struct hawser__model_maker maker;   /* of models between others, where there is one key */
+	struct hawser__smooth smooth;
 	int n;
 	struct anchor *anchor; /* [anchors] in no order */
 	int anchors;
@@ -275,14 +278,33 @@ static enum hawser_status modes_at(struct hawser_modes *modes, struct scene_fami
 	}
 }
 
+static enum hawser_status make_model(struct scene_family *family, struct hawser_rom *rom,
+                                     const double p[2], struct hawser_report *report)
+{
+	struct hawser_modes modes;
+	struct hawser_scene scene;
+	enum hawser_status status = scene_at(&scene, family, p, report);
+
+	*rom = (struct hawser_rom){.n = 0};
+	if (status || (status = modes_at(&modes, family, p, report)))
+		return status;
+	status = hawser_rom_build(rom, &modes, &scene, report);
+	hawser_modes_clear(&modes);
+	return status;
+}
+
+static enum hawser_status make_one(void *context, struct hawser_rom *rom, double p,
+                                   struct hawser_report *report)
+{
+	return make_model(context, rom, (double[2]){p, 0.0}, report);
+}
+
 static enum hawser_status model_of_two(void *context, const struct hawser_rom **rom,
                                        const double p[2], struct hawser_report *report)
 {
 	struct scene_family *family = context;
 	struct kept *kept = &family->kept[family->kept[0].used > 0];
-	struct hawser_modes modes;
-	struct hawser_scene scene;
-	enum hawser_status status;
+	enum hawser_status status = HAWSER_OK;
 
 	for (int i = 0; i < MODELS; i++) {
 		if (family->kept[i].used > 0 && family->kept[i].p[0] == p[0] &&
@@ -294,14 +316,14 @@ static enum hawser_status model_of_two(void *context, const struct hawser_rom **
 		if (i > 0 && family->kept[i].used < kept->used)
 			kept = &family->kept[i];
 	}
-	if ((status = scene_at(&scene, family, p, report)) ||
-	    (status = modes_at(&modes, family, p, report)))
+	*rom = NULL;
+	if (family->maker.make)
+		status = hawser__smooth_model(&family->smooth, rom, &family->maker, p[0], report);
+	if (status || *rom)
 		return status;
 	hawser_rom_clear(&kept->rom);
 	kept->used = 0;
-	status = hawser_rom_build(&kept->rom, &modes, &scene, report);
-	hawser_modes_clear(&modes);
-	if (status)
+	if ((status = make_model(family, &kept->rom, p, report)))
 		return status;
 	memcpy(kept->p, p, sizeof kept->p);
 	kept->used = ++family->now;
@@ -324,6 +346,7 @@ static void end(void *context)
 	for (int i = 0; family && i < family->anchors; i++)
 		hawser_modes_clear(&family->anchor[i].modes);
 	if (family) {
+		hawser__smooth_clear(&family->smooth);
 		free(family->anchor);
 		free(family->samples);
 	}
@@ -394,6 +417,8 @@ enum hawser_status hawser_scene_family_open(struct hawser_rom_family *opened,
 	enum hawser_status status = make(&family, scene, (const char *[2]){key, NULL},
 	                                 (double[2]){fabs(to - from), 1.0}, (double[2]){at, 0.0}, report);
 
+	if (!status && to > from)
+		family->maker = (struct hawser__model_maker){make_one, family, from, to};
 	*opened = (struct hawser_rom_family){omega, model, family};
 	if (status)
 		hawser_scene_family_close(opened);

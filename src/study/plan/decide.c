@@ -214,7 +214,7 @@ static void decide_attachments(struct hawser_plan *plan)
 		decide(plan, "springs to ground", 1, "at %d point%s, in the modes: no coordinates are added",
 		    springs, springs == 1 ? "" : "s");
 	if (dampers > 0)
-		decide(plan, "dampers to ground", 1, "at %d point%s: the static shape of each force of a "
+		decide(plan, "dampers", 1, "at %d point%s: the static shape of each force of a "
 		    "damper is a coordinate besides the modes (not in the errors below), and the damping "
 		    "couples the modes; modes cannot be chosen (auto)", dampers, dampers == 1 ? "" : "s");
 }

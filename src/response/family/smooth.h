@@ -1,0 +1,30 @@
+/* response/family/smooth.h - models between those at a few values of a parameter. See smooth.c.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_RESPONSE_SMOOTH_H
+#define HAWSER_RESPONSE_SMOOTH_H
+
+#include <hawser/rom.h>
+
+/* How the models are made, and of which range of the parameter. */
+struct hawser__model_maker {
+	enum hawser_status (*make)(void *context, struct hawser_rom *rom, double p,
+	                           struct hawser_report *report);
+	void *context;
+	double from, to;
+};
+
+/* All zero: nothing is known yet. */
+struct hawser__smooth {
+	int asked;                      /* how often */
+	struct hawser__smooth_models *models; /* NULL: there are none */
+};
+
+/* *rom becomes the interpolated model at p, which stays as it is until the function has been called for
+ * eight other values; NULL: make it. HAWSER_ERR_MEMORY. */
+enum hawser_status hawser__smooth_model(struct hawser__smooth *smooth,
+                                        const struct hawser_rom **rom,
+                                        const struct hawser__model_maker *maker, double p,
+                                        struct hawser_report *report);
+void hawser__smooth_clear(struct hawser__smooth *smooth);
+
+#endif
