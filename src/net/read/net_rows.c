@@ -211,7 +211,7 @@ static const struct hawser__tree_key net_rows[] = {
 	        "components of a sea")
 	INTEGER("net.water.waves.seed", OPTIONAL, 0, 2147483647, WAVES_AT(seed), "0",
 	        "of its random phases, and frequencies within their bins: so it does not repeat")
-	VECTOR("net.water.waves.frequencies", 2, OPTIONAL, "rad/s", INCREASING, WAVES_AT(range),
+	VECTOR("net.water.waves.frequencies", 2, OPTIONAL, "rad/s", POSITIVE, WAVES_AT(range),
 	       "0.5 and 5 times that of the peak", "range of its frequencies")
 	NUMBER("net.water.waves.heading", OPTIONAL, "rad", ANY, WAVES_AT(heading), "0",
 	       "direction in which waves run, from x towards z")
