@@ -36,8 +36,8 @@ PAGES = (
                  ("doc/site/README.md", "site"), ("packaging/README.md", "packaging"))),
 )
 # Titles in the navigation, where that of the page is not one.
-TITLES = {"tutorial": "Ten minutes", "tutorial-nets": "Nets in ten minutes", "tutorial-mooring": "Moorings in ten minutes", "tutorial-galloping": "Galloping in ten minutes",
-          "tutorial-models": "Equations in ten minutes",
+TITLES = {"tutorial": "Ten minutes", "tutorial-nets": "Nets in ten minutes", "tutorial-galloping": "Galloping in ten minutes",
+          "tutorial-models": "Equations in ten minutes", "tutorial-mooring": "Moorings in ten minutes",
           "install": "Installation", "coming-from": "Coming from other programs",
           "library": "The library", "api/index": "Headers", "python": "Python", "cluster": "Large maps", "messages": "Messages", "robustness": "Robustness"}
 LINK = re.compile(r"(!?)\[((?:[^\[\]]|\[[^\]]*\])*)\]\(([^)\s#]*)(#[^)\s]*)?\)")

@@ -105,6 +105,24 @@ struct hawser_net_contact_given {
 	int paths;
 };
 
+/* In motions a cable parts at the node of its mesh next to a place, at a time or a tension. */
+struct hawser_net_failure {
+	int cable;
+	double part;        /* of its unstretched length, from its end `from`: 0 and 1 are its ends */
+	double time;        /* s; negative: by the tension */
+	double tension;     /* N, of an element there, with damping; 0: by the time */
+};
+
+/* In motions the unstretched length of a cable changes, by the same part in all its elements. */
+struct hawser_net_winch {
+	int cable, end;     /* end: 0 `from`, 1 `to`: where the material comes from */
+	double speed, rise; /* m/s of the unstretched length, positive pays out, which it has after
+	                     * `rise` (s): speed*(q - sin(2 pi q)/(2 pi)), q = t/rise */
+	double tension;     /* N: held instead, by a speed that is `limit` where the tension differs */
+	double limit;       /* m/s, by HAWSER_NET_WINCH_BAND of it, and linear between */
+};
+#define HAWSER_NET_WINCH_BAND 0.05
+
 struct hawser_net {
 	char *name;         /* of the file */
 	double g;
@@ -125,6 +143,9 @@ struct hawser_net {
 	struct hawser_surface *surface; /* [surfaces] the obstacles */
 	int surfaces;
 	struct hawser_net_contact_given contact;
+	struct hawser_net_failure *failure; /* [failures] */
+	struct hawser_net_winch *winch; /* [winches] */
+	int failures, winches;
 	struct hawser_water water;
 };
 
@@ -153,6 +174,7 @@ struct hawser_net_member {
 	 * the halves of elements there: their error is of second order in the length of elements. */
 	double T_min, T_max, T_from, T_to;
 	double length0, length;            /* m */
+	double wet;                        /* m, unstretched length in water */
 	int slack;                         /* number of elements without tension */
 };
 

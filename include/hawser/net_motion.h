@@ -60,14 +60,26 @@ struct hawser_net_motion_options {
 	struct hawser_progress progress;
 };
 
+/* What failures and winches of the scene have come to. */
+struct hawser_net_parted {
+	int cable;
+	double time, tension; /* s, N: when it parted, and its tension then; NAN: it did not */
+};
+struct hawser_net_wound {
+	int cable;
+	double length0;       /* m, at the end */
+};
+
 struct hawser_net_motion {
 	int rows, probes, interrupted;
 	double *time;        /* [rows] s */
 	double (*x)[3];      /* [rows*probes] m, row by row */
 	double (*v)[3];      /* [rows*probes] m/s */
 	double *T;           /* [rows*probes] N: largest tension of the elements there */
+	double (*pull)[3];   /* [rows*probes] N: of the cables on a node that a support holds; else 0 */
 	/* J; since the beginning, the potential energy (of strain, weight and constant loads) too: it is
-	 * counted from the equilibrium. work: of harmonic loads, moving supports and moving surfaces.
+	 * counted from the equilibrium. work: of harmonic loads, moving supports and surfaces, winches and
+	 * water.
 	 * dissipated: by damping, and by friction and impacts at obstacles. */
 	double *kinetic, *potential, *work, *dissipated; /* [rows] */
 	int *slack;          /* [rows] number of elements without tension */
@@ -79,6 +91,9 @@ struct hawser_net_motion {
 	struct hawser_net_contact *contact; /* [contacts] of the last state, with the mean forces of its
 	                      * step: nodes of the net, then along cables */
 	int contacts;
+	struct hawser_net_parted *failure; /* [failures] */
+	struct hawser_net_wound *winch;    /* [winches] */
+	int failures, winches;
 	/* Over all steps: the least tension and its time, and the first element without tension: time (s;
 	 * NAN: there is none), its cable, and the part of its unstretched length at its middle. */
 	double least, least_at, slack_at, slack_part; /* N, s, s, 0 to 1 */

@@ -147,6 +147,8 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/frame/deliver.c \
 	%D%/frame/document.c \
 	%D%/frame/echo.c \
+	%D%/motion/events_net.c \
+	%D%/motion/events_net.h \
 	%D%/motion/film_net.c \
 	%D%/motion/film_net.h \
 	%D%/model/exact.c \

@@ -29,6 +29,7 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/statics/form-tension.c \
 	%D%/statics/interior.c \
 	%D%/modes/lanczos.c \
+	%D%/read/events.c \
 	%D%/read/loads.c \
 	%D%/read/passing.c \
 	%D%/read/water.c \
@@ -45,6 +46,8 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/motion/motion-contact.h \
 	%D%/motion/motion-cvode.c \
 	%D%/motion/motion-error.c \
+	%D%/motion/motion-events.c \
+	%D%/motion/motion-events.h \
 	%D%/motion/motion-impact.c \
 	%D%/motion/motion-klu.c \
 	%D%/motion/motion-probe.c \

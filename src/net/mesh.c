@@ -62,7 +62,8 @@ static size_t waves_of(const struct hawser_net *net, const struct hawser_net_loa
 static enum hawser_status allocate(struct hawser__mesh *mesh, const struct hawser_net *net,
                                    struct hawser_report *report)
 {
-	size_t elements = (size_t)mesh->elements + 1, nodes = (size_t)mesh->nodes + 1, waves = 1;
+	size_t elements = (size_t)mesh->elements + 1, waves = 1;
+	size_t nodes = (size_t)mesh->nodes + (size_t)net->failures + 1; /* see net/motion/motion-events.h */
 
 	for (int i = 0; i < net->loads; i++)
 		waves += waves_of(net, &net->load[i]);

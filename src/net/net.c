@@ -27,6 +27,8 @@ void hawser_net_clear(struct hawser_net *net)
 	for (int i = 0; i < net->contact.paths; i++)
 		free(net->contact.path[i].x);
 	free(net->contact.path);
+	free(net->failure);
+	free(net->winch);
 	free(net->water.current);
 	hawser_waves_clear(&net->water.waves);
 	memset(net, 0, sizeof *net);

@@ -146,6 +146,11 @@ CASE(reference_net_stiffness)
 	static const char *const drum[] = {
 		"contact={sliding: none}", "nodes.B=[1, -1, 0]", "cables.c.length0=4.2",
 		"obstacles=[{circle: {centre: [0, 0], radius: 1}, friction: 0.3, velocity: 1}]"};
+	static const char *const current[] = {
+		"nodes={A: [0,-200,0], B: [200,-10,0]}", "g=9.81", "cables=[{name: c, from: A, to: B, "
+		"EA: 20 MN, rho: 12, length0: 300, elements: 30, diameter: 0.12, drag: {normal: 1.2, "
+		"tangential: 0.02}}]", "water={density: 1025, current: {table: [[-200, 0.1, 0, 0.3], "
+		"[0, 0.9, 0, 0.5]]}}", "obstacles=[{plane: {point: [0, -900], normal: [0, 1]}}]"};
 	struct hawser_net net;
 	struct hawser_net_stiffness K;
 	int end = 1;
@@ -162,6 +167,7 @@ CASE(reference_net_stiffness)
 	chain("net-seabed", rough, 4, 81.549439*9.81, 5e7, 500.0, 0.385);
 	body();
 	differences("net-mooring", tree, 4, 1, 1e-4, 0.0, "a joint");
+	differences("net-mooring", current, 5, 1, 1e-4, 1e-4, "a line in a current");
 	differences("net-capstan", drum, 4, 1, 1e-5, 1e-3, "a rope on a drum that turns");
 	return done_testing();
 }

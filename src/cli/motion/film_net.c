@@ -26,10 +26,7 @@ static int begin(struct cli_film *film, const struct hawser_net_frame *frame)
 	film->time = calloc((size_t)film->room, sizeof *film->time);
 	film->mark = calloc((size_t)film->room, sizeof *film->mark);
 	film->end = calloc((size_t)frame->elements + 1, sizeof *film->end);
-	if (!film->x || !film->row || !film->time || !film->mark || !film->end)
-		return ENOMEM;
-	memcpy(film->end, frame->end, (size_t)frame->elements*sizeof *film->end);
-	return 0;
+	return film->x && film->row && film->time && film->mark && film->end ? 0 : ENOMEM;
 }
 
 int cli_film_add(struct cli_film *film, const struct hawser_net_frame *frame)
@@ -37,6 +34,8 @@ int cli_film_add(struct cli_film *film, const struct hawser_net_frame *frame)
 	double due = film->room > 1 ? film->last*film->rows/(film->room - 1) : 0.0;
 	int bad = film->x ? 0 : begin(film, frame);
 
+	if (!bad) /* of the last frame: a loose end is where its cable was before it parted */
+		memcpy(film->end, frame->end, (size_t)frame->elements*sizeof *film->end);
 	if (bad || film->rows == film->room || frame->row < floor(due))
 		return bad;
 	memcpy(film->x + (size_t)film->rows*(size_t)film->nodes, frame->x,

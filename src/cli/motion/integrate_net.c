@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "cli/statics/contacts_net.h"
+#include "cli/motion/events_net.h"
 #include "cli/motion/film_net.h"
 #include "cli/motion/integrate_net.h"
 #include "cli/frame/mesh_net.h"
@@ -27,6 +28,7 @@ struct result {
 	struct cli_mesh mesh;
 	struct hawser_net_motion motion;
 	struct cli_contacts contacts;
+	struct cli_events events;
 	struct hawser_net_probe probe[CLI_PROBES];
 	struct cli_probed probed;
 	enum hawser_status failed; /* of a frame */
@@ -137,7 +139,17 @@ static void gather(struct result *result)
 	result->probed.rows = motion->rows;
 	result->probed.x = (const double (*)[3])motion->x;
 	result->probed.T = motion->T;
+	result->probed.pull = (const double (*)[3])motion->pull;
+	for (int p = 0; p < motion->probes; p++) {
+		int at = result->probe[p].node;
+		const unsigned char *held = at < 0 ? NULL : result->mesh.net.node[at].held;
+
+		if (held && (held[0] || held[1] || held[2]))
+			result->probed.held[result->probed.holds++] = p;
+	}
 	result->contacts = (struct cli_contacts){&result->mesh.net, motion->contact, motion->contacts, 0.0};
+	result->events = (struct cli_events){&result->mesh.net, motion->failure, motion->winch,
+	                                     motion->failures, motion->winches};
 	for (int i = 0; i < motion->rows && motion->apart; i++)
 		result->contacts.apart = fmax(result->contacts.apart, motion->apart[i]);
 }
@@ -172,6 +184,7 @@ static void comments(struct hawser__table *table, const void *of)
 		if (motion->still[k])
 			hawser__table_comment(table, "no motion along %c in the model: nothing drives it",
 			                      "xyz"[k]);
+	cli_events_comments(table, &result->events);
 	if (motion->interrupted)
 		hawser__table_comment(table, "interrupted at %.6g s", motion->reached);
 }
@@ -209,13 +222,15 @@ const struct hawser__field cli_net_motion_field[] = {
 	PART(probed, cli_probed_field)},
 	{NULL, "", "of each probe: its place, and the largest tension there",
 	 HAWSER__VECTOR_OF(cli_probed_vector)},
+	{NULL, "", "of each probe that is a support: what the cables pull on it",
+	 HAWSER__VECTOR_OF(cli_pulled_vector), .unit = HAWSER__NEWTON},
 	{"energy.kinetic", "kinetic", "kinetic energy", ROWS_OF(kinetic), JOULE},
 	{"energy.potential", "potential", "of strain, weight and constant loads, since the beginning",
 	 ROWS_OF(potential), JOULE},
-	{"energy.work", "work", "of harmonic loads, moving supports and surfaces, since the beginning",
-	 ROWS_OF(work), JOULE},
-	{"energy.dissipated", "dissipated", "by damping, friction and impacts, since the beginning",
-	 ROWS_OF(dissipated), JOULE},
+	{"energy.work", "work", "of harmonic loads, moving supports and surfaces, and water, since the "
+	 "beginning", ROWS_OF(work), JOULE},
+	{"energy.dissipated", "dissipated", "by damping, drag of water, friction and impacts, since the "
+	 "beginning", ROWS_OF(dissipated), JOULE},
 	{"energy.closure", NULL, "largest error of this ledger over its largest term", ONE(closure)},
 	{"energy.friction", "friction", "with obstacles: dissipated by friction", ROWS_OF(friction), JOULE,
 	 .place = 1, TOUCH},
@@ -229,6 +244,7 @@ const struct hawser__field cli_net_motion_field[] = {
 	 .unit = HAWSER__SECOND, .given = fronts},
 	PART(mesh, cli_mesh_field)},
 	{"slack", "slack", "number of elements without tension", ROWS_OF(slack)},
+	PART(events, cli_events_field)},
 	{"still", NULL, "axes along which nothing moves the net", HAWSER__CALLS(still_json),
 	 .from = HAWSER__IN_PARENT},
 	{"touching", "touching", "with obstacles: number of contacts", ROWS_OF(touching), TOUCH},
@@ -265,7 +281,9 @@ static struct cli_head head(const void *of)
 	const struct result *result = of;
 
 	return cli_si_head(result->common, "integrate", result->motion.scheme, &result->probed,
-	                   result->mesh.net.surfaces ? SURFACES : 0u);
+	                   (result->mesh.net.surfaces ? SURFACES : 0u) |
+	                   (result->motion.failures ? CLI_FAILURES : 0u) |
+	                   (result->motion.winches ? CLI_WINCHES : 0u));
 }
 
 /* Heights of the first probes over time, and the energies; in water the largest tensions at the probes

@@ -80,8 +80,8 @@ void cli_stiffness_comments(struct hawser__table *table, const struct cli_stiffn
 		                      of->about[0], of->about[1], of->about[2], of->force[3], of->force[4],
 		                      of->force[5]);
 	if (of->asymmetry > ROUND)
-		hawser__table_comment(table, "the matrix is not symmetric, by %.2g: friction that slides, or a "
-		                      "moment, has no potential", of->asymmetry);
+		hawser__table_comment(table, "the matrix is not symmetric, by %.2g: friction that slides, "
+		                      "drag and moments have no potential", of->asymmetry);
 }
 
 static int node_of(const struct hawser_net *net, const char *name, size_t length)

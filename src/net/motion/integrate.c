@@ -10,6 +10,7 @@
 #include "core/progress.h"
 #include "core/report.h"
 #include "net/motion/motion-contact.h"
+#include "net/motion/motion-events.h"
 #include "net/motion/motion-probe.h"
 #include "net/statics/solution.h"
 #include "net/touch/touch.h"
@@ -17,6 +18,8 @@
 enum { ROWS = 10000000, DEFAULT_ROWS = 200 };
 /* s, between two questions whether to go on: not felt by the user, nor by the computation. */
 static const double ASKED_EVERY = 0.05;
+/* Of the time in which an axial wave passes an element: the first step. */
+static const double BEGINS = 0.1;
 const double hawser__motion_tolerance = 1e-7;
 
 struct run {
@@ -163,7 +166,7 @@ static enum hawser_status start(struct run *run, struct hawser_report *report)
 	const char *scheme = options->scheme ? options->scheme : net->dynamics.scheme;
 	double rho = options->rho_inf != 0.0 ? fmax(options->rho_inf, 0.0) : net->dynamics.rho_inf;
 	const char *initial = options->initial ? options->initial : net->dynamics.from;
-	unsigned char *loose = calloc((size_t)run->mesh.nodes + 1, 1);
+	unsigned char *loose = calloc((size_t)(run->mesh.nodes + net->failures) + 1, 1);
 	enum hawser_status status = HAWSER_OK;
 
 	if (!loose)
@@ -172,6 +175,7 @@ static enum hawser_status start(struct run *run, struct hawser_report *report)
 		loose[net->dynamics.release[i]] = 1;
 		hawser__mesh_hold(&run->mesh, net->dynamics.release[i], none);
 	}
+	hawser__events_spare(&run->mesh, net);
 	if (net->surfaces && net->dynamics.releases)
 		status = hawser__touch_again(&run->mesh, net, report);
 	hawser__touch_measure(&run->mesh);
@@ -193,6 +197,8 @@ static enum hawser_status start(struct run *run, struct hawser_report *report)
 	if (!status && run->mesh.touches)
 		status = hawser__contact_open(&run->motion, net->contact.restitution, report);
 	if (!status)
+		status = hawser__events_open(&run->motion, net, run->still, initial, report);
+	if (!status)
 		status = hawser__ode_massive(&run->mesh, net, report);
 	if (status)
 		return status;
@@ -200,7 +206,7 @@ static enum hawser_status start(struct run *run, struct hawser_report *report)
 	run->motion.tables = run->tables;
 	run->table = NULL;
 	run->tables = 0;
-	run->h = 0.1*transit(run);
+	run->h = BEGINS*transit(run);
 	if (run->state)
 		hawser__motion_restore(&run->motion, &run->h, run->state);
 	if (run->state && run->motion.t >= run->options->until)
@@ -309,6 +315,7 @@ static enum hawser_status row(int *stop, struct hawser_net_motion *to, struct ru
 	for (int n = 0; n < motion->nodes; n++)
 		for (int k = 0; k < 3; k++)
 			run->x[n][k] = motion->reference[n][k] + motion->u[n][k];
+	hawser__events_places(run->x, motion);
 	to->time[i] = motion->t;
 	to->kinetic[i] = motion->energy.kinetic;
 	to->potential[i] = motion->energy.potential;
@@ -325,7 +332,8 @@ static enum hawser_status row(int *stop, struct hawser_net_motion *to, struct ru
 	for (int p = 0; p < options->probes && !status; p++) {
 		int at = i*options->probes + p;
 
-		hawser__probe(to->x[at], to->v[at], &to->T[at], &run->probes, &options->probe[p]);
+		hawser__probe(to->x[at], to->v[at], &to->T[at], to->pull[at], &run->probes,
+		              &options->probe[p]);
 	}
 	*stop = !status && options->frame && options->frame(options->data, &frame) != 0;
 	return status;
@@ -365,7 +373,7 @@ static enum hawser_status march(struct run *run, double end, struct hawser_repor
 		n = ceil(left/h);
 		h = left/n;
 	}
-	for (long i = (long)n; i > 0 && !status; i--) {
+	for (long i = (long)n; i > 0 && !status && !hawser__events_due(&run->motion); i--) {
 		if (hawser__motion_asked(&run->motion))
 			return HAWSER_OK;
 		status = hawser__motion_step(&run->motion, h, report);
@@ -373,7 +381,7 @@ static enum hawser_status march(struct run *run, double end, struct hawser_repor
 	return status;
 }
 
-static enum hawser_status advance(struct run *run, double end, struct hawser_report *report)
+static enum hawser_status advance_to(struct run *run, double end, struct hawser_report *report)
 {
 	enum hawser_status status;
 
@@ -384,7 +392,23 @@ static enum hawser_status advance(struct run *run, double end, struct hawser_rep
 	} else {
 		status = march(run, end, report);
 	}
-	run->motion.t = status || run->motion.stopped ? run->motion.t : end;
+	if (!status && !run->motion.stopped && !hawser__events_due(&run->motion))
+		run->motion.t = end;
+	return status;
+}
+
+/* By the times and tensions at which cables part. */
+static enum hawser_status advance(struct run *run, double end, struct hawser_report *report)
+{
+	enum hawser_status status = HAWSER_OK;
+
+	while (!status && run->motion.t < end && !run->motion.stopped) {
+		status = advance_to(run, hawser__events_next(&run->motion, end), report);
+		if (!status && !run->motion.stopped && run->motion.events)
+			status = hawser__events_part(&run->motion, report);
+		if (run->motion.past_h <= 0.0) /* a cable has parted: as at the beginning */
+			run->h = fmin(run->h, BEGINS*transit(run));
+	}
 	return status;
 }
 
@@ -453,6 +477,8 @@ enum hawser_status hawser__net_integrate(struct hawser_net_motion *to, const str
 		slackens(to, &run);
 		if (!status && motion->contact)
 			status = hawser__contact_result(to, net, &run.motion, report);
+		if (!status && motion->events)
+			status = hawser__events_result(to, motion, report);
 		to->closure = motion->closure/fmax(fmax(motion->most_energy, motion->least_energy), DBL_MIN);
 		to->scheme = motion->scheme->shown.name;
 		to->error = motion->drift;

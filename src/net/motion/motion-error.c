@@ -140,7 +140,7 @@ enum hawser_status hawser_net_integrate(struct hawser_net_motion *to, const stru
                                         struct hawser_report *report)
 {
 	struct hawser_net own = *net;
-	int fronts = net->dynamics.releases && net->axial == 0.0 && transit(net) > 0.0;
+	int fronts = (net->dynamics.releases || net->failures) && net->axial == 0.0 && transit(net) > 0.0;
 	enum hawser_status status = not_in_time(net, options, report);
 
 	memset(to, 0, sizeof *to);

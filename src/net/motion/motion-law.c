@@ -14,7 +14,7 @@
 
 #include "core/hot.h"
 #include "core/vec3.h"
-#include "net/motion/motion.h"
+#include "net/motion/motion-events.h"
 
 /* Of a force, what its round-off is as a part of the residual's scale, whose tolerance is 5000 ulps. */
 static const double ROUND = 1e-3;
@@ -191,6 +191,9 @@ void hawser__motion_residual(struct hawser__motion *motion, const struct hawser_
 				: rule->c[0]*x + rule->c[1]*v + rule->c[2]*a;
 			motion->r[i][k] = motion->mesh->mass[i]*motion->acc[i][k] - motion->load[i][k];
 		}
+		/* nothing may hold a body whose cable has parted */
+		for (int k = 0; motion->events && k < 3; k++)
+			most = larger(most, fabs(motion->load[i][k]));
 		if (tangent)
 			motion->point[i] = rule->m[0]*motion->mesh->mass[i];
 	}
@@ -291,7 +294,7 @@ void hawser__motion_energies(struct hawser__motion *motion)
 	}
 	motion->added = motion->water ? hawser__water_kinetic(motion) : 0.0;
 	motion->energy.kinetic = kinetic + motion->added;
-	motion->energy.potential = strain - loads;
+	motion->energy.potential = strain - loads + (motion->events ? motion->events->offset : 0.0);
 }
 
 /* The mass of a support gets its momentum at the mean of its velocities, which is not its mean

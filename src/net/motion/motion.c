@@ -16,6 +16,7 @@
 
 #include "core/report.h"
 #include "net/motion/motion-contact.h"
+#include "net/motion/motion-events.h"
 
 enum { ITERATIONS = 30, CAREFUL = 100, SPLITS = 12 };
 static const double SMALLEST = 1.0/256.0; /* part of a correction */
@@ -42,6 +43,7 @@ void hawser__motion_clear(struct hawser__motion *motion)
 	hawser__cvode_clear(motion->cvode);
 	hawser__water_motion_clear(motion->water);
 	hawser__contact_clear(motion->contact);
+	hawser__events_clear(motion->events);
 	memset(motion, 0, sizeof *motion);
 }
 
@@ -191,6 +193,16 @@ static enum hawser_status accelerate(struct hawser__motion *motion, struct hawse
 	return status;
 }
 
+enum hawser_status hawser__motion_restart(struct hawser__motion *motion, struct hawser_report *report)
+{
+	enum hawser_status status = accelerate(motion, report);
+
+	if (!status)
+		memcpy(motion->a, motion->r, (size_t)motion->nodes*sizeof *motion->a);
+	motion->past_h = motion->past2_h = 0.0;
+	return status;
+}
+
 void hawser__motion_watch(struct hawser__motion *motion, int element, const double d[3], double p,
                           double t)
 {
@@ -211,10 +223,9 @@ enum hawser_status hawser__motion_begin(struct hawser__motion *motion, struct ha
 	enum hawser_status status;
 
 	hawser__motion_supports(motion->u, motion->v, motion, motion->t);
-	status = accelerate(motion, report);
+	status = hawser__motion_restart(motion, report);
 	if (status)
 		return status;
-	memcpy(motion->a, motion->r, (size_t)motion->nodes*sizeof *motion->a);
 	if (motion->contact)
 		hawser__contact_begin(motion);
 	motion->energy = (struct hawser__motion_energy){0};
@@ -324,6 +335,8 @@ static void finish(struct hawser__motion *motion, const struct hawser__motion_ru
 	motion->drift += motion->contact ? fmax(motion->error, motion->contact->jump_error) : motion->error;
 	motion->t += h;
 	motion->steps++;
+	if (motion->events)
+		hawser__events_finish(motion);
 }
 
 /* Largest local error of a position: h^3 q'''/12 or, of order 1, h^2 q''/2; 0 if it is not known. Both
@@ -358,6 +371,8 @@ static enum hawser_status attempt(struct hawser__motion *motion, int *done, doub
 	size_t size = (size_t)motion->nodes*sizeof *motion->u;
 
 	motion->scheme->rule(&rule, h, motion->rho_inf);
+	if (motion->events)
+		hawser__events_wind(motion, motion->t + 0.5*h);
 	keep(motion);
 	predict(motion, h);
 	hawser__motion_prepare(motion, &rule, h);
@@ -372,6 +387,8 @@ static enum hawser_status attempt(struct hawser__motion *motion, int *done, doub
 		hawser__contact_jump(motion, &rule, h);
 		motion->error = fmax(motion->error, JUMPS*motion->contact->jump_error);
 	}
+	if (!status && *done && motion->events)
+		*done = hawser__events_fits(motion, h);
 	if (!status && *done && motion->error <= limit) {
 		finish(motion, &rule, h);
 	} else {
@@ -388,6 +405,8 @@ static enum hawser_status split(struct hawser__motion *motion, double h, int dep
 	int done;
 	enum hawser_status status = attempt(motion, &done, h, INFINITY, report);
 
+	while (!status && !done && motion->events && motion->events->cut > 0.0)
+		status = attempt(motion, &done, motion->events->cut, INFINITY, report);
 	if (status || done)
 		return status;
 	if (depth == 0 && motion->undefined)
@@ -409,7 +428,7 @@ static enum hawser_status split(struct hawser__motion *motion, double h, int dep
 		                       motion->t, h);
 	motion->splits++;
 	status = split(motion, h/2.0, depth - 1, report);
-	return status ? status : split(motion, h/2.0, depth - 1, report);
+	return status || hawser__events_due(motion) ? status : split(motion, h/2.0, depth - 1, report);
 }
 
 enum hawser_status hawser__motion_step(struct hawser__motion *motion, double h,
@@ -430,7 +449,8 @@ enum hawser_status hawser__motion_adapt(struct hawser__motion *motion, double *h
 	const double power = 1.0/(motion->scheme->shown.order + 1.0);
 	enum hawser_status status = HAWSER_OK;
 
-	while (!status && motion->t < end*(1.0 - 4.0*DBL_EPSILON) && !hawser__motion_asked(motion)) {
+	while (!status && motion->t < end*(1.0 - 4.0*DBL_EPSILON) && !hawser__events_due(motion) &&
+	       !hawser__motion_asked(motion)) {
 		double left = end - motion->t, part = ceil(left / *h), step = left/part, f;
 		/* an impact has no derivatives: at some length the step is taken as it is */
 		int least = step <= SHORTEST*end;
@@ -439,6 +459,10 @@ enum hawser_status hawser__motion_adapt(struct hawser__motion *motion, double *h
 		status = attempt(motion, &done, step, least ? INFINITY : tolerance, report);
 		if (status)
 			break;
+		if (!done && motion->events && motion->events->cut > 0.0) {
+			*h = motion->events->cut;
+			continue;
+		}
 		if (!done && least) {
 			status = hawser__motion_step(motion, step, report);
 			continue;

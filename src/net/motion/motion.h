@@ -156,6 +156,7 @@ struct hawser__motion {
 	struct hawser__blocks *blocks;
 	struct hawser__cvode *cvode; /* of that scheme, or NULL */
 	struct hawser__motion_contact *contact; /* NULL: no obstacles; see net/motion/motion-contact.h */
+	struct hawser__motion_events *events; /* NULL: none; see net/motion/motion-events.h */
 	struct hawser__support_table *table; /* [tables] */
 	int tables;
 	double scale;                /* N, of the terms of the residual */
@@ -210,6 +211,9 @@ double hawser__motion_tension(const struct hawser__motion *motion, int element, 
 /* After a change of u, v or t by the caller: energies and accelerations anew. */
 enum hawser_status hawser__motion_begin(struct hawser__motion *motion, struct hawser_report *report)
 	HAWSER_MUST_CHECK;
+/* After the nodes of the mesh have changed: the next steps are as the first ones. */
+enum hawser_status hawser__motion_restart(struct hawser__motion *motion, struct hawser_report *report)
+	HAWSER_MUST_CHECK;
 /* Note the least tension and the first slack element: d and p of an element at time t. */
 void hawser__motion_watch(struct hawser__motion *motion, int element, const double d[3], double p,
                           double t);
@@ -255,6 +259,9 @@ extern const double hawser__motion_tolerance;
 enum hawser_status hawser__water_motion_open(struct hawser__motion *motion,
                                              struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser__water_motion_clear(struct hawser__water_motion *water);
+/* After lengths or ends of elements have changed: the loads at rest at the reference, which mesh->force
+ * has then. */
+void hawser__water_still(struct hawser__motion *motion);
 void hawser__water_prepare(struct hawser__motion *motion, const struct hawser__motion_rule *rule,
                            double h);
 double hawser__water_residual(struct hawser__motion *motion, const struct hawser__motion_rule *rule,

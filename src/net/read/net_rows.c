@@ -10,6 +10,8 @@
 #define CABLE_AT(member) offsetof(struct hawser_net_cable, member)
 #define LOAD_AT(member) offsetof(struct hawser_net_load, member)
 #define PASS_AT(member) offsetof(struct hawser__net_passing, member)
+#define FAILURE_AT(member) offsetof(struct hawser_net_failure, member)
+#define WINCH_AT(member) offsetof(struct hawser_net_winch, member)
 #define WAVES_AT(member) offsetof(struct hawser_net, water.given.member)
 #define SURFACE_AT(member) offsetof(struct hawser_surface, member)
 
@@ -158,6 +160,26 @@ static const struct hawser__tree_key net_rows[] = {
 	     "equilibrium on wheels that turn")
 	WORD("net.dynamics.step", OPTIONAL, "auto", CHECKED, NULL, "step chosen by the program")
 	NUMBER("net.dynamics.step", OPTIONAL, "s", POSITIVE, NET_AT(dynamics.step), NULL, "step in time")
+	LIST("net.failures", OPTIONAL, "of motions: cables that part")
+	MAPPING("net.failures[]", OPTIONAL, "one of them")
+	TEXT("net.failures[].cable", REQUIRED, NOWHERE, NULL, "the cable")
+	TEXT("net.failures[].at", OPTIONAL, NOWHERE, NULL, "the node at one of its ends, which it leaves")
+	NUMBER("net.failures[].at", OPTIONAL, "1", NOT_NEGATIVE, NOWHERE, NULL,
+	       "or the part of its unstretched length from its end `from`: at the next node of the mesh")
+	NUMBER("net.failures[].time", ONE_OF, "s", NOT_NEGATIVE, FAILURE_AT(time), NULL, "when it parts")
+	NUMBER("net.failures[].tension", ONE_OF, "N", POSITIVE, FAILURE_AT(tension), NULL,
+	       "or the tension there, with damping, at which it parts")
+	MAPPING("net.winches", OPTIONAL, "of motions: cables that winches take in or pay out")
+	MAPPING("net.winches.*", OPTIONAL, "the winch of this cable")
+	TEXT("net.winches.*.end", REQUIRED, NOWHERE, NULL, "the node where it is")
+	NUMBER("net.winches.*.speed", ONE_OF, "m/s", ANY, WINCH_AT(speed), NULL,
+	       "rate of the unstretched length: negative takes in")
+	NUMBER("net.winches.*.rise", OPTIONAL, "s", NOT_NEGATIVE, WINCH_AT(rise), "0",
+	       "time in which the speed rises from 0, smoothly")
+	NUMBER("net.winches.*.tension", ONE_OF, "N", POSITIVE, WINCH_AT(tension), NULL,
+	       "tension at its end that it holds")
+	NUMBER("net.winches.*.limit", OPTIONAL, "m/s", POSITIVE, WINCH_AT(limit), NULL,
+	       "its largest speed then, where the tension differs by 5 %; linear between")
 	SECTION("net.water", OPTIONAL, "the water around the cables")
 	NUMBER("net.water.density", REQUIRED, "kg/m^3", POSITIVE, NET_AT(water.density), NULL,
 	       "its density")
@@ -256,6 +278,7 @@ static const struct hawser__tree_key mesh_rows[] = {
 	NUMBER("mesh.cable.EA", REQUIRED, "N", POSITIVE, CABLE_AT(EA), NULL, "axial stiffness")
 	NUMBER("mesh.cable.rho", REQUIRED, "kg/m", NOT_NEGATIVE, CABLE_AT(rho), NULL,
 	       "mass per unstretched length")
+	LINE_IN_WATER("mesh.cable")
 	INTEGER("mesh.cable.elements", OPTIONAL, 1, 1e6, CABLE_AT(elements), "200", "number of elements")
 	MAPPING("mesh.span", REQUIRED, "the positions of the ends")
 	NUMBER("mesh.span.d", REQUIRED, "m", POSITIVE, NODE_AT(x[0]), NULL,
@@ -266,6 +289,7 @@ static const struct hawser__tree_key mesh_rows[] = {
 	       "unstretched length")
 	LIST("mesh.obstacles", REQUIRED, "as those of nets")
 	MAPPING("mesh.contact", OPTIONAL, "as that of nets")
+	MAPPING("mesh.water", OPTIONAL, "as that of nets")
 	MAPPING("mesh.damping", OPTIONAL, "as that of nets")
 	MAPPING("mesh.dynamics", OPTIONAL, "as that of nets")
 };

@@ -276,7 +276,8 @@ static enum hawser_status common(struct hawser__reader *reader, struct hawser_ne
 	            {"masses", masses, 0}, {"dampers", dampers, 0}, {"loads", hawser__net_loads, 0},
 	            {"passing", hawser__net_passing, 0}, {"dynamics", dynamics, 0},
 	            {"water", hawser__net_water, 0}, {"buoys", hawser__net_buoys, 0},
-	            {"obstacles", hawser__net_obstacles, 0}, {"contact", hawser__net_contact, 0}};
+	            {"obstacles", hawser__net_obstacles, 0}, {"contact", hawser__net_contact, 0},
+	            {"failures", hawser__net_failures, 0}, {"winches", hawser__net_winches, 0}};
 	static const char *const plain[] = {"g", "damping", "dynamics", "contact", "water"};
 	enum hawser_status status = HAWSER_OK;
 
@@ -327,7 +328,10 @@ static enum hawser_status interpret(struct hawser__reader *reader, void *scene,
 
 	if (!status && hawser__tree_find(root, "span")) {
 		status = hawser__net_of_span(reader, net, root);
-		return status ? status : common(reader, net, root, DYNAMICS);
+		if (!status)
+			status = common(reader, net, root, DYNAMICS);
+		return status ? status : hawser__net_wet(reader, net, hawser__tree_find(root, "cable"),
+		                                         "cable");
 	}
 	if (!status)
 		status = hawser__tree_keys(reader, root, "the scene", "net");

@@ -36,6 +36,11 @@ enum hawser_status hawser__net_of_nodes(struct hawser__reader *reader, struct ha
 /* read-span.c: nodes, supports and the cable of a span. */
 enum hawser_status hawser__net_of_span(struct hawser__reader *reader, struct hawser_net *net,
                                        const struct hawser__tree *root) HAWSER_MUST_CHECK;
+/* events.c: `failures` and `winches` of the scene. */
+enum hawser_status hawser__net_failures(struct hawser__reader *reader, struct hawser_net *net,
+                                        const struct hawser__tree *tree) HAWSER_MUST_CHECK;
+enum hawser_status hawser__net_winches(struct hawser__reader *reader, struct hawser_net *net,
+                                       const struct hawser__tree *tree) HAWSER_MUST_CHECK;
 /* obstacles.c: `obstacles` and `contact` of the scene, and whether its supports are outside them. */
 enum hawser_status hawser__net_obstacles(struct hawser__reader *reader, struct hawser_net *net,
                                          const struct hawser__tree *tree) HAWSER_MUST_CHECK;

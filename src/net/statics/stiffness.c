@@ -1,7 +1,7 @@
 /* net/statics/stiffness.c - the tangent stiffness of an equilibrium at nodes that move as a rigid
  * body.
  *
- * K     second derivative of the energy of the mesh, and what friction that slides adds to it
+ * K     second derivative of the energy of the mesh, and what friction that slides and water add
  * u     displacements of all nodes for a unit motion of the body: those of its nodes are given, and
  *       K u = 0 at all others that are free
  * T, h  tension and length of an element
@@ -29,6 +29,7 @@
 #include "core/vec3.h"
 #include "net/motion/motion.h"
 #include "net/touch/touch.h"
+#include "net/water/water.h"
 
 enum { MOTIONS = 6 };
 /* The springs of contacts over the stiffness of the elements there: the error is the inverse. */
@@ -144,6 +145,8 @@ static void assemble(struct tangent *at)
 
 		hawser__klu_element(at->klu, i, at->block[i], lift);
 	}
+	if (mesh->water)
+		hawser__water_matrix(at->klu, mesh);
 }
 
 /* The forces on the nodes by the displacements u. */
@@ -165,6 +168,8 @@ static void forces(struct tangent *at)
 			at->force[end[1]][k] += f;
 		}
 	}
+	if (mesh->water)
+		hawser__water_spread(at->force, mesh, (const double (*)[3])at->u);
 }
 
 /* The displacement of a point with the arm r from the reference, for a unit motion. */
@@ -245,6 +250,8 @@ static enum hawser_status hold(struct hawser_net_stiffness *to, struct tangent *
 	double arm[3], moment[3];
 	enum hawser_status status;
 
+	if (at->mesh.water) /* with derivatives at the equilibrium */
+		hawser__water_load(&at->mesh);
 	hawser__mesh_gradient(at->force, NULL, &at->mesh);
 	for (int i = 0; i < at->nodes; i++) {
 		static const unsigned char all[3] = {1, 1, 1};

@@ -44,6 +44,16 @@ void hawser__water_motion_clear(struct hawser__water_motion *water)
 	free(water);
 }
 
+void hawser__water_still(struct hawser__motion *motion)
+{
+	struct hawser__mesh *mesh = motion->mesh;
+
+	hawser__water_load(mesh); /* at the reference */
+	for (int i = 0; i < mesh->nodes; i++)
+		for (int k = 0; k < 3; k++)
+			motion->water->still[i][k] = mesh->force[i][k] - mesh->water->dead[i][k];
+}
+
 enum hawser_status hawser__water_motion_open(struct hawser__motion *motion,
                                              struct hawser_report *report)
 {
@@ -73,10 +83,7 @@ enum hawser_status hawser__water_motion_open(struct hawser__motion *motion,
 		if (status)
 			return status;
 	}
-	hawser__water_load(mesh); /* at the reference */
-	for (int i = 0; i < mesh->nodes; i++)
-		for (int k = 0; k < 3; k++)
-			water->still[i][k] = mesh->force[i][k] - mesh->water->dead[i][k];
+	hawser__water_still(motion);
 	return HAWSER_OK;
 }
 
