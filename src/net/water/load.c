@@ -61,6 +61,9 @@ enum hawser_status hawser__water_open(struct hawser__mesh *mesh, const struct ha
 		if (line->diameter > 0.0)
 			mesh->water->least = fmin(mesh->water->least, HAWSER__WATER_BAND*line->diameter);
 	}
+	for (int i = 0; i < net->nodes; i++)
+		if (net->node[i].buoy.volume > 0.0)
+			mesh->water->least = fmin(mesh->water->least, cbrt(net->node[i].buoy.volume));
 	for (int k = 2*mesh->elements - 1; k >= 0; k--) {
 		int node = mesh->end[k/2][k%2], known = 0;
 		struct hawser__mesh_water *water = mesh->water;

@@ -27,7 +27,7 @@ struct hawser__mesh_water {
 	int buoys;
 	int follows;            /* 1: mesh->force follows mesh->q (net/water/statics.c) */
 	double part;            /* of the current: 1, or less on the way to it */
-	double least;           /* m: least height over which a line comes out of the water */
+	double least;           /* m: least height over which a line or a buoy comes out of the water */
 	double band;            /* m: height over which a line and a buoy come out of the water, if that is
 	                         * more than a hundredth of a line's diameter, and the diameter of a buoy */
 };
