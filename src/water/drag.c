@@ -21,30 +21,31 @@
 void hawser_drag_line(double f[3], double (*f_u)[3], double (*f_x)[3], const struct hawser_drag *drag,
                       const double u[3], const double x[3])
 {
-	double length = hawser__norm(x), t[3], p[3], a, norm;
-	double cn = drag->density*drag->radius*drag->normal;
-	double ct = drag->density*drag->radius*drag->tangential*PI;
+	double inverse = 1.0/hawser__norm(x), t[3], p[3], n[3], a, norm, across, along;
 
 	for (int i = 0; i < 3; i++)
-		t[i] = x[i]/length;
+		t[i] = x[i]*inverse;
 	a = hawser__dot(u, t);
 	for (int i = 0; i < 3; i++)
 		p[i] = u[i] - a*t[i];
 	norm = hawser__norm(p);
+	across = drag->density*drag->radius*drag->normal*norm;
+	along = drag->density*drag->radius*drag->tangential*PI*fabs(a);
 	for (int i = 0; i < 3; i++)
-		f[i] = cn*norm*p[i] + ct*fabs(a)*a*t[i];
+		f[i] = across*p[i] + along*a*t[i];
 	if (!f_u && !f_x)
 		return;
 	for (int i = 0; i < 3; i++)
+		n[i] = norm > 0.0 ? p[i]/norm : 0.0;
+	for (int i = 0; i < 3; i++)
 		for (int j = 0; j < 3; j++) {
-			double P = (i == j) - t[i]*t[j], pp = norm > 0.0 ? p[i]*(p[j]/norm) : 0.0;
+			double P = (i == j) - t[i]*t[j], Q = P + n[i]*n[j];
 
 			/* the normal part of u turns with t: dp = -(u.dt) t - a dt, and u.dt = p.dt */
 			if (f_u)
-				f_u[i][j] = cn*(norm*P + pp) + 2.0*ct*fabs(a)*t[i]*t[j];
+				f_u[i][j] = across*Q + 2.0*along*t[i]*t[j];
 			if (f_x)
-				f_x[i][j] = (-cn*(norm*(t[i]*p[j] + a*P) + a*pp) +
-				             ct*fabs(a)*(2.0*t[i]*p[j] + a*P))/length;
+				f_x[i][j] = (along*(2.0*t[i]*p[j] + a*P) - across*(t[i]*p[j] + a*Q))*inverse;
 		}
 }
 

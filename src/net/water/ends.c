@@ -21,10 +21,6 @@
 #include "net/water/water.h"
 #include "water/water.h"
 
-/* Of the diameter: the height over which a line comes out of the water. With all of it a line that
- * ends at the surface would lack the drag of the last half. */
-static const double BAND = 0.01;
-
 /* Per length: added mass, its load and that of the water's own acceleration, and the derivative by
  * d. */
 static void inertia(double f[3], double (*f_d)[3], double (*mass)[3], double m,
@@ -61,7 +57,7 @@ void hawser__water_ends(struct hawser__water_end end[2], const struct hawser__me
 
 	memset(end, 0, 2*sizeof *end);
 	if (line->diameter > 0.0 && hawser__dot(d, d) > 0.0)
-		hawser__wet_line(&wet, 0.0, fmax(BAND*line->diameter, water->band),
+		hawser__wet_line(&wet, 0.0, fmax(HAWSER__WATER_BAND*line->diameter, water->band),
 		                 (const double[2]){past[0].height, past[1].height});
 	for (int i = 0; i < 2; i++) {
 		double f[3], part = end[i].wet = L*wet.part[i];

@@ -4,6 +4,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "core/report.h"
@@ -52,8 +53,17 @@ enum hawser_status hawser__water_open(struct hawser__mesh *mesh, const struct ha
 		return status;
 	mesh->water->of = &net->water;
 	mesh->water->part = 1.0;
-	for (int e = 0; e < mesh->elements; e++)
-		mesh->water->line[e] = &net->cable[mesh->cable[e]].line;
+	mesh->water->least = INFINITY;
+	for (int e = 0; e < mesh->elements; e++) {
+		const struct hawser_water_line *line = &net->cable[mesh->cable[e]].line;
+
+		mesh->water->line[e] = line;
+		if (line->diameter > 0.0)
+			mesh->water->least = fmin(mesh->water->least, HAWSER__WATER_BAND*line->diameter);
+	}
+	for (int i = 0; i < net->nodes; i++)
+		if (net->node[i].buoy.volume > 0.0)
+			mesh->water->least = fmin(mesh->water->least, cbrt(net->node[i].buoy.volume));
 	for (int k = 2*mesh->elements - 1; k >= 0; k--) {
 		int node = mesh->end[k/2][k%2], known = 0;
 		struct hawser__mesh_water *water = mesh->water;

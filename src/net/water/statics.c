@@ -25,7 +25,6 @@
 
 enum { ROUNDS = 2, HALVED = 9 };
 static const double NARROWER = 0.25; /* of the band, from a step to the next */
-static const double NARROW = 1e-5;   /* of all lengths: below it is the diameter alone */
 
 /* The places so far begin what comes next. */
 static void keep(struct hawser__net_work *work)
@@ -112,7 +111,7 @@ static enum hawser_status grow(struct hawser__net_work *work, int *done, const s
 
 	while (!status && *done && failed < HALVED && (band > 0.0 || part < 1.0)) {
 		double to = fmin(part + more, 1.0);
-		double next = part < 1.0 ? band : band > NARROW*work->reach ? narrow*band : 0.0;
+		double next = part < 1.0 ? band : narrow*band > work->mesh->water->least ? narrow*band : 0.0;
 
 		status = step(work, done, to, next, kept, report);
 		band = *done ? next : band;

@@ -6,6 +6,9 @@
 
 #include "net/net.h"
 
+/* Of the diameter: the height over which a line comes out of the water. With all of it a line that
+ * ends at the surface would lack the drag of the last half. */
+#define HAWSER__WATER_BAND 0.01
 /* Of a mesh in water. Loads go to the ends of elements, drag with the velocity there. */
 struct hawser__mesh_water {
 	const struct hawser_water *of;
@@ -24,6 +27,7 @@ struct hawser__mesh_water {
 	int buoys;
 	int follows;            /* 1: mesh->force follows mesh->q (net/water/statics.c) */
 	double part;            /* of the current: 1, or less on the way to it */
+	double least;           /* m: least height over which a line or a buoy comes out of the water */
 	double band;            /* m: height over which a line and a buoy come out of the water, if that is
 	                         * more than a hundredth of a line's diameter, and the diameter of a buoy */
 };

@@ -1,0 +1,156 @@
+#!/usr/bin/env python3
+"""Three mooring lines whose fairleads move as in a storm, by hawser and by MoorDyn: error and processor time.
+
+    bench/moordyn.py build/.libs/hawser libmoordyn.so [SECONDS]     (LD_LIBRARY_PATH=build/.libs)
+
+Chains of 880 m in 200 m of water, 40 elements each, on the bed; no waves at the lines themselves. The fairleads have the surge and
+heave of a JONSWAP sea of 5 m and 11 s (40 components), which MoorDyn is given at each of its steps, and hawser as a table. The reference is
+hawser with 160 elements and short steps, over the first 60 s. Errors are those of the fairlead tensions after 20 s, without their
+mean (MoorDyn's is that at the node, hawser's that of the last element), over their standard deviation. Processor times are those of the
+steps alone: of hawser, the difference to a run of one step. Without MoorDyn nothing is done.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import ctypes
+import json
+import math
+import os
+import random
+import resource
+import subprocess
+import sys
+import tempfile
+import time
+
+ANGLES = (math.pi/3, math.pi, -math.pi/3)
+ANCHORS = [(837.6*math.cos(a), 837.6*math.sin(a)) for a in ANGLES]
+FAIRLEADS = [(5.2*math.cos(a), 5.2*math.sin(a)) for a in ANGLES]
+EVERY = 0.25  # s, between rows
+
+
+def sea():
+    """(amplitude, frequency, phase) of the surge."""
+    draw, peak, found = random.Random(3), 2*math.pi/11, []
+    for i in range(40):
+        w = peak*(0.5 + 2.0*(i + draw.random())/40)
+        s = 0.07 if w < peak else 0.09
+        density = w**-5*math.exp(-1.25*(peak/w)**4)*3.3**math.exp(-((w - peak)/(s*peak))**2/2)
+        found.append((density, w, draw.random()*2*math.pi))
+    whole = sum(one[0] for one in found)
+    return [(math.sqrt(2*one[0]/whole)*5/4, one[1], one[2]) for one in found]
+
+
+SEA = sea()
+
+
+def motion(t):
+    """Surge and heave (m) and their rates."""
+    q = min(t/20, 1.0)
+    p, rate = q**3*(10 - 15*q + 6*q*q), 30*(q*(1 - q))**2/20
+    s = sum(a*math.cos(w*t + f) for a, w, f in SEA)
+    c = sum(a*math.sin(w*t + f) for a, w, f in SEA)
+    ds = -sum(a*w*math.sin(w*t + f) for a, w, f in SEA)
+    dc = sum(a*w*math.cos(w*t + f) for a, w, f in SEA)
+    return p*s, 0.7*p*c, p*ds + rate*s, 0.7*(p*dc + rate*c)
+
+
+def write(elements, step, scheme):
+    """The file of MoorDyn, which hawser init --from reads too."""
+    rows = ["Storm", "--- LINE TYPES ---", "names", "units", "chain 0.0766 113.35 753.6e6 -0.5 0 2 1 0.4 0", "--- POINTS ---",
+            "names", "units"]
+    rows += ["%d Fixed %.9g %.9g -200 0 0 0 0" % (i + 1, x, y) for i, (x, y) in enumerate(ANCHORS)]
+    rows += ["%d Coupled %.9g %.9g -14 0 0 0 0" % (i + 4, x, y) for i, (x, y) in enumerate(FAIRLEADS)]
+    rows += ["--- LINES ---", "names", "units"] + ["%d chain %d %d 880 %d -" % (i + 1, i + 1, i + 4, elements) for i in range(3)]
+    rows += ["--- OPTIONS ---", "%g dtM" % step, scheme + " tScheme", "3e6 kBot", "3e5 cBot", "1025 rho", "200 WtrDpth", "9.81 g",
+             "1 disableOutput", "1 disableOutTime", "--- OUTPUTS ---", "FairTen1", "--- need this line ---"]
+    with open("storm.txt", "w") as to:
+        to.write("\n".join(rows) + "\n")
+
+
+def of_moordyn(library, elements, step, scheme, until):
+    """Rows (t, three tensions), and the processor time."""
+    write(elements, step, scheme)
+    library.MoorDyn_Create.restype = library.MoorDyn_GetLine.restype = ctypes.c_void_p
+    system = ctypes.c_void_p(library.MoorDyn_Create(b"storm.txt"))
+    nine = ctypes.c_double*9
+    force, t, T, dt = nine(), ctypes.c_double(), ctypes.c_double(), ctypes.c_double(step)
+    if library.MoorDyn_Init(system, nine(*[v for x, y in FAIRLEADS for v in (x, y, -14.0)]), nine()):
+        sys.exit("moordyn: it does not begin")
+    lines = [ctypes.c_void_p(library.MoorDyn_GetLine(system, i + 1)) for i in range(3)]
+    given = []
+    for i in range(round(until/step)):
+        surge, heave, along, up = motion(i*step)
+        given.append((nine(*[v for x, y in FAIRLEADS for v in (x + surge, y, -14 + heave)]), nine(*[along, 0, up]*3)))
+    rows, spent, each = [], 0.0, round(EVERY/step)
+    for i, (x, v) in enumerate(given, 1):
+        start = time.process_time()
+        failed = library.MoorDyn_Step(system, x, v, force, ctypes.byref(t), ctypes.byref(dt))
+        spent += time.process_time() - start
+        if failed:
+            break
+        if i % each == 0:
+            rows.append([i*step])
+            for line in lines:
+                library.MoorDyn_GetLineFairTen(line, ctypes.byref(T))
+                rows[-1].append(T.value)
+    library.MoorDyn_Close(system)
+    return rows, spent
+
+
+def of_hawser(program, elements, step, until):
+    write(elements, 0.01, "RK2")
+    scene = subprocess.run([program, "init", "--from", "storm.txt"], capture_output=True, text=True, check=True).stdout
+    for i in (4, 5, 6):
+        scene = scene.replace("  P%d: fixed" % i, "  P%d: {table: motion.txt}" % i)
+    with open("motion.txt", "w") as to:
+        for i in range(round(until/0.05) + 3):
+            to.write("%.2f %.9f %.9f 0\n" % ((i*0.05,) + motion(i*0.05)[:2]))
+    with open("storm.yaml", "w") as to:
+        to.write(scene)
+    spent = []
+    for end in (step, until):
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        subprocess.run([program, "integrate", "storm.yaml", "--until", str(end), "--step", str(step), "--every", str(min(EVERY, end)),
+                        "--probe", "P4,P5,P6", "-q", "--json", "storm.json"], check=True)
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        spent.append(after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime)
+    with open("storm.json") as result:
+        found = json.load(result)
+    tension = [found["probes"][name]["T"] for name in ("P4", "P5", "P6")]
+    return [[t] + [one[i] for one in tension] for i, t in enumerate(found["times"])], spent[1] - spent[0]
+
+
+def error(rows, reference):
+    known, worst = {round(row[0], 3): row for row in reference}, 0.0
+    for k in (1, 2, 3):
+        pairs = [(row[k], known[round(row[0], 3)][k]) for row in rows if row[0] > 20 and round(row[0], 3) in known]
+        mean = sum(a - b for a, b in pairs)/len(pairs)
+        size = sum(b for _, b in pairs)/len(pairs)
+        worst = max(worst, math.sqrt(sum((a - b - mean)**2 for a, b in pairs)/sum((b - size)**2 for _, b in pairs)))
+    return worst
+
+
+def main():
+    if len(sys.argv) < 3 or not os.path.exists(sys.argv[2]):
+        sys.exit("skipped: bench/moordyn.py build/.libs/hawser libmoordyn.so")
+    program, library = os.path.abspath(sys.argv[1]), ctypes.CDLL(os.path.abspath(sys.argv[2]))
+    until = float(sys.argv[3]) if len(sys.argv) > 3 else 600.0
+    with tempfile.TemporaryDirectory() as folder:
+        os.chdir(folder)
+        quiet = os.dup(1)  # MoorDyn writes to standard output
+        table = ["program\telements\tstep_s\terror\tprocessor_s"]
+        reference, _ = of_hawser(program, 160, 0.0125, 60.0)
+        for elements, steps in ((40, (0.05, 0.125, 0.25)), (80, (0.05, 0.125))):
+            for step in steps:
+                rows, spent = of_hawser(program, elements, step, until)
+                table.append("hawser\t%d\t%g\t%.4f\t%.2f" % (elements, step, error(rows, reference), spent))
+        for elements, runs in ((40, ((0.005, "RK2"), (1/120, "RK2"), (0.0125, "RK4"))), (80, ((0.0025, "RK2"), (1/240, "RK2")))):
+            for step, scheme in runs:
+                os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
+                rows, spent = of_moordyn(library, elements, step, scheme, until)
+                os.dup2(quiet, 1)
+                table.append("MoorDyn %s\t%d\t%.4g\t%.4f\t%.2f" % (scheme, elements, step, error(rows, reference), spent))
+        print("\n".join(table))
+
+
+main()
