@@ -40,6 +40,7 @@ pkginclude_HEADERS = \
 	%D%/hawser/net_plan.h \
 	%D%/hawser/net_rom.h \
 	%D%/hawser/net_span.h \
+	%D%/hawser/net_waves.h \
 	%D%/hawser/obstacles.h \
 	%D%/hawser/orbit.h \
 	%D%/hawser/plan.h \

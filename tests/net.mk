@@ -27,9 +27,10 @@ tests_net_SOURCES = tests/cases.c \
 	tests/reference/test-net-modes.c \
 	tests/reference/test-net-motion.c \
 	tests/reference/test-net-round.c \
-	tests/reference/test-net-stiffness.c \
 	tests/reference/test-net-water-motion.c \
 	tests/reference/test-net-water.c \
+	tests/reference/test-net-stiffness.c \
+	tests/reference/test-net-waves.c \
 	tests/reference/test-net.c \
 	tests/unit/test-document.c
 nodist_tests_net_SOURCES = tests/net-cases.c

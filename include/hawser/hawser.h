@@ -28,6 +28,7 @@
 #include <hawser/net_motion.h>
 #include <hawser/net_plan.h>
 #include <hawser/net_span.h>
+#include <hawser/net_waves.h>
 #include <hawser/line.h>
 #include <hawser/rod.h>
 #include <hawser/rod_motion.h>

@@ -174,6 +174,7 @@ struct hawser_net_member {
 	 * the halves of elements there: their error is of second order in the length of elements. */
 	double T_min, T_max, T_from, T_to;
 	double length0, length;            /* m */
+	double wet;                        /* m, unstretched length in water */
 	int slack;                         /* number of elements without tension */
 };
 

@@ -76,8 +76,10 @@ struct hawser_net_motion {
 	double (*x)[3];      /* [rows*probes] m, row by row */
 	double (*v)[3];      /* [rows*probes] m/s */
 	double *T;           /* [rows*probes] N: largest tension of the elements there */
+	double (*pull)[3];   /* [rows*probes] N: of the cables on a node that a support holds; else 0 */
 	/* J; since the beginning, the potential energy (of strain, weight and constant loads) too: it is
-	 * counted from the equilibrium. work: of harmonic loads, moving supports and surfaces, winches.
+	 * counted from the equilibrium. work: of harmonic loads, moving supports and surfaces, winches and
+	 * water.
 	 * dissipated: by damping, and by friction and impacts at obstacles. */
 	double *kinetic, *potential, *work, *dissipated; /* [rows] */
 	int *slack;          /* [rows] number of elements without tension */

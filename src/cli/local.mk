@@ -182,6 +182,8 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/curves/frf_over.h \
 	%D%/curves/frf_sweep.h \
 	%D%/curves/frf_tori.h \
+	%D%/curves/frf_waves.c \
+	%D%/curves/frf_waves.h \
 	%D%/curves/locus_draw.c \
 	%D%/curves/locus_result.c \
 	%D%/curves/locus_result.h \

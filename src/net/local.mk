@@ -105,6 +105,9 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/water/load.c \
 	%D%/water/motion.c \
 	%D%/water/statics.c \
+	%D%/waves/linear.c \
+	%D%/waves/linear.h \
+	%D%/waves/response.c \
 	%D%/water/water.h
 # the table of keys, data alone, which the library of the scene has
 src_scene_libscene_la_SOURCES += %D%/read/net_rows.c

@@ -50,6 +50,7 @@
 #include <hawser/net_motion.h>
 #include <hawser/net_plan.h>
 #include <hawser/net_span.h>
+#include <hawser/net_waves.h>
 #include <hawser/normal_form.h>
 #include <hawser/orbit.h>
 #include <hawser/plan.h>
@@ -303,6 +304,8 @@ static const struct row {
 	ROW(hawser_net_span_statics),
 	ROW(hawser_net_statics),
 	ROW(hawser_net_symmetry),
+	ROW(hawser_net_waves),
+	ROW(hawser_net_waves_options),
 	ROW(hawser_obstacle),
 	ROW(hawser_obstacles),
 	ROW(hawser_obstacles_limit),

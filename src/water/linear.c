@@ -7,9 +7,6 @@
  * the quadrants: velocities along a line or in a plane have edges where e is at right angles to
  * it. Where the mean is many times the rest J is smooth, and Gauss's rule for x takes over.
  *
- * An orbit: re cos q + im sin q is an ellipse. The columns of C are the parts of |r| r with the
- * phases of its two axes, over these; where an axis is 0, and across, the mean of J.
- *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -194,30 +191,18 @@ void hawser__drag_random(double C[3][3], const double cov[3][3], const double me
 void hawser__drag_orbit(double C[3][3], const double re[3], const double im[3], const double mean[3])
 {
 	const double turn = 2.0*acos(-1.0);
-	double square[3][3], s[3], e[3][3], U[3], B[3][3] = {{0.0}};
-	int line;
+	double work = 0.0, square = 0.0;
 
-	for (int i = 0; i < 9; i++) /* the squares of the axes are its eigenvalues */
-		square[i/3][i%3] = re[i/3]*re[i%3] + im[i/3]*im[i%3];
-	principal(s, e, (const double (*)[3])square);
-	for (int k = 0; k < 3; k++) {
-		s[k] = sqrt(s[k]);
-		U[k] = hawser__dot(e[k], mean);
-	}
-	line = s[1] <= 1e-6*s[0];
 	for (int i = 0; i < 16*POINTS; i++) {
-		double weight, q = node(&weight, i, 16, 0.0, turn), J[3][3] = {{0.0}};
-		const double r[3] = {U[0] + s[0]*cos(q), U[1] + s[1]*sin(q), U[2]};
-		double speed = hawser__norm(r);
+		double weight, q = node(&weight, i, 16, 0.0, turn), r[3], part[3];
 
-		add(J, r, weight/turn);
 		for (int k = 0; k < 3; k++) {
-			double f = 2.0*weight/turn*speed*r[k];
-
-			B[k][0] += s[0] > 0.0 ? f*cos(q)/s[0] : J[k][0];
-			B[k][1] += line ? 2.0*cos(q)*cos(q)*J[k][1] : f*sin(q)/s[1];
-			B[k][2] += J[k][2];
+			part[k] = re[k]*cos(q) + im[k]*sin(q);
+			r[k] = mean[k] + part[k];
 		}
+		work += weight*hawser__norm(r)*hawser__dot(r, part);
+		square += weight*hawser__dot(part, part);
 	}
-	back(C, (const double (*)[3])B, (const double (*)[3])e);
+	for (int k = 0; k < 9; k++)
+		C[k/3][k%3] = k%4 ? 0.0 : square > 0.0 ? work/square : hawser__norm(mean);
 }

@@ -10,8 +10,8 @@
  * (statistical linearisation). Along one line, sqrt(8/pi) s without a mean. */
 void hawser__drag_random(double C[3][3], const double cov[3][3], const double mean[3]);
 
-/* r: mean [3] and the real part of (re - i im) exp(i q) over a turn of q: re cos q + im sin q. C gives
- * the harmonic of |r| r of this frequency. Along one line, 8/(3 pi) |r| without a mean. */
+/* r: mean [3] and re cos q + im sin q, over a turn of q. C, the same in all directions, takes the work
+ * of |r| r in this part. Along one line, 8/(3 pi) of its amplitude without a mean. */
 void hawser__drag_orbit(double C[3][3], const double re[3], const double im[3], const double mean[3]);
 
 #endif

@@ -11,7 +11,7 @@ BEGIN {
 	for (i = 1; i <= n; i++) rank[stage[i]] = i
 	of["status"] = of["progress"] = "core"; of["document"] = of["scene"] = of["schema"] = of["plausible"] = "scene"; of["statics"] = "statics"; of["modes"] = of["gyroscopic"] = of["irvine"] = of["campbell"] = of["damped"] = "modes"
 	of["beam"] = "beam"; of["friction"] = of["surface"] = "contact"; of["water"] = of["waves"] = of["drag"] = "water"; of["net"] = "net"
-	of["net_motion"] = of["net_plan"] = of["net_span"] = of["net_modes"] = of["net_equilibria"] = "net"
+	of["net_motion"] = of["net_plan"] = of["net_span"] = of["net_modes"] = of["net_equilibria"] = of["net_waves"] = "net"
 	of["line"] = of["ropeway"] = of["line_modes"] = of["ropeway_modes"] = of["transient"] = of["obstacles"] = "ropeway"
 	of["rod"] = of["rod_motion"] = "rod"
 	of["tow"] = of["trajectory"] = "tow"

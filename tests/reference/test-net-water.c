@@ -166,6 +166,45 @@ static void wet_dry(void)
 	hawser_net_statics_clear(&st);
 }
 
+/* The stiffness at an end in a current, which no energy has, against differences. */
+static void stiff(void)
+{
+	struct hawser_report report = {0};
+	struct hawser_net_stiffness K;
+	struct wet_scene scene;
+	const double h = 0.01;
+	const int node = 1;
+	double off = 0.0, most = 0.0;
+
+	wet_line_of(&scene, 1, (const double[3]){200.0, -3.0, 0.0}, (const double[3]){0.0, -200.0, 0.0});
+	wet_cable(&scene, 0, 300.0, 20e6, 12.0, 0.12, 25);
+	wet_flow(&scene, -150.0, 0.3, 0.1);
+	wet_flow(&scene, 0.0, 0.8, 0.6);
+	if (!ok(!hawser_net_stiffness_of(&K, &scene.net, &node, 1, NULL, &report), "stiffness%s",
+	        report.message))
+		return;
+	for (int k = 0; k < 3; k++) {
+		struct hawser_net_statics st[2] = {{0}, {0}};
+
+		for (int side = 0; side < 2; side++) {
+			scene.node[1].x[k] += side ? -2.0*h : h;
+			if (!wet_solved(&st[side], &scene, "beside"))
+				return;
+		}
+		scene.node[1].x[k] += h;
+		for (int i = 0; i < 3; i++) {
+			double slope = (st[0].reaction[1][i] - st[1].reaction[1][i])/(2.0*h);
+
+			off = fmax(off, fabs(K.K[i][k] - slope));
+			most = fmax(most, fabs(slope));
+		}
+		hawser_net_statics_clear(&st[0]);
+		hawser_net_statics_clear(&st[1]);
+	}
+	ok(off < 1e-6*most && K.asymmetry > 0.05, "stiffness in a current: off by %.1e of %g N/m, "
+	   "unsymmetric by %.2f", off/most, most, K.asymmetry);
+}
+
 /* Lines that float: what of them is wet carries their weight. */
 static void wet_floats(void)
 {
@@ -192,6 +231,7 @@ CASE(reference_net_water)
 	wet_over_depth();
 	wet_several();
 	wet_dry();
+	stiff();
 	wet_floats();
 	return done_testing();
 }

@@ -235,7 +235,7 @@ static void refused(void)
 		{.Hs = 2.0, .Tp = 9.0, .depth = 10.0, .range = {2.0, 1.0}},
 		{.height = 2.0, .period = NAN, .depth = 10.0}};
 	static const char *const say[] = {"depth", "period", "gamma", "Tp", "-3", "2.27 m", "rise",
-		"period"};
+	                                  "period"};
 
 	for (size_t i = 0; i < sizeof say/sizeof *say; i++) {
 		struct hawser_report report = {0};

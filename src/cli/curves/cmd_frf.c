@@ -15,6 +15,7 @@
 #include "cli/curves/frf_over.h"
 #include "cli/curves/frf_sweep.h"
 #include "cli/curves/frf_tori.h"
+#include "cli/curves/frf_waves.h"
 #include "cli/model/label.h"
 #include "cli/model/made.h"
 #include "cli/frame/progress.h"
@@ -70,8 +71,8 @@ static const struct cli_option options[] = {
 	 .needs = "over"},
 	CLI_TEXT_WITH(sweep, "WHICH", "add a slow sweep, integrated in time: up, down or both",
 	              .words = "up|down|both"),
-	{"sweep-points", 0, "N", "number of frequencies of a sweep (200)", CLI_COUNT(sweep_points),
-	 .needs = "sweep"},
+	{"sweep-points", 0, "N", "number of frequencies of a sweep, or of waves (200)",
+	 CLI_COUNT(sweep_points)},
 	{"backbone", 0, "J", "add the backbone of mode J: its free undamped motions",
 	 CLI_INTEGER(backbone)},
 	{"energy", 0, "", "draw the backbone's frequency over its energy instead", CLI_FLAG(energy),
@@ -389,9 +390,8 @@ static int goes_on(const struct settings *settings)
 	return settings->label || settings->start || settings->switched || settings->resume;
 }
 
-static enum hawser_status run(void *context, struct hawser_report *report)
+static enum hawser_status curves(const struct settings *settings, struct hawser_report *report)
 {
-	const struct settings *settings = context;
 	struct hawser_frf frf = {0};
 	struct hawser_landmark *peak = NULL;
 	struct cli_cover cover = {.other = NULL};
@@ -479,6 +479,16 @@ done:
 	cli_label_clear(&label);
 	cli_model_clear(&model);
 	return status;
+}
+
+static enum hawser_status run(void *context, struct hawser_report *report)
+{
+	const struct settings *settings = context;
+
+	return cli_waves_in(&settings->common)
+		? cli_waves_response(&settings->common, settings->from, settings->to, settings->sweep_points,
+		                     report)
+		: curves(settings, report);
 }
 
 const struct cli_command cli_frf = {

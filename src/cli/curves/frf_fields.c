@@ -10,6 +10,7 @@
 #include "cli/curves/frf_lift.h"
 #include "cli/curves/frf_over.h"
 #include "cli/curves/frf_tori.h"
+#include "cli/curves/frf_waves.h"
 #include "cli/frame/view.h"
 #include "cli/model/made.h"
 #include "cli/model/certificate.h"
@@ -378,6 +379,8 @@ const struct cli_listing cli_frf_listing[] = {
 	{"Columns of the table:", point_field, 0},
 	{"Columns of the table with --peaks:", cli_frf_peak_column, 0},
 	{"Keys of JSON:", result_field, 1},
+	{"Columns of a net in waves:", cli_waves_field, 0},
+	{"Keys of JSON of a net in waves:", cli_waves_field, 1},
 	{NULL, NULL, 0},
 };
 

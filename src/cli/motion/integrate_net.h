@@ -26,6 +26,8 @@ struct cli_probed {
 	char name[CLI_PROBES][CLI_PROBE_NAME];
 	const double (*x)[3], (*v)[3], *T, *M; /* [rows*probes] row by row; v, M: of rods, or NULL */
 	const double *s; /* [probes] of rods, or NULL */
+	const double (*pull)[3]; /* [rows*probes] N, of nets, or NULL */
+	int held[CLI_PROBES], holds; /* [holds] the probes that supports hold */
 };
 /* Add the probes in this text (NULL: none), with commas between them; `add` takes the place of the last
  * one from its name. */
@@ -37,7 +39,7 @@ struct cli_probe_adder {
 enum hawser_status cli_probes_add(const struct cli_probe_adder *by, const char *text,
                                   struct hawser_report *report) HAWSER_MUST_CHECK;
 /* Columns, with this as the context; and `probes` of JSON. */
-extern const struct hawser__vector cli_probed_vector;
+extern const struct hawser__vector cli_probed_vector, cli_pulled_vector;
 extern const struct hawser__field cli_probed_field[];
 
 /* --- integrate_net.c, integrate_rod.c --- */

@@ -69,6 +69,29 @@ static double number(const void *context, const void *parent, size_t row, int k)
 const struct hawser__vector cli_probed_vector = {
 	.shown = "PROBE_x", .count = numbers, .name = name, .number = number, .unit = unit};
 
+static int pulls(const void *context)
+{
+	return PLACE*((const struct cli_probed *)context)->holds;
+}
+
+static void pull_name(char *text, size_t size, const void *context, int k)
+{
+	const struct cli_probed *of = context;
+
+	snprintf(text, size, "%s_F%c", of->name[of->held[k/PLACE]], "xyz"[k % PLACE]);
+}
+
+static double pull(const void *context, const void *parent, size_t row, int k)
+{
+	const struct cli_probed *of = context;
+
+	(void)parent;
+	return of->pull[row*(size_t)of->probes + (size_t)of->held[k/PLACE]][k % PLACE];
+}
+
+const struct hawser__vector cli_pulled_vector = {
+	.shown = "SUPPORT_Fx", .count = pulls, .name = pull_name, .number = pull};
+
 /* The array `key` of probe p: `width` numbers a row, or, with width 0, one that is no array. */
 static void array(struct hawser__json *json, json_t *into, const char *key,
                   const struct cli_probed *of, int p, const double *value, int width)
@@ -96,11 +119,13 @@ static void probes_json(struct hawser__json *json, json_t *to, const void *row)
 		array(json, one, "v", of, p, of->v ? of->v[0] : NULL, PLACE);
 		array(json, one, "T", of, p, of->T, 0);
 		array(json, one, "M", of, p, of->M, 0);
+		for (int i = 0; i < of->holds; i++)
+			array(json, one, "F", of, p, of->held[i] == p ? of->pull[0] : NULL, PLACE);
 	}
 }
 
 const struct hawser__field cli_probed_field[] = {
-	{"probes", NULL, "by name: x (m), T (N); of rods s (m), v (m/s), M (N.m) too",
+	{"probes", NULL, "by name: x (m), T (N), of supports F (N); of rods s (m), v (m/s), M (N.m) too",
 	 HAWSER__CALLS(probes_json)},
 	HAWSER__END,
 };

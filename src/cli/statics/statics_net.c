@@ -145,7 +145,7 @@ static void comments(struct hawser__table *table, const void *of)
 
 /* --- fields --- */
 
-enum { SURFACES = 1, PROFILE = 2 };
+enum { SURFACES = 1, PROFILE = 2, WATER = 64 };
 #define NEWTON .unit = HAWSER__NEWTON /* a force */
 #define METRE .unit = HAWSER__METRE   /* a length */
 
@@ -159,6 +159,7 @@ static const struct hawser__field member_field[] = {
 	{"T_to", "T_to", "tension at its end `to`", OF(T_to), NEWTON},
 	{"length0", "length0", "unstretched length", OF(length0), METRE},
 	{"length", "length", "stretched length", OF(length), METRE},
+	{"wet", "wet", "in water: unstretched length in it", OF(wet), METRE, .when = WATER},
 	{"slack", "slack", "number of elements without tension", OF(slack)},
 	HAWSER__END,
 };
@@ -253,7 +254,9 @@ static struct cli_head head(const void *of)
 	const struct result *result = of;
 
 	return cli_si_head(result->common, "statics", result->st.method, &result->mesh.net,
-	                   (result->mesh.net.surfaces ? SURFACES : 0u) | (result->profile ? PROFILE : 0u) |
+	                   (result->mesh.net.surfaces ? SURFACES : 0u) |
+	                   (result->mesh.net.water.density > 0.0 ? WATER : 0u) |
+	                   (result->profile ? PROFILE : 0u) |
 	                   (result->stiffness.rows ? CLI_STIFFNESS : 0u) |
 	                   (result->stiffness.rows > 3 ? CLI_STIFFNESS_TURNS : 0u));
 }

@@ -28,7 +28,7 @@ static void net_facts(char *text, int *forced, const struct hawser_net *net)
 	long elements = 0;
 	int supports = 0;
 
-	*forced = net->motions > 0;
+	*forced = net->motions > 0 || net->water.waves.count > 0;
 	for (int i = 0; i < net->loads; i++)
 		*forced = *forced || net->load[i].harmonic;
 	for (int i = 0; i < net->cables; i++)

@@ -332,7 +332,8 @@ static enum hawser_status row(int *stop, struct hawser_net_motion *to, struct ru
 	for (int p = 0; p < options->probes && !status; p++) {
 		int at = i*options->probes + p;
 
-		hawser__probe(to->x[at], to->v[at], &to->T[at], &run->probes, &options->probe[p]);
+		hawser__probe(to->x[at], to->v[at], &to->T[at], to->pull[at], &run->probes,
+		              &options->probe[p]);
 	}
 	*stop = !status && options->frame && options->frame(options->data, &frame) != 0;
 	return status;

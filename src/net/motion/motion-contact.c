@@ -17,6 +17,7 @@
 #include "core/report.h"
 #include "core/vec3.h"
 #include "net/motion/motion-contact.h"
+#include "net/water/water.h"
 
 /* Iterations; and how often nodes that came into an obstacle are added to the list. */
 enum { ITERATIONS = 30, ROUNDS = 12 };
@@ -50,6 +51,7 @@ static int allocate(struct hawser__motion_contact *contact, size_t nodes, size_t
 	contact->back = hawser__hold(&contact->hold, elements + 1, sizeof *contact->back);
 	contact->right = hawser__hold(&contact->hold, 3*nodes, sizeof *contact->right);
 	contact->weight = hawser__hold(&contact->hold, nodes, sizeof *contact->weight);
+	contact->added = hawser__hold(&contact->hold, nodes, sizeof *contact->added);
 	contact->held = hawser__hold(&contact->hold, 2*nodes, sizeof *contact->held);
 	if (contact->hold.short_of_memory)
 		return 0;
@@ -57,6 +59,23 @@ static int allocate(struct hawser__motion_contact *contact, size_t nodes, size_t
 	contact->jump = contact->dx + nodes;
 	contact->recent = contact->held + nodes;
 	return 1;
+}
+
+/* The water that moves with a node at the reference: as much in each direction as across the cable. */
+static void across(struct hawser__motion_contact *contact, const struct hawser__mesh *mesh)
+{
+	struct hawser__water_mass at;
+
+	for (int j = 0; hawser__water_mass(&at, mesh, j); j++) {
+		double e[3], all = at.mass[0][0] + at.mass[1][1] + at.mass[2][2], along = 0.0;
+		int node = mesh->end[at.element][at.end];
+
+		hawser__mesh_direction(e, mesh, at.element);
+		for (int k = 0; k < 3; k++)
+			along += e[k]*hawser__dot(at.mass[k], e);
+		contact->added[node] += 0.5*(all - along);
+		contact->weight[node] += 0.5*(all - along);
+	}
 }
 
 enum hawser_status hawser__contact_open(struct hawser__motion *motion, double restitution,
@@ -86,6 +105,7 @@ enum hawser_status hawser__contact_open(struct hawser__motion *motion, double re
 	for (int e = 0; e < mesh->elements; e++)
 		for (int end = 0; end < 2; end++)
 			contact->weight[mesh->end[e][end]] += 0.5*motion->element[e].m;
+	across(contact, mesh);
 	return status;
 }
 

@@ -45,7 +45,7 @@ struct hawser__motion_contact {
 	double (*diagonal)[9], (*off)[9], (*back)[9]; /* [nodes], [elements] */
 	double (*right)[3], (*dx)[3];        /* [nodes] */
 	double (*jump)[3];                   /* [nodes] m/s, of the end part */
-	double *weight;                      /* [nodes] kg */
+	double *weight, *added;              /* [nodes] kg; of that the water that moves with them */
 	unsigned char *held, *recent;        /* [nodes]; recent: steps since a change, counted down */
 	struct hawser_friction *solver;
 	struct hawser_report refusal;        /* why a step had no solution; status 0: not by contact */

@@ -191,8 +191,12 @@ void hawser__contact_finish(struct hawser__motion *motion)
 
 	for (int i = 0; i < motion->nodes; i++) {
 		all->recent[i] = (unsigned char)(all->recent[i] ? all->recent[i] - 1 : 0);
-		for (int k = 0; k < 3; k++)
+		for (int k = 0; k < 3; k++) {
 			motion->v[i][k] += all->jump[i][k];
+			/* what impacts take of the water is no work of it */
+			motion->energy.work -= all->added[i]*all->jump[i][k]*
+			                       (motion->v[i][k] - 0.5*all->jump[i][k]);
+		}
 	}
 	for (int i = 0; i < all->touches; i++) {
 		struct hawser__motion_touch *touch = &all->touch[i];

@@ -30,6 +30,8 @@ struct hawser__klu {
 	int (*diagonal)[3];    /* [nodes] -1: held */
 	const int (*unknown)[3]; /* [nodes] of the mesh */
 	double *right;         /* [unknowns] */
+	klu_numeric *factors;  /* of complex matrices */
+	double *z;             /* [2 entries] their values; NULL: there was none yet */
 	struct hawser__hold hold;
 };
 
@@ -38,6 +40,8 @@ void hawser__klu_clear(struct hawser__klu *klu)
 	if (!klu)
 		return;
 	klu_free_numeric(&klu->numeric, &klu->common);
+	klu_z_free_numeric(&klu->factors, &klu->common);
+	free(klu->z);
 	klu_free_symbolic(&klu->symbolic, &klu->common);
 	hawser__hold_clear(&klu->hold);
 	free(klu);
@@ -265,6 +269,33 @@ enum hawser_status hawser__klu_divide(double *x, int *good, struct hawser__klu *
 		return klu->common.status == KLU_SINGULAR ? HAWSER_OK : failed(klu, report);
 	return klu_solve(klu->symbolic, klu->numeric, klu->unknowns, 1, x, &klu->common)
 	       ? HAWSER_OK : failed(klu, report);
+}
+
+enum hawser_status hawser__klu_divide_complex(double *x, int *good, struct hawser__klu *re,
+                                              const struct hawser__klu *im,
+                                              struct hawser_report *report)
+{
+	size_t entries = (size_t)re->p[re->unknowns];
+	int done;
+
+	if (!re->z && !(re->z = malloc((2*entries + 1)*sizeof *re->z)))
+		return hawser__no_memory(report, "net");
+	for (size_t i = 0; i < entries; i++) {
+		re->z[2*i] = re->x[i];
+		re->z[2*i + 1] = im->x[i];
+	}
+	done = re->factors && klu_z_refactor(re->p, re->i, re->z, re->symbolic, re->factors, &re->common) &&
+	       re->common.status == KLU_OK;
+	if (!done) {
+		klu_z_free_numeric(&re->factors, &re->common);
+		re->factors = klu_z_factor(re->p, re->i, re->z, re->symbolic, &re->common);
+		done = re->factors && re->common.status == KLU_OK;
+	}
+	*good = done;
+	if (!done)
+		return re->common.status == KLU_SINGULAR ? HAWSER_OK : failed(re, report);
+	return klu_z_solve(re->symbolic, re->factors, re->unknowns, 1, x, &re->common)
+	       ? HAWSER_OK : failed(re, report);
 }
 
 enum hawser_status hawser__klu_solve(double (*r)[3], int *good, struct hawser__klu *klu,

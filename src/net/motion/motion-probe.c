@@ -125,8 +125,35 @@ static double at_node(const struct hawser__tensions *of, int node)
 	return T;
 }
 
-void hawser__probe(double x[3], double v[3], double *T, const struct hawser__probes *probes,
-                   const struct hawser_net_probe *at)
+/* 1 if a support holds a node, and has not let go. */
+static int supports(const struct hawser__tensions *of, int node)
+{
+	int holds = 0;
+
+	for (int k = 0; k < 3; k++)
+		holds |= of->net->node[node].held[k] && of->mesh->unknown[node][k] < 0;
+	return holds;
+}
+
+/* What the cables that end at a node pull on it. */
+static void pull_at(double pull[3], const struct hawser__tensions *of, int node)
+{
+	const struct hawser_net *net = of->net;
+	double t[3];
+
+	for (int j = 0; j < 2*net->cables; j++) {
+		const struct hawser_net_cable *cable = &net->cable[j/2];
+
+		if ((j%2 ? cable->to : cable->from) != node)
+			continue;
+		hawser__tension_vector(t, of, j/2, j%2 ? cable->elements : 0);
+		for (int k = 0; k < 3; k++)
+			pull[k] += j%2 ? -t[k] : t[k];
+	}
+}
+
+void hawser__probe(double x[3], double v[3], double *T, double pull[3],
+                   const struct hawser__probes *probes, const struct hawser_net_probe *at)
 {
 	const struct hawser__tensions *of = &probes->tensions;
 	int n = at->cable < 0 ? 1 : of->net->cable[at->cable].elements, i, a, b;
@@ -136,6 +163,8 @@ void hawser__probe(double x[3], double v[3], double *T, const struct hawser__pro
 		memcpy(x, of->x[at->node], 3*sizeof *x);
 		memcpy(v, of->v[at->node], 3*sizeof *v);
 		*T = at_node(of, at->node);
+		if (supports(of, at->node))
+			pull_at(pull, of, at->node);
 		return;
 	}
 	i = (int)fmin(along, n - 1);

@@ -23,7 +23,8 @@ void hawser__probes_clear(struct hawser__probes *probes);
 /* After a change of the state. */
 enum hawser_status hawser__probes_state(struct hawser__probes *probes, struct hawser_report *report)
 	HAWSER_MUST_CHECK;
-void hawser__probe(double x[3], double v[3], double *T, const struct hawser__probes *probes,
-                   const struct hawser_net_probe *at);
+/* pull: of the cables on a node that a support holds, N. */
+void hawser__probe(double x[3], double v[3], double *T, double pull[3],
+                   const struct hawser__probes *probes, const struct hawser_net_probe *at);
 
 #endif

@@ -16,6 +16,7 @@ void hawser_net_motion_clear(struct hawser_net_motion *motion)
 	free(motion->x);
 	free(motion->v);
 	free(motion->T);
+	free(motion->pull);
 	free(motion->kinetic);
 	free(motion->potential);
 	free(motion->work);
@@ -40,6 +41,7 @@ enum hawser_status hawser__motion_rows(struct hawser_net_motion *to, size_t rows
 	to->x = calloc(rows*probes + 1, sizeof *to->x);
 	to->v = calloc(rows*probes + 1, sizeof *to->v);
 	to->T = calloc(rows*probes + 1, sizeof *to->T);
+	to->pull = calloc(rows*probes + 1, sizeof *to->pull);
 	to->kinetic = calloc(rows, sizeof *to->kinetic);
 	to->potential = calloc(rows, sizeof *to->potential);
 	to->work = calloc(rows, sizeof *to->work);
@@ -50,7 +52,7 @@ enum hawser_status hawser__motion_rows(struct hawser_net_motion *to, size_t rows
 	to->friction = calloc(rows, sizeof *to->friction);
 	to->impacts = calloc(rows, sizeof *to->impacts);
 	to->apart = calloc(rows, sizeof *to->apart);
-	return to->time && to->x && to->v && to->T && to->kinetic && to->potential && to->work &&
-	       to->dissipated && to->slack && to->touching && to->sliding && to->friction && to->impacts &&
-	       to->apart ? HAWSER_OK : hawser__no_memory(report, "net");
+	return to->time && to->x && to->v && to->T && to->pull && to->kinetic && to->potential &&
+	       to->work && to->dissipated && to->slack && to->touching && to->sliding && to->friction &&
+	       to->impacts && to->apart ? HAWSER_OK : hawser__no_memory(report, "net");
 }

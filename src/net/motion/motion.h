@@ -100,6 +100,11 @@ void hawser__klu_ends(struct hawser__klu *klu, int element, const double block[6
 void hawser__klu_node(struct hawser__klu *klu, int element, int end, const double block[3][3]);
 enum hawser_status hawser__klu_divide(double *x, int *good, struct hawser__klu *klu,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
+/* The same with the matrix re + i im of the same mesh; x [2 unknowns], real and imaginary parts in
+ * turn. */
+enum hawser_status hawser__klu_divide_complex(double *x, int *good, struct hawser__klu *re,
+                                              const struct hawser__klu *im,
+                                              struct hawser_report *report) HAWSER_MUST_CHECK;
 enum hawser_status hawser__klu_solve(double (*r)[3], int *good, struct hawser__klu *klu,
                                      const struct hawser__blocks_matrix *matrix,
                                      struct hawser_report *report) HAWSER_MUST_CHECK;

@@ -283,6 +283,7 @@ static const struct hawser__tree_key mesh_rows[] = {
 	NUMBER("mesh.cable.EA", REQUIRED, "N", POSITIVE, CABLE_AT(EA), NULL, "axial stiffness")
 	NUMBER("mesh.cable.rho", REQUIRED, "kg/m", NOT_NEGATIVE, CABLE_AT(rho), NULL,
 	       "mass per unstretched length")
+	LINE_IN_WATER("mesh.cable")
 	INTEGER("mesh.cable.elements", OPTIONAL, 1, 1e6, CABLE_AT(elements), "200", "number of elements")
 	MAPPING("mesh.span", REQUIRED, "the positions of the ends")
 	NUMBER("mesh.span.d", REQUIRED, "m", POSITIVE, NODE_AT(x[0]), NULL,
@@ -293,6 +294,7 @@ static const struct hawser__tree_key mesh_rows[] = {
 	       "unstretched length")
 	LIST("mesh.obstacles", REQUIRED, "as those of nets")
 	MAPPING("mesh.contact", OPTIONAL, "as that of nets")
+	MAPPING("mesh.water", OPTIONAL, "as that of nets")
 	MAPPING("mesh.damping", OPTIONAL, "as that of nets")
 	MAPPING("mesh.dynamics", OPTIONAL, "as that of nets")
 };

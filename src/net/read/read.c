@@ -328,7 +328,10 @@ static enum hawser_status interpret(struct hawser__reader *reader, void *scene,
 
 	if (!status && hawser__tree_find(root, "span")) {
 		status = hawser__net_of_span(reader, net, root);
-		return status ? status : common(reader, net, root, DYNAMICS);
+		if (!status)
+			status = common(reader, net, root, DYNAMICS);
+		return status ? status : hawser__net_wet(reader, net, hawser__tree_find(root, "cable"),
+		                                         "cable");
 	}
 	if (!status)
 		status = hawser__tree_keys(reader, root, "the scene", "net");

@@ -13,6 +13,7 @@
 #include "net/statics/solution.h"
 #include "net/statics/tension.h"
 #include "net/touch/touch.h"
+#include "net/water/water.h"
 
 void hawser_net_statics_clear(struct hawser_net_statics *st)
 {
@@ -69,6 +70,7 @@ static void member(struct hawser_net_statics *st, int c, const struct hawser__te
 		m->T_to = point->T;
 		m->T_max = fmax(m->T_max, point->T);
 		m->T_min = i < n ? fmin(m->T_min, hawser__tension_least(of, c, i)) : m->T_min;
+		m->wet += i < n && mesh->water ? mesh->water->wet[first + i] : 0.0;
 		m->slack += i < n && l < mesh->length0[first + i];
 		m->length0 += i < n ? mesh->length0[first + i] : 0.0;
 		m->length += l;

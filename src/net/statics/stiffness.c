@@ -145,17 +145,9 @@ static void assemble(struct tangent *at)
 		const double lift[2] = {at->T[i] > 0.0 ? 0.0 : LIFT*mesh->EA[i]/mesh->length0[i], 0.0};
 
 		hawser__klu_element(at->klu, i, at->block[i], lift);
-		if (mesh->water)
-			hawser__klu_ends(at->klu, i, (const double (*)[6])mesh->water->slope[i], -1.0);
 	}
-	for (int i = 0; mesh->water && i < mesh->water->buoys; i++) {
-		const struct hawser__mesh_buoy *buoy = &mesh->water->buoy[i];
-		double block[3][3];
-
-		for (int k = 0; k < 9; k++)
-			block[k/3][k%3] = -buoy->slope[k/3][k%3];
-		hawser__klu_node(at->klu, buoy->element, buoy->end, (const double (*)[3])block);
-	}
+	if (mesh->water)
+		hawser__water_matrix(at->klu, mesh);
 }
 
 /* The forces on the nodes by the displacements u. */
@@ -176,15 +168,9 @@ static void forces(struct tangent *at)
 			at->force[end[0]][k] -= f;
 			at->force[end[1]][k] += f;
 		}
-		for (int k = 0; mesh->water && k < 36; k++)
-			at->force[end[k/18]][k/6%3] -= mesh->water->slope[i][k/6][k%6]*at->u[end[k%6/3]][k%3];
 	}
-	for (int i = 0; mesh->water && i < mesh->water->buoys; i++) {
-		const struct hawser__mesh_buoy *buoy = &mesh->water->buoy[i];
-
-		for (int k = 0; k < 3; k++)
-			at->force[buoy->node][k] -= hawser__dot(buoy->slope[k], at->u[buoy->node]);
-	}
+	if (mesh->water)
+		hawser__water_spread(at->force, mesh, (const double (*)[3])at->u);
 }
 
 /* The displacement of a point with the arm r from the reference, for a unit motion. */

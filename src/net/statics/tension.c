@@ -163,6 +163,13 @@ static int at_node(double t[3], double *T, const struct hawser__tensions *of, in
 	return 1;
 }
 
+void hawser__tension_vector(double t[3], const struct hawser__tensions *of, int cable, int i)
+{
+	double T;
+
+	(void)at_node(t, &T, of, cable, i);
+}
+
 double hawser__tension_at(const struct hawser__tensions *of, int cable, int i)
 {
 	double t[3], T;

@@ -16,6 +16,8 @@ struct hawser__tensions {
 };
 /* Tension at node i of a cable, from its end `from` (0) on, N. */
 double hawser__tension_at(const struct hawser__tensions *of, int cable, int i);
+/* The vector of that tension, along the cable from its end `from` on. */
+void hawser__tension_vector(double t[3], const struct hawser__tensions *of, int cable, int i);
 /* The least tension between its nodes i and i + 1, N. */
 double hawser__tension_least(const struct hawser__tensions *of, int cable, int i);
 /* The forces of obstacles that touch, added to force [nodes][3]. */

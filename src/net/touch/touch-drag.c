@@ -21,7 +21,6 @@
 static void assemble(struct hawser__net_work *work)
 {
 	const struct hawser__mesh *mesh = work->mesh;
-	const struct hawser__mesh_water *water = mesh->water && mesh->water->follows ? mesh->water : NULL;
 	const double damp[2] = {0.5*work->damp, 0.0}; /* of both elements of a node */
 
 	hawser__klu_zero(work->klu);
@@ -32,17 +31,9 @@ static void assemble(struct hawser__net_work *work)
 		for (int k = 0; k < 9; k++)
 			B[k] = work->b[i]*e[k/3]*e[k%3] + (k%4 == 0 ? work->a[i] : 0.0);
 		hawser__klu_element(work->klu, i, B, damp);
-		if (water)
-			hawser__klu_ends(work->klu, i, (const double (*)[6])water->slope[i], -1.0);
 	}
-	for (int i = 0; water && i < water->buoys; i++) {
-		double block[3][3];
-
-		for (int k = 0; k < 9; k++)
-			block[k/3][k%3] = -water->buoy[i].slope[k/3][k%3];
-		hawser__klu_node(work->klu, water->buoy[i].element, water->buoy[i].end,
-		                 (const double (*)[3])block);
-	}
+	if (mesh->water && mesh->water->follows)
+		hawser__water_matrix(work->klu, mesh);
 	for (int i = 0; i < mesh->touches; i++) {
 		const struct hawser__touch *touch = &mesh->touch[i];
 		double block[3][3];

@@ -64,7 +64,7 @@ void hawser__water_ends(struct hawser__water_end end[2], const struct hawser__me
 		hawser__wet_line(&wet, 0.0, fmax(BAND*line->diameter, water->band),
 		                 (const double[2]){past[0].height, past[1].height});
 	for (int i = 0; i < 2; i++) {
-		double f[3], part = L*wet.part[i];
+		double f[3], part = end[i].wet = L*wet.part[i];
 
 		if (!(part > 0.0) && wet.by[i][0] == 0.0 && wet.by[i][1] == 0.0)
 			continue;

@@ -8,6 +8,7 @@
 
 #include "core/report.h"
 #include "core/vec3.h"
+#include "net/motion/motion.h"
 #include "net/water/water.h"
 #include "water/water.h"
 
@@ -23,6 +24,7 @@ static enum hawser_status allocate(struct hawser__mesh *mesh, int buoys, int fai
 	water->line = hawser__hold(&mesh->hold, elements, sizeof *water->line);
 	water->dead = hawser__hold(&mesh->hold, nodes, sizeof *water->dead);
 	water->load = hawser__hold(&mesh->hold, elements, sizeof *water->load);
+	water->wet = hawser__hold(&mesh->hold, elements, sizeof *water->wet);
 	water->mass = hawser__hold(&mesh->hold, elements, sizeof *water->mass);
 	water->spring = hawser__hold(&mesh->hold, elements, sizeof *water->spring);
 	water->slope = hawser__hold(&mesh->hold, elements, sizeof *water->slope);
@@ -91,6 +93,7 @@ static void element(struct hawser__mesh *mesh, int e)
 	for (int i = 0; i < 2; i++)
 		current(&past[i], u_y[i], water, i ? b[1] : a[1]);
 	hawser__water_ends(end, mesh, e, d, past);
+	water->wet[e] = end[0].wet + end[1].wet;
 	for (int i = 0; i < 2; i++) {
 		memcpy(water->mass[e][i], end[i].mass, sizeof end[i].mass);
 		memcpy(water->spring[e][i], end[i].spring, sizeof end[i].spring);
@@ -142,6 +145,36 @@ void hawser__water_load(struct hawser__mesh *mesh)
 		for (int k = 0; k < 3; k++)
 			mesh->force[water->buoy[i].node][k] += water->buoy[i].load[k];
 	}
+}
+
+void hawser__water_matrix(struct hawser__klu *klu, const struct hawser__mesh *mesh)
+{
+	const struct hawser__mesh_water *water = mesh->water;
+
+	for (int e = 0; e < mesh->elements; e++)
+		hawser__klu_ends(klu, e, (const double (*)[6])water->slope[e], -1.0);
+	for (int i = 0; i < water->buoys; i++) {
+		double block[3][3];
+
+		for (int k = 0; k < 9; k++)
+			block[k/3][k%3] = -water->buoy[i].slope[k/3][k%3];
+		hawser__klu_node(klu, water->buoy[i].element, water->buoy[i].end, (const double (*)[3])block);
+	}
+}
+
+void hawser__water_spread(double (*force)[3], const struct hawser__mesh *mesh, const double (*u)[3])
+{
+	const struct hawser__mesh_water *water = mesh->water;
+
+	for (int k = 0; k < 36*mesh->elements; k++) {
+		const int *end = mesh->end[k/36], row = k%36/6, column = k%6;
+
+		force[end[row/3]][row%3] -= water->slope[k/36][row][column]*u[end[column/3]][column%3];
+	}
+	for (int i = 0; i < water->buoys; i++)
+		for (int k = 0; k < 3; k++)
+			force[water->buoy[i].node][k] -= hawser__dot(water->buoy[i].slope[k],
+			                                             u[water->buoy[i].node]);
 }
 
 int hawser__water_mass(struct hawser__water_mass *at, const struct hawser__mesh *mesh, int j)

@@ -12,6 +12,7 @@ struct hawser__mesh_water {
 	const struct hawser_water_line **line; /* [elements] */
 	double (*dead)[3];      /* [nodes] N: what is in mesh->force without the water */
 	double (*load)[2][3];   /* [elements] N: of the water on both ends of an element, as last found */
+	double *wet;            /* [elements] m, unstretched length in the water */
 	double (*mass)[2][3][3]; /* [elements] kg: added mass of both ends */
 	double (*spring)[2][2];  /* [elements] N/m: of the derivatives what is buoyancy, upwards */
 	double (*slope)[6][6];  /* [elements] N/m: their derivatives by both ends */
@@ -40,6 +41,7 @@ struct hawser__water_end {
 	double by_r[3][3];       /* by the relative velocity */
 	double by_d[3][3];       /* by the vector along the element */
 	double by_y[2][3];       /* by the heights of both ends */
+	double wet;              /* m, unstretched length in the water */
 	double spring[2];        /* N/m: of that what is buoyancy, of the force upwards */
 };
 /* d: vector along element e. */
@@ -54,6 +56,10 @@ enum hawser_status hawser__water_open(struct hawser__mesh *mesh, const struct ha
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 /* Loads and derivatives at mesh->q, at rest; mesh->force gets the loads. */
 void hawser__water_load(struct hawser__mesh *mesh);
+/* Take the derivatives of the loads off a matrix of the mesh, and off its product with u [nodes]. */
+struct hawser__klu;
+void hawser__water_matrix(struct hawser__klu *klu, const struct hawser__mesh *mesh);
+void hawser__water_spread(double (*force)[3], const struct hawser__mesh *mesh, const double (*u)[3]);
 /* Added mass number j of the mesh at its places, kg, of an end of an element; returns 0 beyond the
  * last. */
 struct hawser__water_mass {
