@@ -46,7 +46,9 @@ dist_doc_DATA += \
 	%D%/tutorial.md \
 	%D%/tutorial-galloping.md \
 	%D%/tutorial-models.md \
+	%D%/tutorial-mooring.md \
 	%D%/tutorial-nets.md \
+	%D%/waves.md \
 	%D%/water.md
 # The list of all messages, from the sources. It is not in the repository, and not in a build without python3.
 doc_DATA += $(message_pages)

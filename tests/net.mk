@@ -18,6 +18,7 @@ tests_net_SOURCES = tests/cases.c \
 	tests/property/test-net-steps.c \
 	tests/property/test-net-symmetry.c \
 	tests/property/test-net-tension.c \
+	tests/reference/test-net-bed.c \
 	tests/reference/test-net-belt.c \
 	tests/reference/test-net-contact-modes.c \
 	tests/reference/test-net-contact.c \
@@ -26,9 +27,9 @@ tests_net_SOURCES = tests/cases.c \
 	tests/reference/test-net-modes.c \
 	tests/reference/test-net-motion.c \
 	tests/reference/test-net-round.c \
-	tests/reference/test-net-stiffness.c \
 	tests/reference/test-net-water-motion.c \
 	tests/reference/test-net-water.c \
+	tests/reference/test-net-stiffness.c \
 	tests/reference/test-net-waves.c \
 	tests/reference/test-net.c \
 	tests/unit/test-document.c

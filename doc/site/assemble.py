@@ -24,10 +24,10 @@ import manual
 # Where a file of the tree is in the site, and the group of the navigation that has it.
 PAGES = (
     ("Begin", (("doc/tutorial.md", "tutorial"), ("doc/tutorial-nets.md", "tutorial-nets"),
-               ("doc/tutorial-galloping.md", "tutorial-galloping"),
+               ("doc/tutorial-mooring.md", "tutorial-mooring"), ("doc/tutorial-galloping.md", "tutorial-galloping"),
                ("doc/tutorial-models.md", "tutorial-models"), ("doc/gallery.md", "gallery"), ("doc/coming-from.md", "coming-from"),
                ("doc/commands.md", "commands"), ("doc/spans.md", "spans"), ("doc/moorings.md", "moorings"), ("doc/install.md", "install"))),
-    ("Reference", (("doc/water.md", "water"), ("man", "man/index"), ("notebooks-data/scenes", "scenes"), ("doc/python.md", "python"), ("doc/library.md", "library"),
+    ("Reference", (("doc/water.md", "water"), ("doc/waves.md", "waves"), ("man", "man/index"), ("notebooks-data/scenes", "scenes"), ("doc/python.md", "python"), ("doc/library.md", "library"),
                    ("doc/cluster.md", "cluster"), ("include/hawser", "api/index"), ("doc/messages.md", "messages"),
                    ("doc/glossary.md", "glossary"))),
     ("Theory", (("doc/theory.md", "theory"), ("doc/errata.md", "errata"), ("doc/robustness.md", "robustness"),
@@ -37,7 +37,7 @@ PAGES = (
 )
 # Titles in the navigation, where that of the page is not one.
 TITLES = {"tutorial": "Ten minutes", "tutorial-nets": "Nets in ten minutes", "tutorial-galloping": "Galloping in ten minutes",
-          "tutorial-models": "Equations in ten minutes",
+          "tutorial-models": "Equations in ten minutes", "tutorial-mooring": "Moorings in ten minutes",
           "install": "Installation", "coming-from": "Coming from other programs",
           "library": "The library", "api/index": "Headers", "python": "Python", "cluster": "Large maps", "messages": "Messages", "robustness": "Robustness"}
 LINK = re.compile(r"(!?)\[((?:[^\[\]]|\[[^\]]*\])*)\]\(([^)\s#]*)(#[^)\s]*)?\)")

@@ -83,6 +83,8 @@ struct hawser_hopf {
 	double growth;  /* derivative of the growth rate by the parameter */
 	double swing;   /* derivative of the square of the cycles' amplitude by the parameter, of the */
 	int coordinate; /* coordinate that moves most */
+	int turning;    /* 1: of two pairs together in a model that may be rotated, the cycles that are
+	                 * rotations, while those of the other point swing in one direction */
 };
 
 struct hawser_frf_event {

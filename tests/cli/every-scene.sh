@@ -98,8 +98,7 @@ motion "$scenes/net-crosstie.yaml" -n 4 --Omega 0.9w1
 echo net-crosstie.yaml >>seen
 # Nets and rods.
 cp "$scenes/net-dragged.txt" .
-for name in net-belt net-belt-driven net-capstan net-current net-drag net-dragged net-impact net-mooring net-pendulum net-seabed net-table-3-1 \
-	net-table-3-6 \
+for name in net-belt net-belt-driven net-capstan net-current net-drag net-dragged net-impact net-mooring net-pendulum net-seabed net-table-3-1 net-table-3-6 \
 	rod-hoist rod-tether d-section-5.1.2 d-section-5.1.3 d-section-5.1.4; do
 	takes 0 integrate "$scenes/$name.yaml" --until "20 ms" --every "10 ms"
 	echo "$name.yaml" >>seen

@@ -6,7 +6,7 @@
 works "a script alone" statics "$chairlift" --gp plain.gp -q
 works "a script with everything" statics "$chairlift" --gp all.gp --title "It's 50 % of a_b" --xrange 50:200 \
 	--yrange :3 --size 12x8 -q
-try "the size is that of the choice" grep -q '^set terminal svg size 454,302 ' all.gp
+try "the size is that of the choice" grep -q '^set terminal svg name .hawser. size 454,302 ' all.gp
 try "the title stands as it is" grep -q "^set label 1002 'It''s 50 % of a\\\\_b' at screen 0.5," all.gp
 grep -A1 '^set xrange \[50:200\]' all.gp >ranges
 try "the range of x is that of both panels" test "$(grep -c 50:200 ranges)" -eq 2

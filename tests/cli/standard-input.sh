@@ -33,6 +33,12 @@ flow() {
 			match($0, /^ */)
 			indent = RLENGTH
 			text = substr($0, indent + 1)
+			if (goes_on) {
+				printf " %s", text
+				goes_on = text ~ /,$/
+				next
+			}
+			goes_on = text ~ /,$/
 			item = substr(text, 1, 2) == "- "
 			if (item)
 				text = substr(text, 3)

@@ -240,12 +240,38 @@ static void check_ziegler(void)
 	end(&own);
 }
 
-/* Two equal oscillators, whose pairs cross the axis together. */
+/* The symmetric cycle of the Lorenz equations at large r loses its symmetry where r falls, and the
+ * two that begin there are stable (Sparrow, The Lorenz Equations, Springer 1982: 312.97). */
+static void check_pitchfork(void)
+{
+	struct own own;
+	struct hawser_frf branch = {0};
+	double state[6] = {-37.18071269068926, 35.04454835529008, 376.53788000077304};
+	const struct hawser_frf_event *found;
+
+	begin(&own, "lorenz", 316.0, 310.0);
+	own.options.start = state;
+	own.options.tolerance = 1e-9;
+	own.options.omega = -1.0;
+	trace(&own, "r");
+	found = event(&own.frf, HAWSER_BRANCH_POINT, 0);
+	close_to(found->parameter, 312.9735, 2e-5, "branch point of cycles");
+	ok(!hawser_branch_switch(&branch, own.rom, &own.frf, (int)(found - own.frf.event), &own.options,
+	                         &own.report), "the other cycles are followed: %s", own.report.message);
+	ok(branch.points > 1 && branch.point[branch.points - 1].unstable == 0 &&
+	   own.frf.point[own.frf.points - 1].unstable == 1, "they are stable, the symmetric one is not");
+	hawser_frf_clear(&branch);
+	end(&own);
+}
+
+/* Two equal oscillators, whose pairs cross the axis together: cycles along a line, and round a circle
+ * of radius sqrt(mu). Either may be rotated. */
 static void check_together(void)
 {
 	struct own own;
+	struct hawser_frf line = {0}, circle = {0};
 
-	begin(&own, "o2", -0.1, 0.5);
+	begin(&own, "o2", -0.1, 0.3);
 	trace(&own, "mu");
 	ok(own.frf.events == 2, "two Hopf points, %d events", own.frf.events);
 	for (int k = 0; k < 2; k++) {
@@ -253,7 +279,21 @@ static void check_together(void)
 
 		ok(fabs(found->parameter) < DIGITS && !found->suspected, "at %.1e", found->parameter);
 		close_to(found->hopf.omega, 1.0, DIGITS, "frequency");
+		close_to(found->hopf.swing, k ? 1.0 : 4.0, DIGITS, "square of the amplitude");
+		ok(!hawser_branch_switch(k ? &circle : &line, own.rom, &own.frf, (int)(found - own.frf.event),
+		                         &own.options, &own.report), "cycles %s", own.report.message);
 	}
+	last(&line, 6.318443203454, 0, 1.095950207, 1, 0.14865049);
+	last(&line, 6.318443203454, 0, 1.095950207, 0, 0.14865049);
+	last(&circle, 2.0*M_PI, 1, sqrt(0.3), 2, 0.15799796);
+	if (ok(circle.points > 0, "a circle")) {
+		const double *pair = circle.multiplier + (size_t)(circle.points - 1)*2*2*(size_t)circle.n;
+
+		close_to(exp(pair[0])*cos(pair[1]), 2.50291935, 3e-8, "its multipliers");
+		close_to(exp(pair[0])*fabs(sin(pair[1])), 0.25414604, 3e-8, "imaginary part");
+	}
+	hawser_frf_clear(&circle);
+	hawser_frf_clear(&line);
 	end(&own);
 }
 
@@ -278,12 +318,13 @@ static void check_two(void)
 	}
 }
 
-/* From a state that is no cycle's, since the rest that they grow from is unstable everywhere. */
+/* From a state that is no cycle's, and from beside an equilibrium, which is unstable everywhere. */
 static void check_start(void)
 {
-	static const double state[] = {0.05, 2.0, 0.0, 0.0}, pol[] = {1.0, 0.0};
+	static const double state[] = {0.05, 2.0, 0.0, 0.0};
 	static const double at[2][2] = {{4.72394978906, 4.79796645954}, {5.44218513218, 5.28571255274}};
 	struct own own;
+	struct hawser_frf branch = {0};
 
 	for (int side = !getenv("HAWSER_LONG"); side < 2; side++) {
 		begin(&own, "wake", 5.0, side ? 5.7 : 4.5);
@@ -296,15 +337,24 @@ static void check_start(void)
 			close_to(event(&own.frf, HAWSER_FOLD, k)->parameter, at[side][k], DIGITS, "fold");
 		end(&own);
 	}
+	begin(&own, "string8", 1.3, 1.34); /* where its wakes unlock */
+	own.options.tolerance = 1e-9;
+	trace(&own, "u");
+	ok(!hawser_branch_switch(&branch, own.rom, &own.frf, -1, &own.options, &own.report),
+	   "a string with its wakes %s", own.report.message);
+	close_to(event(&branch, HAWSER_TORUS, 0)->parameter, 1.3215049, 3e-8, "torus point");
+	hawser_frf_clear(&branch);
+	end(&own);
 	begin(&own, "vdp", getenv("HAWSER_LONG") ? 3.0 : 1.2, 1.0);
-	own.options.start = pol;
-	own.options.omega = HAWSER_NONE;
 	trace(&own, "mu");
-	last(&own.frf, 6.663286859323, 0, 2.008619594, 0, 8.59695064e-4);
-	close_to(own.frf.swing[own.frf.points - 1], 2.00861986087484314, 1e-11,
+	ok(!hawser_branch_switch(&branch, own.rom, &own.frf, -1, &own.options, &own.report),
+	   "van der Pol: the cycle beside an unstable equilibrium %s", own.report.message);
+	last(&branch, 6.663286859323, 0, 2.008619594, 0, 8.59695064e-4);
+	close_to(branch.swing[branch.points - 1], 2.00861986087484314, 1e-11,
 	         "its amplitude, as published");
 	if (getenv("HAWSER_LONG"))
-		close_to(own.frf.multiplier[0], -34.9, 2e-3, "van der Pol, 3: logarithm of the multiplier");
+		close_to(branch.multiplier[0], -34.9, 2e-3, "van der Pol, 3: logarithm of the multiplier");
+	hawser_frf_clear(&branch);
 	end(&own);
 }
 
@@ -316,6 +366,7 @@ CASE(reference_autonomous)
 	check_belt();
 	check_ziegler();
 	check_together();
+	check_pitchfork();
 	check_two();
 	check_start();
 	if (getenv("HAWSER_LONG")) {

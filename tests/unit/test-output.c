@@ -343,10 +343,10 @@ static void test_figure(void)
 	ok(count_in(path, "set yrange [0.8:3.2]") == 1, "a range with room");
 	ok(count_in(path, "set yrange [2.26575:2.50425]") == 1,
 	   "what is round-off is a line in the middle");
-	ok(count_in(path, "plot $d0 with lines lt 3, $d0 using 1:2 with points") == 1 &&
+	ok(count_in(path, "plot $d0 with lines lt 3 title 'a curve', $d0 using 1:2 with points") == 1 &&
 	   count_in(path, "plot $d1 with lines lt 3") == 1, "what is put is drawn");
-	ok(count_in(path, "title 'a curve'") == 1 && count_in(path, "nothing") == 0,
-	   "a name once, or none");
+	ok(count_in(path, "lt 3 title 'a curve'") == 3 && count_in(path, "nothing") == 0,
+	   "a name in each panel and once in the legend, or none");
 	ok(count_in(path, "set xlabel 'X'") == 1, "numbers of an axis below the lower panel alone");
 	remove(path);
 }

@@ -110,8 +110,8 @@ static int is_left_out(const struct hawser__tree_key *row)
 	static const char *const part[] = {
 		"net.nodes.*", ".plane.", ".segment.", "tow.tow.waypoints", "tow.tow.ends", "tow.tow.speed",
 		"tow.tow.start", "contact.path", "rod.rod[]", "loads.*[]", "loads.**[]", "factor",
-		"net.obstacles[].velocity", "tow.body.mass", "tow.body.CdA", "tow.body.inertia",
-		"rod.loads[].from",
+		"net.obstacles[].velocity", "net.failures", "net.winches", "tow.body.mass", "tow.body.CdA",
+		"tow.body.inertia", "rod.loads[].from",
 		"spin", "obstacles.cable.elements", "drive.brake.", ".shedding.", "net.obstacles[].inertia",
 		"rod.loads[].to", "rod.loads[].moment", "ropeway.ropeway.bottom.tension.", "net.cables[].t",
 		"net.cables[].f", "net.cables[].s",

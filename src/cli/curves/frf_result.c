@@ -87,17 +87,18 @@ static const char *tell_hopf(char *text, size_t size, const struct cli_frf_resul
 {
 	*text = '\0';
 	if (event->kind == HAWSER_HOPF)
-		snprintf(text, size, ", frequency %.12g%s, l1 = %.9g (%s), d(A_%d^2) = %.6g",
+		snprintf(text, size, ", frequency %.12g%s, l1 = %.9g (%s), d(A_%d^2) = %.6g%s",
 		         event->hopf.omega*cli_per_omega(result->model), cli_unit(result->model, " rad/s"),
 		         event->hopf.l1, event->hopf.l1 < 0.0 ? "supercritical" : event->hopf.l1 > 0.0
 		         ? "subcritical" : "undecided", event->hopf.coordinate + 1,
-		         event->hopf.swing*pow(result->model->rom.length, 2));
+		         event->hopf.swing*pow(result->model->rom.length, 2),
+		         event->hopf.turning ? ", rotating" : "");
 	return text;
 }
 
 static void comment_event(struct hawser__table *table, const struct cli_frf_result *result, int k)
 {
-	char of[24], more[160];
+	char of[24], more[176];
 	const struct hawser_frf_event *event = &result->frf->event[k];
 	double per_omega = cli_per_omega(result->model);
 

@@ -102,12 +102,11 @@ static int begins(const struct cli_cover *cover, const struct cli_frf_result *re
 
 	if (event->kind == HAWSER_HOPF)
 		return frf->end != HAWSER_END_HOPF && !is_end(cover, event);
-	if (frf->swing && event->kind != (frf->point[0].omega > 0.0 ? HAWSER_PERIOD_DOUBLING
-	                                                            : HAWSER_BRANCH_POINT))
-		return 0;
 	if (event->kind == HAWSER_PERIOD_DOUBLING) { /* where a branch may have come back to this one */
 		for (int k = 0; k < cover->borns; k++)
-			if (cover->born[k]->parent == frf->branch && meets(cover->born[k], event->omega))
+			if (cover->born[k]->parent == frf->branch &&
+			    (frf->swing ? has_event(cover->born[k], event)
+			                : meets(cover->born[k], event->omega)))
 				return 0;
 		return 1;
 	}
@@ -119,6 +118,19 @@ static int begins(const struct cli_cover *cover, const struct cli_frf_result *re
 			return 0;
 	/* a branch comes back to its own parent */
 	return frf->parent == 0 || !has_event(branch_of(result, frf->parent), event);
+}
+
+/* Whether equilibria are unstable in the whole range, so that no Hopf point leads to cycles, as those
+ * of wakes are. */
+static int grows_everywhere(const struct hawser_frf *frf)
+{
+	int all = frf->swing && frf->points > 0 && frf->point[0].omega == 0.0;
+
+	for (int i = 0; i < frf->points; i++)
+		all = all && frf->point[i].unstable > 1;
+	for (int e = 0; e < frf->events; e++)
+		all = all && frf->event[e].kind != HAWSER_HOPF;
+	return all;
 }
 
 /* --- follow them --- */
@@ -149,14 +161,16 @@ static void drop_born(struct cli_cover *cover)
 	free(frf);
 }
 
-/* The branch at event e of `from`, with its peaks. A branch that is not found is a miss. */
+/* The branch at event e of `from` (below 0: the cycles beside unstable equilibria), with its peaks. A
+ * branch that is not found is a miss. */
 static enum hawser_status follow(struct cli_cover *cover, struct cli_frf_result *result,
                                  const struct hawser_frf *from, int e,
                                  const struct hawser_frf_options *options,
                                  struct cli_progress *progress, cli_peaks_function *peaks,
                                  struct hawser_report *report)
 {
-	struct event_text at = name_of(result, &from->event[e]);
+	struct event_text at = e < 0 ? (struct event_text){"equilibrium, which is unstable"}
+	                             : name_of(result, &from->event[e]);
 	struct hawser_report why = {.message = ""};
 	struct hawser_landmark *peak = NULL;
 	struct hawser_frf *frf = add_born(cover);
@@ -253,7 +267,18 @@ enum hawser_status cli_cover_switch(struct cli_cover *cover, struct cli_frf_resu
 	if (depth == 0)
 		depth = label ? 1 : result->over ? 0 : own_depth(result);
 	choice.progress = (struct hawser_progress){cli_watch, &watch};
-	for (int k = 0; depth > 0 && k <= result->others; k++) {
+	if (depth > 0 && grows_everywhere(result->frf)) {
+		const struct hawser_frf *rests = result->frf;
+
+		status = follow(cover, result, rests, -1, &choice, progress, peaks, report);
+		if (!status && cover->borns > 0 && cover->born[0]->points > 0 &&
+		    cover->born[0]->point[0].parameter != rests->point[0].parameter &&
+		    cover->born[0]->point[0].parameter != rests->point[rests->points - 1].parameter)
+			status = follow(cover, result, rests, -2, &choice, progress, peaks, report);
+		for (int k = 0; k < cover->borns; k++)
+			level[k] = 1;
+	}
+	for (int k = 0; !status && depth > 0 && k <= result->others; k++) {
 		int born = k - 1 - cover->of.branches, before;
 		const struct hawser_frf *from = k ? result->other[k - 1].frf : result->frf;
 

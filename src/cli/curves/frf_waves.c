@@ -290,8 +290,8 @@ static void warn(const struct result *result)
 	}
 	if (worst <= 1.0)
 		return;
-	snprintf(text, sizeof text, "cable %s becomes slack: its tension of %.4g N at the end '%s' varies "
-	         "by %.4g N%s, and the response to waves is linear: use hawser integrate",
+	snprintf(text, sizeof text, "cable %s may become slack: its tension of %.4g N at the end '%s' "
+	         "varies by %.4g N%s, and the response to waves is linear: use hawser integrate",
 	         result->mesh.net.cable[at/2].name, waves->T_mean[at], at%2 ? "to" : "from",
 	         waves->T_size[at/2][at%2], waves->spectrum ? " (standard deviation)" : "");
 	cli_warn(text);

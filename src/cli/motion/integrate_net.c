@@ -286,20 +286,20 @@ static struct cli_head head(const void *of)
 	                   (result->motion.winches ? CLI_WINCHES : 0u));
 }
 
-/* Heights of the first probes over time; below, the energies. */
+/* Heights of the first probes over time, and the energies; in water the largest tensions at the probes
+ * between them. */
 static enum hawser_status draw(const char *path, const void *of, struct hawser_report *report)
 {
 	const struct result *result = of;
 	const struct hawser_net_motion *motion = &result->motion;
 	const struct hawser__axis y = hawser__axis_of("Height {/:Italic y}", "m", 0.0);
 	const struct hawser__axis energy = hawser__axis_of("Energy", "J", 0.0);
+	const int wet = result->mesh.net.water.density > 0.0;
 	struct hawser__motions shown = {
-		motion->rows, 2, motion->time, hawser__axis_of("Time {/:Italic t}", "s", 0.0), {
-		{y, 3*motion->probes, 0, {{0}}},
-		{energy, 1, 3, {{"kinetic", 4, motion->kinetic}, {"potential", 5, motion->potential},
-		                {"sum", 6, NULL}}}}};
+		motion->rows, 2 + wet, motion->time, hawser__axis_of("Time {/:Italic t}", "s", 0.0), {
+		{y, 3*motion->probes, 0, {{0}}}}};
 	char label[DRAWN][3*CLI_PROBE_NAME] = {""};
-	double *sum = malloc(((size_t)motion->rows + 1)*sizeof *sum);
+	double *sum = malloc(((size_t)motion->rows + 1)*sizeof *sum), most = 0.0;
 	enum hawser_status status;
 
 	for (int p = 0; p < motion->probes && p < DRAWN && sum; p++) {
@@ -311,10 +311,18 @@ static enum hawser_status draw(const char *path, const void *of, struct hawser_r
 		}
 		shown.panel[0].curve[shown.panel[0].curves++] = (struct hawser__motion_curve){
 			label[p], p + 1, &motion->x[p][1]};
+		shown.panel[1].curve[shown.panel[1].curves++] = (struct hawser__motion_curve){
+			"", p + 1, &motion->T[p]};
 	}
+	for (int i = 0; i < motion->rows*motion->probes; i++)
+		most = fmax(most, motion->T[i]);
+	shown.panel[1].axis = hawser__axis_of("Tension {/:Italic T}", "N", most);
+	shown.panel[1].stride = motion->probes;
+	shown.panel[1 + wet] = (struct hawser__motion_panel){
+		energy, 1, 3, {{"kinetic", 4, motion->kinetic}, {"potential", 5, motion->potential},
+		               {"sum", 6, sum}}};
 	for (int i = 0; i < motion->rows && sum; i++)
 		sum[i] = motion->kinetic[i] + motion->potential[i];
-	shown.panel[1].curve[2].value = sum;
 	status = sum ? hawser__plot_motions(path, &shown, report) : hawser__no_memory(report, "picture");
 	free(sum);
 	return status;

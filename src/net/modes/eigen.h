@@ -64,7 +64,7 @@ enum hawser_status hawser__eigen_dense(struct hawser__eigen *eigen, struct hawse
 enum hawser_status hawser__eigen_lanczos(struct hawser__eigen *eigen, struct hawser_report *report)
 	HAWSER_MUST_CHECK;
 
-/* modes.c: an equilibrium, the factors of K there, and modes. */
+/* An equilibrium, the factors of K there, and modes. */
 struct hawser__net_modal {
 	struct hawser__mesh mesh;
 	double *T;                      /* [elements] N */

@@ -346,11 +346,9 @@ static void add(struct hawser__figure *figure, const char *data, const char *tit
 
 	fflush(figure->plot);
 	fprintf(figure->plot, "%s%s%s%s", figure->size ? ", " : "", data, *data ? " " : "", style);
-	if (figure->at.keys && title && *title)
-		fprintf(figure->plot, " title '%s'", title);
-	else if (figure->at.keys)
-		fputs(" notitle", figure->plot);
-	else if (title && *title)
+	/* without keys it is the name of the series in SVG alone */
+	fprintf(figure->plot, " title '%s'", title ? title : "");
+	if (title && *title && !figure->at.keys)
 		hawser__legend_once(&figure->legend, title, look ? look : style);
 }
 

@@ -35,8 +35,8 @@ static const struct terminal {
 	double per_cm; /* size units per centimetre */
 	double letters; /* factor of the font's size */
 } terminals[] = {
-	{".svg", "svg size %.0f,%.0f enhanced font 'sans-serif,12' fontscale %.3g background '#ffffff' "
-	         "linewidth 1.3", 96.0/2.54, 1.0},
+	{".svg", "svg name 'hawser' size %.0f,%.0f enhanced font 'sans-serif,12' fontscale %.3g "
+	         "background '#ffffff' linewidth 1.3", 96.0/2.54, 1.0},
 	{".png", "pngcairo size %.0f,%.0f enhanced font 'Sans,9' fontscale %.3g linewidth 3.2 "
 	         "pointscale 2.5 background '#ffffff'", 100.0, 2.65},
 	{".pdf", "pdfcairo size %.2fcm,%.2fcm enhanced font 'Sans,9' fontscale %.3g "
@@ -45,8 +45,8 @@ static const struct terminal {
 	         "linewidth 1.6 pointscale 0.7 background '#ffffff'", 1.0, 0.75},
 	{".tex", "cairolatex pdf input colourtext size %.2fcm,%.2fcm font ',9' fontscale %.3g "
 	         "linewidth 1.6 pointscale 0.7", 1.0, 0.75},
-	{".gp", "svg size %.0f,%.0f enhanced font 'sans-serif,12' fontscale %.3g background '#ffffff' "
-	        "linewidth 1.3", 96.0/2.54, 1.0},
+	{".gp", "svg name 'hawser' size %.0f,%.0f enhanced font 'sans-serif,12' fontscale %.3g "
+	        "background '#ffffff' linewidth 1.3", 96.0/2.54, 1.0},
 	{".gif", "unknown", 1.0, 1.0}, /* animate.c sets another when it knows the time of a frame */
 };
 /* Rows: two files, for LaTeX; the script, not a picture; an animation, which --plot does not make. */

@@ -99,9 +99,8 @@ static enum hawser_status eigenvector(double *v, double *A, int m, double target
 	return status;
 }
 
-/* x [m] becomes the state after a period; A [m][m], unless NULL, its derivative. */
-static enum hawser_status period_map(double *x, double *A, const struct hawser_rom *rom, double omega,
-                                     struct hawser_report *report)
+enum hawser_status hawser__branch_period(double *x, double *A, const struct hawser_rom *rom,
+                                         double omega, struct hawser_report *report)
 {
 	int steps = FINER*hawser__shooting_steps(rom, omega, 1);
 	struct hawser__stretch period = {.h = 2.0*M_PI/steps, .steps = steps, .count = 1};
@@ -130,7 +129,7 @@ enum hawser_status hawser__branch_direction(double *v, const struct hawser_rom *
 
 	if (!status) {
 		memcpy(end, x, m*sizeof *x);
-		status = period_map(end, A, rom, omega, report);
+		status = hawser__branch_period(end, A, rom, omega, report);
 	}
 	if (!status)
 		status = eigenvector(v, A, (int)m, target, report);
@@ -209,7 +208,7 @@ static enum hawser_status old_orbit(struct search *search, int *found, double th
 	if (status || !*found)
 		return status;
 	memcpy(search->other, search->x, (size_t)m*sizeof *search->x);
-	status = period_map(search->other, search->A, search->old, there, search->report);
+	status = hawser__branch_period(search->other, search->A, search->old, there, search->report);
 	if (!status)
 		status = eigenvector(search->v, search->A, m, search->b == 2 ? -1.0 : 1.0, search->report);
 	extent = cblas_dnrm2(m, search->x, 1);
@@ -239,7 +238,7 @@ static enum hawser_status attempt(struct search *search, int *found, double *ome
 	*omega *= search->b;
 	memcpy(search->other, search->state, (size_t)m*sizeof *search->other);
 	if (twice) /* the direction changes its sign: their distance is 2 e */
-		status = period_map(search->other, NULL, search->old, *omega, search->report);
+		status = hawser__branch_period(search->other, NULL, search->old, *omega, search->report);
 	*found = distance(twice ? search->other : search->x, search->state, m) > (twice ? 0.5 : OFF)*e;
 	return status;
 }
@@ -306,7 +305,7 @@ enum hawser_status hawser_branch_switch(struct hawser_frf *branch, const struct 
                                         const struct hawser_frf_options *options,
                                         struct hawser_report *report)
 {
-	const struct hawser_frf_event *at = &from->event[event];
+	const struct hawser_frf_event *at = from->event + event;
 	int m = 2*rom->n, P = from->period, b;
 	struct hawser_frf_options range = *options;
 	struct slower old = {.known = NULL}, new = {.known = NULL};
@@ -314,8 +313,9 @@ enum hawser_status hawser_branch_switch(struct hawser_frf *branch, const struct 
 	double *memory, omega;
 	enum hawser_status status;
 
-	if (event >= 0 && event < from->events && options->family && options->family->omega == 0.0)
-		return hawser__own_switch(branch, rom, from, event, options, report);
+	if (event < from->events && options->family && options->family->omega == 0.0)
+		return event < 0 ? hawser__own_leave(branch, rom, from, event < -1, options, report)
+		                 : hawser__own_switch(branch, rom, from, event, options, report);
 	status = check(from, event, options, report);
 
 	*branch = (struct hawser_frf){.n = rom->n};

@@ -227,7 +227,7 @@ static enum hawser_status record_together(int *found, struct hawser__trace *trac
 {
 	struct hawser__orbit *orbit = trace->orbit;
 	int pairs = abs(event->unstable[1] - event->unstable[0])/2, m = orbit->m;
-	double growth, turn, *y = trace->scratch.y;
+	double growth, turn, before = 0.0, *y = trace->scratch.y;
 	enum hawser_status status;
 
 	memcpy(y, x, (size_t)orbit->n*sizeof *y);
@@ -252,6 +252,8 @@ static enum hawser_status record_together(int *found, struct hawser__trace *trac
 		one.suspected = 0;
 		one.located = 1;
 		one.after = trace->frf->points - 2;
+		one.hopf.turning = fabs(turn - before) <= TOGETHER*turn;
+		before = turn;
 		status = take_hopf(trace, &one, x, turn);
 		if (!status)
 			status = hawser__record_event(trace->frf, &one, x, orbit->rom, trace->report);
@@ -265,7 +267,7 @@ static enum hawser_status cross_together(int *found, struct hawser__trace *trace
 {
 	int m = trace->orbit->m;
 	double *x = calloc(2*(size_t)m, sizeof *x), p = event->parameter, extent = extent_at(trace, p);
-	struct hawser_hopf hopf;
+	struct hawser_hopf hopf = {.turning = 0};
 	enum hawser_status status = x ? HAWSER_OK : hawser__no_memory(trace->report, "frf");
 
 	if (!status) {

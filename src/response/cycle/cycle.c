@@ -39,6 +39,7 @@ struct cycle {
 	double *by_omega, *by_p;      /* [count] */
 	double *kept, *phase, *part, *answer; /* [size] */
 	double *border;               /* [size] c */
+	double *turn;                 /* [n][n] */
 	double a[2], b[2];            /* changes of Omega and p */
 	double below;                 /* last row of the eliminated system */
 	struct hawser__hold hold;
@@ -312,6 +313,7 @@ enum hawser_status hawser__cycle_open(struct hawser__orbit **orbit, struct hawse
 {
 	struct cycle *cycle = calloc(1, sizeof *cycle);
 	size_t size = (size_t)inner->size + 1;
+	int turns = 0;
 	enum hawser_status status;
 
 	*orbit = NULL;
@@ -333,8 +335,12 @@ enum hawser_status hawser__cycle_open(struct hawser__orbit **orbit, struct hawse
 	cycle->part = hawser__hold(&cycle->hold, size, sizeof(double));
 	cycle->answer = hawser__hold(&cycle->hold, size, sizeof(double));
 	cycle->border = hawser__hold(&cycle->hold, size, sizeof(double));
+	cycle->turn = hawser__hold(&cycle->hold, (size_t)inner->n*(size_t)inner->n, sizeof(double));
 	if (!status && cycle->hold.short_of_memory)
 		status = hawser__no_memory(report, "frf");
+	if (!status)
+		status = hawser__cycle_turn(cycle->turn, &turns, inner->rom, report);
+	inner->turn = turns ? cycle->turn : NULL;
 	if (status)
 		clear(&cycle->base);
 	else

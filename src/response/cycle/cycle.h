@@ -27,18 +27,32 @@ int hawser__autonomous_matrix(double *A, double *by_u, double *by_v, double *acc
 enum hawser_status hawser__cycle_open(struct hawser__orbit **orbit, struct hawser__orbit *inner,
                                       struct hawser_report *report);
 
+/* turn [n][n]: the generator of rotations of the coordinates that leave the model as it is; *found:
+ * there are such. turn.c. HAWSER_ERR_MEMORY. */
+enum hawser_status hawser__cycle_turn(double *turn, int *found, const struct hawser_rom *rom,
+                                      struct hawser_report *report);
+
 /* From a state x [2n], which may be replaced by a later one of the motion from it: *omega of the
  * limit cycle that is near, or 0 where the state is an equilibrium. HAWSER_ERR_CONVERGENCE (the
  * motion does not come to a cycle), HAWSER_ERR_MEMORY. */
 enum hawser_status hawser__cycle_settle(double *x, double *omega, const struct hawser_rom *rom,
                                         struct hawser_report *report);
 
-/* The branch at an event of equilibria or cycles: hawser_branch_switch. */
+/* The branch at an event of equilibria or cycles, and beside equilibria that are unstable:
+ * hawser_branch_switch. */
+enum hawser_status hawser__own_leave(struct hawser_frf *branch, const struct hawser_rom *rom,
+                                     const struct hawser_frf *from, int back,
+                                     const struct hawser_frf_options *options,
+                                     struct hawser_report *report);
 enum hawser_status hawser__own_switch(struct hawser_frf *branch, const struct hawser_rom *rom,
                                       const struct hawser_frf *from, int event,
                                       const struct hawser_frf_options *options,
                                       struct hawser_report *report);
-/* branch/branches.c: v [2n], of length 1: the eigenvector of the period map at the state x [2n], of
+/* branch/branches.c: x [2n] becomes the state after a period; A [2n][2n], unless NULL, its
+ * derivative. */
+enum hawser_status hawser__branch_period(double *x, double *A, const struct hawser_rom *rom,
+                                         double omega, struct hawser_report *report);
+/* v [2n], of length 1: the eigenvector of the period map at the state x [2n], of
  * the multiplier nearest to `target`. */
 enum hawser_status hawser__branch_direction(double *v, const struct hawser_rom *rom, const double *x,
                                             double omega, double target,

@@ -29,9 +29,11 @@
 #define NUDGE 1e-4
 #define MOST_STEPS 20 /* of Newton's method for a Hopf point */
 #define NEAR 1e-11    /* and its last step, relative */
+#define SAME 1e-6     /* distance of eigenvalues that are one, relative, and of vectors; chosen */
 
 struct form {
 	const struct hawser_rom *rom; /* of first order: as it stands */
+	const struct hawser_rom *whole;
 	int n, m;
 	double *x;                    /* [2n] the equilibrium */
 	double *A, *by_u, *by_v, *acceleration; /* [2n][2n] column-major, [n][n], [n][n], [n + 2n] */
@@ -161,8 +163,66 @@ static int resolve(struct form *form, double complex *b, double complex shift)
 	                     (lapack_complex_double *)b, m) != 0;
 }
 
+/* --- a model that may be rotated --- */
+
+/* x becomes the part of x that goes round with i G = k, and other the rest. */
+static void divide(double complex *x, double complex *other, const double *G, int n, int m)
+{
+	double complex *turned = other;
+	double square = 0.0;
+
+	for (int i = 0; i < m; i++) {
+		turned[i] = 0.0;
+		for (int k = 0; k < n; k++)
+			turned[i] += G[i%n*n + k]*x[i/n*n + k];
+	}
+	square = creal(dot(turned, turned, m))/creal(dot(x, x, m));
+	for (int i = 0; i < m; i++) {
+		double complex half = square > 0.0 ? 0.5*(x[i] - I*turned[i]/sqrt(square)) : x[i];
+
+		other[i] = x[i] - half;
+		x[i] = half;
+	}
+}
+
+/* x [m] = a x + b y. */
+static void blend(double complex *x, double complex a, double complex b, const double complex *y,
+                  int m)
+{
+	for (int i = 0; i < m; i++)
+		x[i] = a*x[i] + b*y[i];
+}
+
+/* Two pairs are one where the model may be rotated by G: q and p become those of a rotation, or of a
+ * motion in one direction, in which both rotations are equal. */
+static void choose_turning(struct form *form, const double *G, int turning)
+{
+	int m = form->m, n = form->n;
+	double complex *q = form->q, *p = form->p, *rest = form->work, *p_rest = form->part;
+	double size[2];
+
+	divide(q, rest, G, n, m);
+	divide(p, p_rest, G, n, m);
+	size[0] = sqrt(creal(dot(q, q, m)));
+	size[1] = sqrt(creal(dot(rest, rest, m)));
+	if (size[0] <= SAME*size[1] || size[1] <= SAME*size[0] || turning) {
+		int second = size[0] <= SAME*size[1];
+
+		blend(q, !second, second, rest, m);
+		blend(p, !second, second, p_rest, m);
+	} else {
+		double complex a = conj(size[0]/dot(p, q, m)), b = conj(size[1]/dot(p_rest, rest, m));
+
+		blend(q, 1.0/size[0], 1.0/size[1], rest, m);
+		blend(p, a, b, p_rest, m);
+	}
+}
+
+/* --- eigenvectors --- */
+
 static void set_matrix(struct form *form, const struct hawser_rom *rom)
 {
+	form->whole = rom;
 	form->rom = rom->first ? rom->first : rom;
 	form->m = hawser__autonomous_matrix(form->A, form->by_u, form->by_v, form->acceleration, rom,
 	                                    form->x, form->x + form->n);
@@ -174,12 +234,24 @@ static double off(const struct form *form, int i, double guess)
 	return guess > 0.0 ? hypot(form->re[i], form->im[i] - guess) : fabs(form->re[i]);
 }
 
+/* Whether another eigenvalue is that of index i. */
+static int is_double(const struct form *form, int i)
+{
+	int found = 0;
+
+	for (int k = 0; k < form->m; k++)
+		found |= k != i && hypot(form->re[k] - form->re[i], form->im[k] - form->im[i]) <=
+		                   SAME*fabs(form->im[i]);
+	return found;
+}
+
 /* q and p of the eigenvalue nearest to i guess, or to the axis, and *value. */
 static enum hawser_status eigenvectors(struct form *form, double complex *value, double guess,
-                                       struct hawser_report *report)
+                                       int turning, struct hawser_report *report)
 {
-	int m = form->m, best = -1, info;
+	int m = form->m, best = -1, info, turns = 0;
 	double complex length;
+	enum hawser_status status = HAWSER_OK;
 
 	info = LAPACKE_dgeev(LAPACK_COL_MAJOR, 'V', 'V', m, form->A, m, form->re, form->im, form->left, m,
 	                     form->right, m);
@@ -196,6 +268,10 @@ static enum hawser_status eigenvectors(struct form *form, double complex *value,
 		form->q[i] = form->right[(size_t)best*m + i] + I*form->right[(size_t)(best + 1)*m + i];
 		form->p[i] = form->left[(size_t)best*m + i] + I*form->left[(size_t)(best + 1)*m + i];
 	}
+	if (is_double(form, best))
+		status = hawser__cycle_turn(form->by_u, &turns, form->whole, report);
+	if (turns)
+		choose_turning(form, form->by_u, turning);
 	length = csqrt(dot(form->q, form->q, m));
 	for (int i = 0; i < m; i++)
 		form->q[i] /= length;
@@ -204,7 +280,7 @@ static enum hawser_status eigenvectors(struct form *form, double complex *value,
 		form->p[i] /= length;
 	for (int i = 0; i < m; i++)
 		form->star[i] = conj(form->q[i]);
-	return HAWSER_OK;
+	return status;
 }
 
 /* --- the normal form --- */
@@ -287,14 +363,14 @@ enum hawser_status hawser__hopf(struct hawser_hopf *hopf, double *rate, double *
 	double complex value = 0.0;
 	enum hawser_status status = family->model(family->context, &rom, p, report);
 
-	*hopf = (struct hawser_hopf){.l1 = NAN};
+	*hopf = (struct hawser_hopf){.l1 = NAN, .turning = hopf->turning};
 	if (!status)
 		status = open_form(&form, rom->n, report);
 	if (status)
 		goto done;
 	memcpy(form.x, u, (size_t)form.n*sizeof *u);
 	set_matrix(&form, rom);
-	if ((status = eigenvectors(&form, &value, guess, report)))
+	if ((status = eigenvectors(&form, &value, guess, hopf->turning, report)))
 		goto done;
 	hopf->omega = cimag(value);
 	*rate = creal(value);

@@ -5,11 +5,11 @@
 
 #include <hawser/frf.h>
 
-/* At the equilibrium u [n] of the family at p, where the pair of eigenvalues nearest to i guess (0:
- * that nearest to the axis) is critical: *hopf and *rate, its growth rate, in the scaled time of
- * the model at p, and wave [2n], the motion's cos (first n) and sin coefficients, with the norm of
- * the eigenvector. hopf->l1 is NAN of a model whose second and third derivatives are not known.
- * HAWSER_ERR_CONVERGENCE, HAWSER_ERR_MEMORY. */
+/* With hopf->turning given, at the equilibrium u [n] of the family at p, where the pair of eigenvalues
+ * nearest to i guess (0: that nearest to the axis) is critical: *hopf and *rate, its growth rate, in
+ * the scaled time of the model at p, and wave [2n], the cos (first n) and sin coefficients, with
+ * the norm of the eigenvector. hopf->l1 is NAN of a model whose second and third derivatives are not
+ * known. HAWSER_ERR_CONVERGENCE, HAWSER_ERR_MEMORY. */
 enum hawser_status hawser__hopf(struct hawser_hopf *hopf, double *rate, double *wave,
                                 const struct hawser_rom_family *family, const double *u, double p,
                                 double guess, double extent, struct hawser_report *report);

@@ -65,6 +65,68 @@ static enum hawser_status switch_equilibria(struct hawser_frf *branch, const str
 	return status;
 }
 
+/* v [m] of length 1 at right angles to the motion f at the state x: the change of the cycle x that is
+ * again one after a period, but for a shift along f, (M - 1) v = c f. */
+static enum hawser_status other_cycle(double *v, const struct hawser_rom *rom, const double *x,
+                                      double omega, struct hawser_report *report)
+{
+	int n = rom->n, m = 2*n, size = m + 1, info;
+	double *memory = calloc((size_t)size*(2*(size_t)size + 2) + 3*(size_t)m, sizeof *memory), unused;
+	double *matrix = memory, *right = matrix + size*size, *value = right + size*size;
+	double *work = value + size, *f = work + size, *end = f + m, *M = end + m;
+	enum hawser_status status;
+
+	M = memory ? malloc((size_t)m*(size_t)m*sizeof *M) : NULL;
+	if (!M) {
+		free(memory);
+		return hawser__no_memory(report, "frf");
+	}
+	memcpy(end, x, (size_t)m*sizeof *end);
+	status = hawser__branch_period(end, M, rom, omega, report);
+	memcpy(f, x + n, (size_t)n*sizeof *f);
+	hawser_rom_acceleration(rom, f + n, x, x + n, 0.0, 1.0);
+	cblas_dscal(m, 1.0/cblas_dnrm2(m, f, 1), f, 1);
+	for (int i = 0; i < m; i++) {
+		memcpy(matrix + i*size, M + i*m, (size_t)m*sizeof *matrix);
+		matrix[i*size + i] -= 1.0;
+		matrix[i*size + m] = matrix[m*size + i] = f[i];
+	}
+	info = LAPACKE_dgesvd(LAPACK_ROW_MAJOR, 'N', 'A', size, size, matrix, size, value, &unused, 1,
+	                      right, size, work);
+	memcpy(v, right + m*size, (size_t)m*sizeof *v);
+	cblas_dscal(m, 1.0/cblas_dnrm2(m, v, 1), v, 1);
+	free(memory);
+	free(M);
+	return status ? status : hawser__lapack_starved(info) ? hawser__no_memory(report, "frf")
+	       : HAWSER_OK;
+}
+
+/* The other cycles at a branch point. Near to it the corrector is nearly singular: greater distances
+ * are first. */
+static enum hawser_status switch_point(struct hawser_frf *branch, const struct hawser_rom *rom,
+                                       const struct hawser_rom *there, const double *state,
+                                       struct hawser_frf_options *options,
+                                       struct hawser_report *report)
+{
+	static const double apart[] = {0.01, 3e-3, 0.03, APART_BY};
+	int m = 2*rom->n;
+	double *along = calloc(2*(size_t)m, sizeof *along), *v = along ? along + m : NULL;
+	enum hawser_status status = along ? other_cycle(v, there, state, options->omega, report)
+	                                  : hawser__no_memory(report, "frf");
+
+	options->along = along;
+	for (int i = 0; !status && branch->points < 2 && i < 4; i++) {
+		hawser_frf_clear(branch);
+		for (int j = 0; j < m; j++)
+			along[j] = apart[i]*cblas_dnrm2(m, state, 1)*v[j];
+		status = hawser_frf_trace(branch, rom, options, report);
+		if (status == HAWSER_ERR_CONVERGENCE && i < 3)
+			status = HAWSER_OK;
+	}
+	free(along);
+	return status;
+}
+
 /* The cycles of twice the period at a period doubling. */
 static enum hawser_status switch_doubled(struct hawser_frf *branch, const struct hawser_rom *rom,
                                          const struct hawser_rom *there, const double *state,
@@ -95,7 +157,7 @@ static enum hawser_status switch_cycles(struct hawser_frf *branch, const struct 
 	int n = rom->n;
 	double range = fabs(options->to - options->from), extent = fmax(fabs(event->parameter), range);
 	double *wave = malloc(4*(size_t)n*sizeof *wave), size, rate;
-	struct hawser_hopf hopf;
+	struct hawser_hopf hopf = {.turning = event->hopf.turning};
 	enum hawser_status status = wave ? hawser__hopf(&hopf, &rate, wave, options->family, options->start,
 	                                                event->parameter, event->hopf.omega, extent, report)
 	                                 : hawser__no_memory(report, "frf");
@@ -113,12 +175,47 @@ static enum hawser_status switch_cycles(struct hawser_frf *branch, const struct 
 	return status;
 }
 
+/* The motion is followed in time from beside an equilibrium: the first one, the last one and that in
+ * the middle, until it comes to a cycle. With `back` from that in the middle, to the other end. */
+enum hawser_status hawser__own_leave(struct hawser_frf *branch, const struct hawser_rom *rom,
+                                     const struct hawser_frf *from, int back,
+                                     const struct hawser_frf_options *as,
+                                     struct hawser_report *report)
+{
+	struct hawser_frf_options options = *as;
+	const int at[] = {0, from->points - 1, from->points/2};
+	int m = 2*from->n;
+	double *state = malloc((size_t)m*sizeof *state);
+	enum hawser_status status = state ? HAWSER_ERR_CONVERGENCE : hawser__no_memory(report, "frf");
+
+	options.start = state;
+	options.omega = -1.0;
+	*branch = (struct hawser_frf){.n = rom->n};
+	for (int i = back ? 2 : 0; status == HAWSER_ERR_CONVERGENCE && branch->points < 2 && i < 3; i++) {
+		int turned = i == 1 || back;
+		const double *rest = from->state + (size_t)at[i]*(size_t)m;
+		double size = cblas_dnrm2(m, rest, 1);
+
+		for (int j = 0; j < m; j++)
+			state[j] = rest[j] + (size > 0.0 ? size : 1.0)*APART_BY*cos(2.385*j + 0.3);
+		hawser_frf_clear(branch);
+		options.begin = from->point[at[i]].parameter;
+		options.from = turned ? as->to : as->from;
+		options.to = turned ? as->from : as->to;
+		status = hawser_frf_trace(branch, rom, &options, report);
+	}
+	free(state);
+	branch->parent = from->branch;
+	branch->born_at = options.begin;
+	return status;
+}
+
 enum hawser_status hawser__own_switch(struct hawser_frf *branch, const struct hawser_rom *rom,
                                       const struct hawser_frf *from, int e,
                                       const struct hawser_frf_options *as,
                                       struct hawser_report *report)
 {
-	const struct hawser_frf_event *event = &from->event[e];
+	const struct hawser_frf_event *event = from->event + e;
 	const struct hawser_rom *there;
 	const double *state = from->event_state + 2*(size_t)from->n*(size_t)e;
 	struct hawser_frf_options options = *as;
@@ -138,6 +235,8 @@ enum hawser_status hawser__own_switch(struct hawser_frf *branch, const struct ha
 		status = switch_doubled(branch, rom, there, state, &options, report);
 	else if (event->kind == HAWSER_BRANCH_POINT && event->located && rests)
 		status = switch_equilibria(branch, rom, there, state, &options, report);
+	else if (event->kind == HAWSER_BRANCH_POINT && event->located)
+		status = switch_point(branch, rom, there, state, &options, report);
 	else
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
 		                      "no branch is followed from a %s of %s", hawser_event_name(event->kind),

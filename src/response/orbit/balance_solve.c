@@ -11,10 +11,10 @@
  * cost per Jacobian since the last factorisation, including the factorisation: the rule of least
  * mean cost.
  *
- * From some hundred unknowns on M is not assembled. Its products with vectors are computed from the
- * sampled tangents, and the preconditioner solves the linear equations by collocation over the
- * period (balance_blocks.h). GMRES is flexible: it keeps the preconditioned vectors, which saves
- * one application per solution.
+ * From some hundred unknowns on M is assembled for its factors only. Its products with vectors
+ * are computed from the sampled tangents, and where that is cheaper the preconditioner solves the
+ * linear equations by collocation over the period (balance_blocks.h). GMRES is flexible: it keeps
+ * the preconditioned vectors, which saves one application per solution.
  *
  * Reference: Saad and Schultz, SIAM J. Sci. Stat. Comput. 7 (1986); Saad, ibid. 14 (1993).
  *
@@ -49,6 +49,12 @@
  * are used. */
 #define SINGLE_FROM 250
 
+/* Otherwise M is made to be factorised only, and its products come from the sampled tangents. */
+static int multiplies_matrix(const struct hawser__balance *balance)
+{
+	return !balance->blockwise && balance->unknowns < SINGLE_FROM;
+}
+
 /* The factors as floats, followed by memory for a vector. */
 static float *single_factors(const struct hawser__balance *balance)
 {
@@ -79,6 +85,8 @@ static int factorise_double(struct hawser__balance *balance)
 /* `exact`: in double precision for any size. */
 static int factorise(struct hawser__balance *balance, int exact)
 {
+	if (!multiplies_matrix(balance))
+		hawser__balance_assemble(balance);
 	balance->single = !exact && balance->unknowns >= SINGLE_FROM && factorise_single(balance);
 	balance->factored = balance->single || factorise_double(balance);
 	balance->fresh = balance->factored;
@@ -121,7 +129,8 @@ static int take_matrix(struct hawser__balance *balance, int exact)
 	if (hawser__balance_matrix_room(balance))
 		return 1;
 	balance->blockwise = 0;
-	hawser__balance_assemble(balance);
+	if (multiplies_matrix(balance))
+		hawser__balance_assemble(balance);
 	return factorise(balance, exact);
 }
 
@@ -156,7 +165,7 @@ int hawser__balance_factor(struct hawser__orbit *orbit, const double *row)
 		hawser__balance_scale(balance);
 	hawser__balance_set_border(balance, row);
 	memcpy(balance->row, row, (size_t)orbit->size*sizeof *row);
-	if (!balance->blockwise)
+	if (multiplies_matrix(balance))
 		hawser__balance_assemble(balance);
 	orbit->det_sign = 1.0;
 	balance->direct = balance->fresh = 0;
@@ -188,7 +197,7 @@ static void multiply(struct hawser__balance *balance, double *out, const double 
 {
 	int count = balance->unknowns + 1;
 
-	if (balance->blockwise)
+	if (!multiplies_matrix(balance))
 		hawser__balance_product(balance, out, x, 0);
 	else
 		cblas_dgemv(CblasRowMajor, CblasNoTrans, count, count, 1.0, balance->matrix, count, x, 1,

@@ -304,6 +304,7 @@ static int factor(struct hawser__orbit *orbit, const double *row)
 	memset(shooting->matrix, 0, (size_t)size*size*sizeof *shooting->matrix);
 	for (int i = 0; i < shooting->segments; i++)
 		fill_segment(shooting, i);
+	hawser__shooting_border(shooting);
 	for (int i = 0; i < size - 1; i++)
 		shooting->matrix[(size_t)i*size + size - 1] =
 			row[i]/(shooting->scale[i%shooting->base.m]*(size - 1));

@@ -73,6 +73,8 @@ enum hawser_status hawser__shooting_sharpen(struct hawser__orbit *orbit, int on,
 /* shooting_free.c: the factors [order][order] of the product whose eigenvalues are a cycle's
  * multipliers, without the one that is 1, in shooting->schur; returns their order. */
 int hawser__shooting_reduce(struct hawser__shooting *shooting);
+/* Before the bordered matrix is factorised: keep corrections from turning the orbit. */
+void hawser__shooting_border(struct hawser__shooting *shooting);
 
 /* shooting_guess.c: see keep and guess in method.h. _init returns 1 when out of memory. */
 int hawser__shooting_guess_init(struct hawser__shooting *shooting);

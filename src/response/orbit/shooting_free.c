@@ -9,7 +9,10 @@
  * multiplier of f in the first place, and the product of what is left without first rows and
  * columns has the others: none is chosen by its value, which near folds is not far from another's.
  * What the first columns have elsewhere, and the product of their heads, tell how far the first
- * multiplier is from 1.
+ * multiplier is from 1. A model that may be rotated (cycle/turn.c) has a second one, of the vectors
+ * g_i = (G u_i, G u_i'), which is removed in the same way. It would leave the bordered matrix singular,
+ * to which the product g g' is added, relative to the length of g: then a correction has no part along
+ * g.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -19,6 +22,10 @@
 #include <string.h>
 
 #include "response/orbit/shooting.h"
+
+#define INDEPENDENT 1e-3 /* least part of g that is no motion along the orbit, relative; chosen */
+#define TURNED 1e-6      /* square of the size of g, relative to the orbit, below which it is none;
+                          * chosen */
 
 /* w [m]: H = 1 - w w' turns f into a multiple of the first unit vector. */
 static void reflection(double *w, const double *f, int m)
@@ -50,35 +57,92 @@ static void reflect(double *a, double *work, const double *to, const double *fro
 	cblas_dger(CblasRowMajor, m, m, -1.0, to, 1, work, 1, a, m);
 }
 
+/* The factors [S][order][order] in `schur` become those without the vectors f [S] of nodes, `stride`
+ * apart; the vectors g [S][order] too. */
+static void take_out(struct hawser__shooting *shooting, const double *f, int stride, double *g,
+                     int order)
+{
+	struct hawser__orbit *orbit = &shooting->base;
+	int S = shooting->segments, m = orbit->m, less = order - 1;
+	double *work = shooting->reduced, *from = work + m, *to = from + m, *a = to + m;
+	double head = 1.0, leak = 0.0, *out = shooting->schur;
+
+	for (int i = 0; i < S; i++, out += less*less) {
+		memcpy(a, shooting->schur + (size_t)i*order*order, (size_t)order*order*sizeof *a);
+		reflection(from, f + i*stride, order);
+		reflection(to, f + ((i + 1)%S)*stride, order);
+		reflect(a, work, to, from, order);
+		head *= fabs(a[0]);
+		for (int j = 1; j < order; j++) {
+			leak = fmax(leak, fabs(a[j*order]/a[0]));
+			memcpy(out + (j - 1)*less, a + j*order + 1, (size_t)less*sizeof *out);
+		}
+		if (g) {
+			cblas_daxpy(order, -cblas_ddot(order, from, 1, g + i*order, 1), from, 1, g + i*order, 1);
+			memmove(g + i*less, g + i*order + 1, (size_t)less*sizeof *g);
+		}
+	}
+	orbit->trivial = fmax(orbit->trivial, fmax(fabs(head - 1.0), leak));
+}
+
+/* g [S][order]: change of the nodes by the rotation of the model. */
+static void turn_nodes(double *g, const struct hawser__shooting *shooting, int order)
+{
+	const struct hawser__orbit *orbit = &shooting->base;
+	int n = orbit->n, S = shooting->segments;
+
+	for (int i = 0; i < S; i++)
+		for (int part = 0; part < order/n; part++)
+			cblas_dgemv(CblasRowMajor, CblasNoTrans, n, n, 1.0, orbit->turn, n,
+			            shooting->node + i*orbit->m + part*n, 1, 0.0, g + i*order + part*n, 1);
+}
+
+void hawser__shooting_border(struct hawser__shooting *shooting)
+{
+	int m = shooting->base.m, S = shooting->segments, size = shooting->base.size;
+	double *g = shooting->finer, square = TURNED*S*m;
+
+	if (!shooting->base.turn)
+		return;
+	turn_nodes(g, shooting, m);
+	for (int i = 0; i < S*m; i++) {
+		g[i] /= shooting->scale[i%m];
+		square += g[i]*g[i];
+	}
+	for (int k = 0; k < S*m; k++)
+		for (int i = 0; i < S*m; i++)
+			shooting->matrix[(size_t)k*size + i] += g[(i + m)%(S*m)]*g[k]/square;
+}
+
 int hawser__shooting_reduce(struct hawser__shooting *shooting)
 {
 	struct hawser__orbit *orbit = &shooting->base;
 	const struct hawser_rom *first = orbit->rom->first;
 	int n = orbit->n, m = orbit->m, order = first ? n : m, S = shooting->segments;
-	double *work = shooting->reduced, *from = work + m, *to = from + m, *slope = to + m;
-	double *a = slope + m*m, *by_v = a + m*m;
-	double head = 1.0, leak = 0.0, *out = shooting->schur;
+	double *work = shooting->reduced, *unused = work + m, *slope = unused + m, *by_v = slope + n*n;
+	double *g = orbit->turn ? shooting->finer : NULL, whole = 0.0;
 
-	for (int i = 0; i < S; i++, out += (order - 1)*(order - 1)) {
-		const double *A = shooting->A + (size_t)i*m*m, *next = shooting->rates + ((i + 1)%S)*m;
+	orbit->trivial = 0.0;
+	for (int i = 0; i < S; i++) {
+		const double *A = shooting->A + (size_t)i*m*m, *u = shooting->node + i*m;
+		double *a = shooting->schur + (size_t)i*order*order;
 
 		if (first) {
-			const double *u = shooting->node + i*m;
-
-			hawser_rom_acceleration_jacobian(first, work, slope, by_v, from, u, u + n, 0.0, 1.0);
+			hawser_rom_acceleration_jacobian(first, work, slope, by_v, unused, u, u + n, 0.0, 1.0);
 			restrict_to_first(a, A, slope, n);
 		} else {
 			memcpy(a, A, (size_t)m*m*sizeof *a);
 		}
-		reflection(from, shooting->rates + i*m, order);
-		reflection(to, next, order);
-		reflect(a, work, to, from, order);
-		head *= fabs(a[0]);
-		for (int j = 1; j < order; j++) {
-			leak = fmax(leak, fabs(a[j*order]/a[0]));
-			memcpy(out + (j - 1)*(order - 1), a + j*order + 1, (size_t)(order - 1)*sizeof *out);
-		}
 	}
-	orbit->trivial = fmax(fabs(head - 1.0), leak);
+	if (g) {
+		turn_nodes(g, shooting, order);
+		whole = cblas_dnrm2(S*order, g, 1);
+	}
+	take_out(shooting, shooting->rates, m, g, order);
+	order--;
+	/* not that of a rotation which is the motion itself */
+	if (!g || cblas_dnrm2(S*order, g, 1) <= INDEPENDENT*whole)
+		return order;
+	take_out(shooting, g, order, NULL, order);
 	return order - 1;
 }

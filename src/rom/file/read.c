@@ -166,12 +166,12 @@ enum hawser_status hawser__read_keys(const struct hawser__parser *reader, json_t
 		int known = 0;
 		char list[160] = "";
 
-		for (int i = 0; keys[i]; i++) {
+		for (int i = 0; keys[i]; i++)
 			known = known || !strcmp(key, keys[i]);
-			hawser__append(list, sizeof list, ", ", "%s", keys[i]);
-		}
 		if (known)
 			continue;
+		for (int i = 0; keys[i]; i++)
+			hawser__append(list, sizeof list, ", ", "%s", keys[i]);
 		near = nearest(key, keys);
 		if (near)
 			return hawser__wrong(reader, "unknown key \"%.40s\" in %s: did you mean %s?", key,

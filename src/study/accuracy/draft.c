@@ -20,6 +20,9 @@
 #define SLACK_POINTS 50 /* fewest points of which slackness is judged; chosen */
 #define UNSEEN 0.035    /* distance of two drafts, relative to the accuracy, that is not seen between
                          * their points: 4.9e-4 at a peak of deep-sag where 4.4e-5 was */
+#define TURNED 100      /* points without an advance, */
+#define IN_VAIN 0.05    /* and work, of what can be borne, after which a curve may be said to wander;
+                         * chosen */
 #define FIRST_POINTS 24 /* of a trace, before anything is foreseen; chosen */
 
 void hawser__traced_clear(struct hawser__traced *traced)
@@ -65,8 +68,24 @@ static int is_costly(const struct hawser__draft_watch *watch, int points, double
 	return fmax(spent, watch->a->foreseen/DOUBT) > bearable;
 }
 
+/* Whether the curve has turned back and come no farther in as much work as it took to get there. */
+static int wanders(struct hawser__draft_watch *watch, const struct hawser_frf *frf, double work)
+{
+	double reach = hawser__draft_reach(frf, frf->points, &watch->options->frf);
+
+	if (reach != watch->farthest) {
+		watch->farthest = reach;
+		watch->turned = frf->points;
+		watch->until = work;
+	}
+	watch->vain = frf->points - watch->turned > TURNED && work > 2.0*watch->until &&
+	              work - watch->until > IN_VAIN*watch->options->bearable;
+	return watch->vain;
+}
+
 /* Ends a draft when the work that is foreseen is more than can be borne, or with options->partial when
- * that of the part so far is, or where the cable is slack from early on; tells the time left. */
+ * that of the part so far is or the curve wanders, or where the cable is slack from early on; tells the
+ * time left. */
 int hawser__draft_watch_trace(void *data, const struct hawser_progress_state *state)
 {
 	struct hawser__draft_watch *watch = data;
@@ -86,8 +105,9 @@ int hawser__draft_watch_trace(void *data, const struct hawser_progress_state *st
 	}
 	watch->afforded = limited && watch->options->partial && isnan(watch->a->until) &&
 	                  points >= FIRST_POINTS &&
-	                  so_far(watch, points, work) > watch->options->bearable*
-	                  (watch->a->foreseen > watch->options->bearable ? A_PART : 1.0);
+	                  (so_far(watch, points, work) > watch->options->bearable*
+	                   (watch->a->foreseen > watch->options->bearable ? A_PART : 1.0) ||
+	                   wanders(watch, frf, work));
 	if (watch->afforded)
 		return 1;
 	if (limited && is_costly(watch, points, work)) {
@@ -125,7 +145,9 @@ static int ends_range(struct hawser_accuracy *a, const struct hawser__draft_watc
 	/* at a fold a little before it: that of another basis is elsewhere, by less than two may differ */
 	a->until = hawser__draft_reach(&a->frf, a->frf.points - (failed ? ASIDE : 0), &watch->options->frf)*
 	           (watch->options->frf.to > watch->options->frf.from ? 1.0 - aside : 1.0 + aside);
-	snprintf(a->beyond, sizeof a->beyond, "%s", failed ? why->message : "");
+	snprintf(a->beyond, sizeof a->beyond, "%s", failed ? why->message
+	         : watch->vain ? "there the curve turns back, and comes no farther in as much work as it "
+	           "took to get there; --set model.energy=exact follows it" : "");
 	a->frf.end = HAWSER_END_RANGE;
 	return 1;
 }

@@ -39,7 +39,10 @@ struct hawser__draft_watch {
 	const struct hawser_rom *rom; /* of the trace */
 	int n;         /* coordinates of the model whose response follows */
 	int drafts;    /* 1: it is a draft, which may be given up */
-	int afforded;  /* 1: it was ended where the rest of the range is more than can be borne */
+	int afforded;  /* 1: it was ended where the rest of the range is more than can be borne, */
+	int vain;      /* or, 1, where the curve comes no farther */
+	double farthest, until; /* frequency that it has reached, work until there */
+	int turned;    /* and points */
 };
 
 void hawser__traced_clear(struct hawser__traced *traced);
@@ -55,8 +58,8 @@ double hawser__draft_reach(const struct hawser_frf *frf, int points,
                            const struct hawser_frf_options *range);
 
 /* For the progress of a trace; data: struct hawser__draft_watch. Ends a draft when the work that is
- * foreseen is more than can be borne, or with options->partial when that of the part so far is, or
- * where the cable is slack from early on; tells the time left. */
+ * foreseen is more than can be borne, or with options->partial when that of the part so far is or
+ * the curve wanders, or where the cable is slack from early on; tells the time left. */
 int hawser__draft_watch_trace(void *data, const struct hawser_progress_state *state);
 
 /* The counterparts of the marks in the model of *draft, if there are, and how far they are from the
