@@ -41,6 +41,7 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/modes/modes-label.c \
 	%D%/motion/motion.c \
 	%D%/motion/motion.h \
+	%D%/motion/motion-bed.c \
 	%D%/motion/motion-chain.c \
 	%D%/motion/motion-contact.c \
 	%D%/motion/motion-contact.h \

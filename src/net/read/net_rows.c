@@ -240,6 +240,11 @@ static const struct hawser__tree_key net_rows[] = {
 	     "them, and supports need not hold the net")
 	NUMBER("net.obstacles[].friction", OPTIONAL, "1", NOT_NEGATIVE, SURFACE_AT(friction), "0",
 	       "coefficient of friction")
+	NUMBER("net.obstacles[].stiffness", OPTIONAL, "Pa/m", POSITIVE, SURFACE_AT(stiffness), "rigid",
+	       "of a plane that gives way, as a seabed: force per unstretched length over the diameter and "
+	       "the depth")
+	NUMBER("net.obstacles[].damping", OPTIONAL, "Pa.s/m", NOT_NEGATIVE, SURFACE_AT(damping), "0",
+	       "of this: the same over the rate of the depth, in motions; it does not pull")
 	NUMBER("net.obstacles[].velocity", OPTIONAL, "m/s", ANY, SURFACE_AT(speed), NULL,
 	       "speed of the surface along a segment or counterclockwise around a circle")
 	PLACE_OR("net.obstacles[].velocity", 3, OPTIONAL, "m/s", SURFACE_AT(velocity),

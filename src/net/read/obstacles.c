@@ -21,12 +21,22 @@ static const double TOUCHES = 1e-9;
 enum hawser_status hawser__net_obstacles(struct hawser__reader *reader, struct hawser_net *net,
                                          const struct hawser__tree *tree)
 {
+	enum hawser_status status;
+
 	for (int c = 0; c < net->cables; c++)
 		if (net->cable[c].given != HAWSER_NET_LENGTH0)
 			return hawser__reader_fail(reader, &tree->at, "obstacles: cable %s has no length0, and "
 			                           "form finding does not know obstacles: give its length0",
 			                           net->cable[c].name);
-	return hawser__surfaces_read(reader, &net->surface, &net->surfaces, tree);
+	status = hawser__surfaces_read(reader, &net->surface, &net->surfaces, tree);
+	for (int s = 0; s < net->surfaces && !status; s++)
+		for (int c = 0; c < net->cables && net->surface[s].stiffness > 0.0; c++)
+			if (!(net->cable[c].line.diameter > 0.0))
+				return hawser__reader_fail(reader, &tree->at, "obstacles.%s.stiffness is per "
+				                           "diameter, and cable %s has none: give it one, such as "
+				                           "diameter: 0.1 m", net->surface[s].name,
+				                           net->cable[c].name);
+	return status;
 }
 
 static enum hawser_status way(struct hawser__reader *reader, struct hawser_net *net,
