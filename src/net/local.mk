@@ -32,6 +32,7 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/read/events.c \
 	%D%/read/loads.c \
 	%D%/read/passing.c \
+	%D%/read/pulled.c \
 	%D%/read/water.c \
 	%D%/statics/history.c \
 	%D%/motion/integrate.c \

@@ -260,8 +260,9 @@ static const struct hawser__tree_key net_rows[] = {
 	LIMITED("net.contact.restitution", OPTIONAL, "1", NOT_NEGATIVE, 1.0, NET_AT(contact.restitution),
 	        "0", "of impacts in motions: the normal velocity after over the one before, which does "
 	        "not grow")
-	WORD("net.contact.sliding", OPTIONAL, "none|history", NET_AT(contact.history), "none",
-	     "friction of surfaces that move alone, or along the way of the supports to their places")
+	WORD("net.contact.sliding", OPTIONAL, "none|history|pulled", NET_AT(contact.history), "none",
+	     "friction of surfaces that move alone, along the way of the supports to their places, or as "
+	     "they were pulled there from where lines hang loose: all of it towards the anchors")
 	MAPPING("net.contact.path", OPTIONAL, "ways of supports to their places, of sliding: history: "
 	        "from an equilibrium without friction to the places in nodes")
 	LIST("net.contact.path.*", OPTIONAL, "places, from the first on")

@@ -99,11 +99,13 @@ enum hawser_status hawser__net_contact(struct hawser__reader *reader, struct haw
 	if (!net->surfaces)
 		return hawser__reader_fail(reader, &tree->at, "contact is of obstacles, and the scene has "
 		                           "none: add the section obstacles");
+	if (!one && net->contact.history == HAWSER_NET_PULLED)
+		return hawser__net_pulled(reader, net, tree);
 	if (!status && !one && net->contact.history)
 		status = hawser__reader_fail(reader, &tree->at, "contact.sliding: history needs contact.path, "
 		                             "the way of one or more supports to their places, such as path: "
 		                             "{B: [[380 m, 200 m, 0 m]]}");
-	if (!status && one && !net->contact.history)
+	if (!status && one && net->contact.history != HAWSER_NET_HISTORY)
 		status = hawser__reader_fail(reader, &one->at, "contact.path is of sliding: history: give "
 		                             "that, or leave path out");
 	return status || !one ? status : ways(reader, net, one);
