@@ -29,6 +29,7 @@
 #define NUDGE 1e-4
 #define MOST_STEPS 20 /* of Newton's method for a Hopf point */
 #define NEAR 1e-11    /* and its last step, relative */
+#define NOTHING 1e-13 /* of what l1 is the sum of: round-off; chosen */
 #define SAME 1e-6     /* distance of eigenvalues that are one, relative, and of vectors; chosen */
 
 struct form {
@@ -290,21 +291,27 @@ static double coefficient(struct form *form, double omega)
 {
 	const double complex *q = form->q, *star = form->star, *work = form->work;
 	int m = form->m;
-	double complex sum;
+	double complex sum, more;
+	double size;
 
 	derivative(form->part, form, (const double complex *[]){q, q, star}, 3);
 	sum = dot(form->p, form->part, m);
+	size = cabs(sum);
 	derivative(form->work, form, (const double complex *[]){q, star}, 2);
 	if (resolve(form, form->work, 0.0)) /* - A^-1 B */
 		return NAN;
 	derivative(form->part, form, (const double complex *[]){q, work}, 2);
-	sum += 2.0*dot(form->p, form->part, m);
+	more = 2.0*dot(form->p, form->part, m);
+	sum += more;
+	size += cabs(more);
 	derivative(form->work, form, (const double complex *[]){q, q}, 2);
 	if (resolve(form, form->work, 2.0*I*omega))
 		return NAN;
 	derivative(form->part, form, (const double complex *[]){star, work}, 2);
-	sum += dot(form->p, form->part, m);
-	return creal(sum)/(2.0*omega);
+	more = dot(form->p, form->part, m);
+	sum += more;
+	size += cabs(more);
+	return fabs(creal(sum)) > NOTHING*size ? creal(sum)/(2.0*omega) : 0.0;
 }
 
 /* The derivative of the growth rate along the branch of equilibria at p; the matrix of the model
