@@ -29,7 +29,7 @@ static const struct {
 	 "without quotes, tabs and \\ # { } [ ] , :"},
 	{WHOLE, "cases=[{name: a, span: 3}]",
 	 "--set cases=[{name: a, span: 3}]: unknown key cases[0].span: did you mean span at the top "
-	 "level? cases[0] takes name, load, temperature"},
+	 "level? cases[0] takes name, load, temperature, wind"},
 	{WHOLE, "cases=[{name: a, load: {frame: local}}]",
 	 "--set cases=[{name: a, load: {frame: local}}]: unknown key cases[0].load.frame: did you mean "
 	 "frame under cases[].load.static? cases[0].load takes static"},
