@@ -26,7 +26,7 @@
 static void net_facts(char *text, int *forced, const struct hawser_net *net)
 {
 	long elements = 0;
-	int supports = 0;
+	int supports = 0, used;
 
 	*forced = net->motions > 0 || net->water.waves.count > 0;
 	for (int i = 0; i < net->loads; i++)
@@ -35,9 +35,13 @@ static void net_facts(char *text, int *forced, const struct hawser_net *net)
 		elements += net->cable[i].elements;
 	for (int i = 0; i < net->nodes; i++)
 		supports += net->node[i].support != 0;
-	snprintf(text, CLI_SCENE_FACTS, "  nodes: %d, of which %d are supports\n"
-	         "  cables: %d, with %ld elements\n  loads: %d; motions of supports: %d\n", net->nodes,
-	         supports, net->cables, elements, net->loads, net->motions);
+	used = snprintf(text, CLI_SCENE_FACTS, "  nodes: %d, of which %d are supports\n"
+	                "  cables: %d, with %ld elements\n  loads: %d; motions of supports: %d\n",
+	                net->nodes, supports, net->cables, elements, net->loads, net->motions);
+	if (net->water.density > 0.0)
+		snprintf(text + used, (size_t)(CLI_SCENE_FACTS - used), "  water: below y = %.6g m%s%s\n",
+		         net->water.surface, net->water.levels ? ", with a current" : "",
+		         net->water.waves.count ? ", with waves" : "");
 }
 LOOK(net, net_facts)
 
