@@ -93,6 +93,32 @@ static void compare(struct hawser_rom *rom, const double *map)
 	free(mark);
 }
 
+/* A peak of height 1 and half-width 1, and one that is higher and shifted: the height is read between
+ * counterparts none of which is at the top. */
+static void heights(void)
+{
+	enum { POINTS = 41, MARKS = 3 };
+	const double higher = 1e-3, shift = 0.015;
+	double arc[POINTS], value[4*POINTS] = {0.0}, beside[4*MARKS] = {0.0}, distance = 0.0;
+	const int mark[MARKS] = {18, 20, 22};
+	struct hawser__drawn_curve curve = {POINTS, 3, arc, value}, other = {MARKS, 3, arc, beside};
+
+	for (int i = 0; i < POINTS; i++) {
+		arc[i] = 0.1*(i - 20) - 0.037;
+		value[4*i] = 1e-3*arc[i];
+		value[4*i + 3] = 1.0/(1.0 + arc[i]*arc[i]);
+	}
+	for (int k = 0; k < MARKS; k++) {
+		double s = arc[mark[k]];
+
+		beside[4*k] = 1e-3*s;
+		beside[4*k + 3] = (1.0 + higher)/(1.0 + (s - shift)*(s - shift));
+	}
+	/* nearest to the top the two differ by a third of that */
+	ok(!hawser__curve_points_distance(&distance, &curve, mark, NULL, &other, &report), "distance");
+	ok(fabs(distance/higher - 1.0) < 0.15, "peak higher by %.3g, read %.3g", higher, distance);
+}
+
 /* A search up to `to` that may take so many seconds, as counted; `step` of its response. */
 static void search(struct hawser_accuracy *accuracy, double unit, double to, double bearable,
                    double step)
@@ -223,6 +249,7 @@ CASE(property_carry)
 	compare(rom, map);
 	search_parts(sqrt(rom[1].K[0]));
 	carry_to_itself();
+	heights();
 	free(map);
 	fclose(stream);
 	for (int k = 0; k < 2; k++)
