@@ -26,6 +26,9 @@ enum hawser_locus_special {
 	HAWSER_LOCUS_WITH_FOLD,    /* another multiplier is +1 */
 	HAWSER_LOCUS_WITH_DOUBLING, /* another multiplier is -1 */
 	HAWSER_LOCUS_WITH_TORUS,   /* another pair of multipliers is on the unit circle */
+	HAWSER_LOCUS_WITH_HOPF,    /* of equilibria: another pair of eigenvalues is on the axis (zero-Hopf,
+	                            * double Hopf) */
+	HAWSER_LOCUS_TAKENS,       /* of equilibria: two eigenvalues are 0 (Bogdanov-Takens) */
 	HAWSER_LOCUS_START,        /* the curve passes the value at which it was started */
 	HAWSER_LOCUS_SPECIALS
 };
@@ -38,6 +41,7 @@ enum hawser_locus_end {
 	HAWSER_LOCUS_PARAMETER,   /* the parameter left its range */
 	HAWSER_LOCUS_CLOSED,      /* the curve returned to its start */
 	HAWSER_LOCUS_RESONANCE,   /* the angle of the torus' multipliers became 0 or pi: the last event */
+	HAWSER_LOCUS_NO_FREQUENCY, /* the frequency of the Hopf points became 0: the last event */
 	HAWSER_LOCUS_MAX_POINTS,
 	HAWSER_LOCUS_INTERRUPTED, /* progress.function asked for it */
 	HAWSER_LOCUS_FAILED       /* the corrector failed; the curve's message says where */
@@ -50,6 +54,9 @@ struct hawser_locus_point {
 	double parameter;
 	double angle;     /* argument of the critical multipliers, 0 to pi: 0 at folds and branch points, pi
 	                   * at period doublings */
+	double own;       /* of autonomous models: frequency of the cycle or, of a Hopf point, of its pair,
+	                   * scaled; 0: equilibrium */
+	double l1;        /* of a Hopf point (struct hawser_hopf), else NAN */
 	double arc;       /* arclength along the curve, in the metric of the continuation */
 	double residual;  /* certificate: largest defect after the final correction, relative */
 	double mesh;      /* certificate: estimated truncation error of the Fourier series, relative to
@@ -68,6 +75,7 @@ struct hawser_locus_point {
 struct hawser_locus_event {
 	enum hawser_locus_special kind;
 	double omega, parameter, angle, arc;
+	double own;       /* as in struct hawser_locus_point */
 	double error;     /* estimated error of omega and parameter, relative to their ranges */
 	int after;        /* index, among all points, of the last point before it */
 };
@@ -99,7 +107,8 @@ struct hawser_locus {
 };
 
 struct hawser_locus_options {
-	enum hawser_event_kind kind; /* HAWSER_FOLD, _PERIOD_DOUBLING, _TORUS, _BRANCH_POINT, or
+	enum hawser_event_kind kind; /* HAWSER_FOLD, _PERIOD_DOUBLING, _TORUS, _BRANCH_POINT, _HOPF (of
+	                              * autonomous models), or
 	                              * HAWSER_RESONANCE: motions in phase quadrature with their load, the
 	                              * damped backbone */
 	int harmonic;                /* HAWSER_RESONANCE: of load and motion; 0: the load's lowest one */

@@ -94,10 +94,13 @@ enum hawser_net_contact_modes {
 /* What a node does at the obstacles. */
 enum hawser_net_contact_state { HAWSER_NET_OPEN = 0, HAWSER_NET_SLIP, HAWSER_NET_STICK };
 
+/* Friction in statics: none, but that of surfaces that move; that of the way of the supports; that of a
+ * way from where lines hang loose, which the reader makes. */
+enum hawser_net_sliding { HAWSER_NET_NO_SLIDING = 0, HAWSER_NET_HISTORY, HAWSER_NET_PULLED };
+
 /* `contact` of the scene. */
 struct hawser_net_contact_given {
-	int history;        /* 1: friction follows the way of the supports; 0: none in statics, but that of
-	                     * surfaces that move */
+	int history;        /* enum hawser_net_sliding, see there */
 	int steps;          /* of the way, between two of its points */
 	double restitution; /* of impacts */
 	enum hawser_net_contact_modes modes;

@@ -124,7 +124,8 @@ struct hawser_load_piece {
 	char name[HAWSER_NAME_SIZE]; /* "" if it has none */
 };
 
-/* A load case: the static load and the change of temperature in place of those of the scene. */
+/* A load case: the static load, the change of temperature and the speed of the wind in place of those
+ * of the scene. */
 enum { HAWSER_CASES_MAX = 32 };
 struct hawser_case {
 	char name[HAWSER_NAME_SIZE];
@@ -133,6 +134,7 @@ struct hawser_case {
 	double mass;          /* kg/m */
 	double change;        /* K */
 	double expansion;     /* 1/K, that of the scene if the case gives none */
+	double wind;          /* m/s, 0: calm */
 };
 
 /* Wind across the cable: f = density diameter/2 |p| (C_D p + C_L R p) per unstretched length, with the

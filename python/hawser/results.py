@@ -247,13 +247,17 @@ def _run(command: str, scene: Optional[scenes.SceneLike], more: List[str], set: 
         if command not in _TEXT:
             arguments += ["--quiet", "--json", str(data), "--tsv", str(table)]
         code, text, said, stop = _start(arguments + last, timeout)
-        if code and not (stop and data.is_file()):
+        if code and not data.is_file():
             raise stop or _failure(code, said or text)
         whole = data.read_text(encoding="utf-8") if data.is_file() else text if command == "schema" else ""
         result = Result(command, whole, table, said.strip(), text, {"scene": scene, "set": set, "options": dict(options)})
     if stop:
         stop.partial = result  # type: ignore[attr-defined]
         raise stop
+    if code and (command != "sweep" or result.json["failed"] == result.json["variations"]):
+        failure = _failure(code, said or text)
+        failure.partial = result  # type: ignore[attr-defined]
+        raise failure
     return result
 
 

@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 """
 from __future__ import annotations
 
+import warnings
 from typing import Any, List, Mapping, Optional, Sequence
 
 from . import scenes
@@ -26,11 +27,13 @@ def sweep(scene: scenes.SceneLike, over: Mapping[str, Any], command: str = "stat
           threads: Optional[int] = None, **options: Any) -> Any:
     """Run a command for each combination of values, {"tension.T0": "60 kN:100 kN:9", "cable.rho": [5, 6]}, and return a pandas
     frame of the varied keys, the exit status and the results that are kept; its `attrs` have the units of the columns and the
-    failures, each with its message. `rows` chooses the rows of a variation ("values", "table", "peaks" ...), as hawser-sweep(1)
+    failures, each with its message, of which a warning tells. `rows` chooses the rows of a variation ("values", "table", "peaks" ...), as hawser-sweep(1)
     says. With `grid` an xarray dataset whose dimensions are the keys. Further options are those of the command."""
     result = run_sweep(scene, over, command, keep, rows, set, threads, options)
     frame = result.frame()
     frame.attrs = {"units": {name: result.unit(name) for name in result.names}, "failures": result.json["failures"]}
+    if frame.attrs["failures"]:
+        warnings.warn(result.warnings.replace("hawser: ", "", 1) or "some variations have no result", stacklevel=2)
     return _grid(result, frame) if grid else frame
 
 

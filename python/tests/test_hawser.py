@@ -153,6 +153,9 @@ def test_sweeps_are_frames_and_grids(scenes):
     assert frame[(frame["tension.T0_kN"] == 80) & (frame["cable.rho_kg_m"] == 6)]["sag_m"].item() == alone
     with pytest.raises(hawser.InputError, match="cable.rho"):
         hawser.sweep(SPAN, {"cable.rho": []})
+    with pytest.warns(UserWarning, match="no result of 1 of 2 variations"):
+        partly = hawser.sweep(SPAN, {"tension.T0": ["80 kN", "-1 N"]}, "statics", keep=["sag"])
+    assert list(partly["status"]) == [0, 1] and partly.attrs["failures"][0]["variation"] == 1
     pytest.importorskip("xarray")
     grid = hawser.sweep(SPAN, over, keep=["sag"], grid=True)
     assert grid["sag_m"].shape == (3, 2) and grid["sag_m"].attrs["units"] == "m"

@@ -200,6 +200,13 @@ enum hawser_status hawser_surface_settle(struct hawser_surface *surface, struct 
 			                    "finite: give finite ones", kinds[surface->kind]);
 	if (surface->friction < 0.0 || surface->radius < 0.0)
 		return fail(report, "friction and radius must not be negative");
+	if (!(surface->stiffness >= 0.0) || !(surface->damping >= 0.0) ||
+	    !isfinite(surface->stiffness + surface->damping))
+		return fail(report, "stiffness and damping must be numbers from 0 on");
+	if (surface->kind != HAWSER_SURFACE_PLANE && surface->stiffness > 0.0)
+		return fail(report, "stiffness is of planes: leave it out");
+	if (surface->damping > 0.0 && !(surface->stiffness > 0.0))
+		return fail(report, "damping is of a plane that gives way: give its stiffness too");
 	if (((surface->side == HAWSER_SIDE_INSIDE || surface->side == HAWSER_SIDE_AROUND) && !circle) ||
 	    ((surface->side == HAWSER_SIDE_LEFT || surface->side == HAWSER_SIDE_RIGHT) &&
 	     surface->kind != HAWSER_SURFACE_SEGMENT))

@@ -32,6 +32,7 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/read/events.c \
 	%D%/read/loads.c \
 	%D%/read/passing.c \
+	%D%/read/pulled.c \
 	%D%/read/water.c \
 	%D%/statics/history.c \
 	%D%/motion/integrate.c \
@@ -41,6 +42,7 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/modes/modes-label.c \
 	%D%/motion/motion.c \
 	%D%/motion/motion.h \
+	%D%/motion/motion-bed.c \
 	%D%/motion/motion-chain.c \
 	%D%/motion/motion-contact.c \
 	%D%/motion/motion-contact.h \

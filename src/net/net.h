@@ -66,14 +66,15 @@ struct hawser__touch {
 	const struct hawser_surface *surface; /* of the net */
 	int number;            /* of that surface */
 	int node, element, end; /* the node is this end of this element */
+	double give;           /* m/N: how far the obstacle gives way; 0: rigid */
 	int curved;            /* 1: the matrix has the second derivatives of the gap */
 	double g, n[3], H[3][3]; /* gap, its gradient and second derivatives, at mesh->q */
-	double r, t;           /* N; m: slack of the interior point, g at its end */
+	double r, t;           /* N; m: slack of the interior point, g + give*r at its end */
 	double friction[3];    /* N */
 	double aside;          /* N: along z, of a groove */
 	int slides;            /* 1: friction is at its bound, against the slip */
 	double from[3];        /* m: the place where the node stuck or slid from */
-	double stiff;          /* N/m, of the linear equations */
+	double stiff, hold;    /* N/m, of the linear equations: along the normal; along the surface */
 	double block[3][3], push[3]; /* what it gives to the matrix, and to the right side */
 	double drag[3];        /* friction of one that slides over r: follows r within a step */
 	double turn[3][3];     /* N/m: the derivative of its direction by the place, times friction*r */

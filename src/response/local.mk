@@ -78,6 +78,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/locus/folds_system.c \
 	%D%/locus/folds_walk.c \
 	%D%/locus/folds_walk.h \
+	%D%/locus/locus_own.c %D%/locus/locus_own.h %D%/locus/own_line.c %D%/locus/own_special.c \
 	%D%/locus/locus.c \
 	%D%/locus/locus.h \
 	%D%/locus/locus_begin.c \

@@ -303,6 +303,10 @@ static enum hawser_status cases(const struct checked *of)
 	for (int i = 0; i < scene->cases; i++) {
 		struct hawser_case *c = &scene->load_case[i];
 
+		if (c->wind > 0.0 && !scene->wind.present)
+			return hawser__reader_fail(of->reader, place(of, "cases"), "cases[%d] (%s) has a "
+			                           "wind.speed, and the scene has no wind: give it, with its "
+			                           "density, diameter and drag", i, c->name);
 		if (!c->heated || !isnan(c->expansion))
 			continue;
 		if (!scene->temperature.present)

@@ -283,4 +283,5 @@ void hawser_scene_case(struct hawser_scene *to, const struct hawser_scene *scene
 	to->temperature.present = c->heated;
 	to->temperature.change = c->heated ? c->change : 0.0;
 	to->temperature.expansion = c->heated ? c->expansion : 0.0;
+	to->wind.speed = c->wind;
 }

@@ -450,6 +450,10 @@ static const struct hawser__tree_key span_rows[] = {
 	       "as temperature.change")
 	NUMBER("span.cases[].temperature.expansion", OPTIONAL, "1/K", ANY, CASE_AT(expansion), NULL,
 	       "as temperature.expansion, which holds without it")
+	SECTION("span.cases[].wind", OPTIONAL, "a speed in place of that of the scene's wind; without it, "
+	        "the case is calm")
+	NUMBER("span.cases[].wind.speed", REQUIRED, "m/s", NOT_NEGATIVE, CASE_AT(wind), NULL,
+	       "as wind.speed")
 	WORD("span.kind", OPTIONAL, "span", CHECKED, NULL, "kind of the scene")
 	/* further forms of values above */
 	LIMIT("span.ends.A", "pinned|clamped", SPAN_AT(ends[0]), NULL, "a hinge, or held")

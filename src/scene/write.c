@@ -198,6 +198,11 @@ static void cases(FILE *stream, const struct hawser_scene *scene)
 			number(stream, c->expansion);
 			fputs("}", stream);
 		}
+		if (c->wind > 0.0) {
+			fputs(", wind: {speed: ", stream);
+			number(stream, c->wind);
+			fputs("}", stream);
+		}
 		fputs("}\n", stream);
 	}
 }

@@ -91,7 +91,7 @@ fi
 try "special points in the table" grep -q "^# curve 1: cusp at Omega = 1.0441742290. rad/s\|^# curve 1: cusp at Omega = 1.0441742290" fold.tsv
 try "and in the picture" grep -q "degenerate-branch-point" whirling.svg
 
-refuses 1 "--kind hopf: write fold, period-doubling, torus, branch-point or resonance" locus cascade.json --kind hopf
+refuses 1 "--kind slack: write fold, period-doubling, torus, branch-point, resonance or hopf" locus cascade.json --kind slack
 refuses 1 "--at big: write a number, in SI units" locus "$duffing" --from 0.8 --to 1.8 --at big
 refuses_like 1 "outside its range" locus "$duffing" --from 0.8 --to 1.8 --at 3
 refuses_like 2 "has no torus in this range" locus "$duffing" --from 0.8 --to 1.8 --kind torus

@@ -24,6 +24,21 @@ for kind, want in (("fold", 1.037806516), ("fold", 1.078209077), ("torus", 1.009
     assert min(abs(e["Omega"] - want) for e in r["events"] if e["kind"] == kind) < 1e-3, (kind, want)
 assert r["command"] == "mms" and [m["order"] for m in r["modulation"]["modes"]] == [1, 2]
 END
+cat >half.json <<'END'
+{"n": 2, "D": [[0.02, 0], [0, 0.04]], "K": [[1, 0], [0, 4]], "Q": [[0, 0, 1, 1], [1, 0, 0, 0.5]], "harmonics": [{"k": 1, "f": [0, 0.02]}]}
+END
+run mms half.json --mode 2 --from 1.9 --to 2.1 --tsv half.tsv -q
+try "a mode of half the frequency is named" like 0 "begins to move at half the forcing frequency"
+works "and followed" frf half.json --from 1.9 --to 2.1 --json half-frf.json -q
+python "it makes the closed form unstable where frf has its period doublings" <<'END'
+import json
+rows = [line.split("\t") for line in open("half.tsv") if line[0] != "#"]
+named, rows = rows[0], [list(map(float, r[:2])) for r in rows[1:]]
+assert named[0].startswith("Omega") and named[1] == "stable", named
+turns = [b[0] for a, b in zip(rows, rows[1:]) if a[1] != b[1]]
+doublings = [e["Omega"] for e in json.load(open("half-frf.json"))["events"] if e["kind"] == "period-doubling"]
+assert len(turns) == len(doublings) == 2 and all(abs(a/b - 1) < 2e-3 for a, b in zip(turns, doublings)), (turns, doublings)
+END
 works "mms --superharmonic" mms "$duffing" --superharmonic 3 --from 0.3 --to 0.36 --tsv super.tsv -q
 refuses_like 2 "has no subharmonic motion" mms "$duffing" --subharmonic 3 --from 2.9 --to 3.1
 refuses 1 "--mode 2: the model has modes 1 to 1" mms "$duffing" --mode 2

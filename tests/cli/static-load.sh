@@ -58,6 +58,20 @@ text = open("failed.tsv").read()
 assert "# case lifted: no solution: load.static balances the weight" in text and "\nlifted\t\t\t" in text
 assert r["scene"]["cases"][2]["load"]["static"]["mass"] == 1.6
 END
+cat >gale.yaml <<'END'
+cable: {EA: 30 MN, rho: 1.5 kg/m}
+span: {d: 380 m, h: 0 m}
+tension: {H: 30 kN}
+wind: {speed: 20 m/s, density: 1.25 kg/m^3, diameter: 58.6 mm, drag: 1.0}
+cases: [{name: calm}, {name: gale, wind: {speed: 20 m/s}}]
+END
+works "cases in a wind" statics gale.yaml --cases --points 3 --json gale.json -q
+refuses_like 1 "cases.0. .gale. has a wind.speed, and the scene has no wind: give it, with its density" statics "$chairlift" --set 'cases=[{name: gale, wind: {speed: 9}}]'
+python "have the speed of the case, not that of the scene" <<'END'
+import json
+calm, gale = [c for c in json.load(open("gale.json"))["cases"] if c["name"] != "reference"]
+assert abs(calm["H"]/30e3 - 1) < 1e-9 and gale["H"] > 1.2*calm["H"] and gale["swing_angle"] > 0.5, (calm, gale)
+END
 towers=$top/notebooks-data/scenes/conductor-towers.yaml
 works "load cases of ends on springs" statics "$towers" --points 3 --cases --json towers.json --tsv towers.tsv
 works "the same between rigid ends" statics "$towers" --points 3 --cases --json rigid.json \

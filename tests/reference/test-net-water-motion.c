@@ -4,7 +4,10 @@
 #include "config.h"
 
 #include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include <hawser/net_modes.h>
 #include <hawser/net_motion.h>
@@ -240,6 +243,61 @@ static void tethered(void)
 	hawser_waves_clear(&swim.net.water.waves);
 }
 
+/* The heave of a fairlead, in a table of its places. */
+static int heaves(char *path)
+{
+	int handle = mkstemp(path);
+	FILE *file = handle < 0 ? NULL : fdopen(handle, "w");
+
+	for (int i = 0; i <= 2404 && file; i++) {
+		double t = 0.025*i, q = fmin(t/20.0, 1.0), part = q*q*q*(10.0 - 15.0*q + 6.0*q*q);
+
+		fprintf(file, "%.17g 0 %.17g 0\n", t, part*sin(2.0*M_PI*t/10.0));
+	}
+	return file && !fclose(file);
+}
+
+/* A chain on a bed that gives way, whose upper end heaves: the ranges of the forces at both ends. */
+static void heaved(void)
+{
+	static const double expected[2][2] = {{855.9e3, 943.8e3}, {1049.5e3, 1146.3e3}};
+	char path[] = "/tmp/hawser-heave-XXXXXX";
+	struct hawser_surface surface = {.kind = HAWSER_SURFACE_PLANE, .normal = {0.0, 1.0, 0.0},
+	                                 .stiffness = 3e6, .damping = 3e5};
+	const struct hawser_net_probe probe[2] = {{0, -1, 0.0}, {1, -1, 0.0}};
+	const struct hawser_net_motion_options options = {.until = 60.0, .every = 0.1, .step = 0.05,
+	                                                  .probe = probe, .probes = 2};
+	struct hawser_net_motion motion = {0};
+	struct hawser_report report = {0};
+	double range[2][2] = {{INFINITY, 0.0}, {INFINITY, 0.0}};
+	struct swim swim;
+
+	swim_of(&swim, (const double[3]){0.0}, (const double[3]){796.732, 186.0, 0.0}, 835.5, 753.6e6,
+	        113.35, 0.0766, 40);
+	swim.cable.line = (struct hawser_water_line){0.0766, 2.0, 0.4, 1.0, 0.0};
+	swim.net.water.surface = 186.0;
+	swim.net.surface = &surface;
+	swim.net.surfaces = 1;
+	swim.node[1].table = path;
+	if (!ok(heaves(path), "a table"))
+		return;
+	if (ok(!hawser_net_integrate(&motion, &swim.net, &options, &report), "a chain%s", report.message)) {
+		ok(motion.closure < 1e-10, "the ledger closes to %.1e", motion.closure);
+		for (int i = 0; i < 2*motion.rows; i++) {
+			double f = hypot(motion.pull[i][0], motion.pull[i][1]);
+
+			if (motion.time[i/2] < 50.0)
+				continue;
+			range[i%2][0] = fmin(range[i%2][0], f);
+			range[i%2][1] = fmax(range[i%2][1], f);
+		}
+		for (int i = 0; i < 4; i++)
+			close_to(range[i/2][i%2], expected[i/2][i%2], 3e-3, "a pull on a support");
+	}
+	hawser_net_motion_clear(&motion);
+	unlink(path);
+}
+
 CASE(reference_net_water_motion)
 {
 	pendulum();
@@ -249,5 +307,6 @@ CASE(reference_net_water_motion)
 	string_modes();
 	heave();
 	tethered();
+	heaved();
 	return done_testing();
 }

@@ -374,16 +374,6 @@ static enum hawser_status open_label(struct cli_label *label, struct cli_over *o
 	return HAWSER_OK;
 }
 
-/* Branches are followed over the frequency, or of a model that nothing excites. */
-static enum hawser_status check_over(const struct settings *settings, const struct cli_over *over,
-                                     struct hawser_report *report)
-{
-	if (over->omega == 0.0 || (!settings->branches && !settings->switched))
-		return HAWSER_OK;
-	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf", "--over does not go with --%s: leave out "
-	                    "one of them", settings->branches ? "branches" : "switch");
-}
-
 /* Whether the motion at which the response begins was given. */
 static int goes_on(const struct settings *settings)
 {
@@ -427,7 +417,8 @@ static enum hawser_status curves(const struct settings *settings, struct hawser_
 		result.over = &over;
 	}
 	if (!status && settings->over)
-		status = check_over(settings, &over, report);
+		status = cli_over_check(&over, settings->branches ? "branches" : settings->switched ? "switch"
+		                        : NULL, goes_on(settings), report);
 	if (!status && settings->over)
 		result.from = result.to = over.omega/cli_per_omega(&model);
 	else if (!status)

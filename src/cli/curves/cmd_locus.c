@@ -24,14 +24,15 @@ static const struct settings defaults = {.kind = "fold"};
 static const double work = 5.0; /* of cli_exact_range; chosen */
 
 static const struct cli_option options[] = {
-	CLI_TEXT_OPTION(kind, "NAME", "fold, period-doubling, torus, branch-point, or resonance (fold)"),
+	CLI_TEXT_OPTION(kind, "NAME",
+	                "fold, period-doubling, torus, branch-point, resonance or hopf (fold)"),
 	CLI_TEXT_OPTION(over, "KEY=FROM:TO", "the other parameter, and its range (factor.load=0.5:2)"),
 	CLI_RANGE_OPTIONS("end of the range at which the response begins (0.6w1)",
 	                  "the other end of the range (3.3w1)"),
 	CLI_MODES_OPTION,
 	CLI_HEADING("Parameters, and where curves begin"),
 	CLI_TEXT_WITH(and, "KEY=FROM:TO", "a parameter instead of the frequency, and its range",
-	              .needs = "Omega", .excludes = "from, to, near"),
+	              .excludes = "from, to, near"),
 	CLI_TEXT_WITH(Omega, "FREQUENCY", "of the load, with --and", .needs = "and"),
 	CLI_TEXT_OPTION(at, "VALUE", "of the parameter where the curves begin (the model's own)"),
 	{"from-label", 0, "FILE#LABEL", "the response goes through this label of a JSON result of frf",
@@ -51,7 +52,8 @@ static const struct cli_option options[] = {
 static const char *const notes[] = {
 	"Follows bifurcations of the frequency response in the forcing frequency and another parameter,",
 	"as factor.load, factor.damping or a key of the scene, and names their special points. With",
-	"--kind resonance the motions that lag the load by 90 degrees: the damped backbone.",
+	"--kind resonance the motions that lag the load by 90 degrees: the damped backbone. Without a",
+	"load, bifurcations of equilibria and of limit cycles in the two parameters --over and --and.",
 	"FREQUENCY: a number (rad/s), \"0.3 Hz\", or a multiple of a natural frequency, 0.6w1.",
 	NULL,
 };
@@ -59,15 +61,15 @@ static const char *const notes[] = {
 static enum hawser_status kind_of(enum hawser_event_kind *kind, const char *name,
                                   struct hawser_report *report)
 {
-	for (int k = HAWSER_FOLD; k <= HAWSER_RESONANCE; k++)
-		if ((k <= HAWSER_BRANCH_POINT || k == HAWSER_RESONANCE) &&
+	for (int k = HAWSER_FOLD; k <= HAWSER_HOPF; k++)
+		if ((k <= HAWSER_BRANCH_POINT || k >= HAWSER_RESONANCE) &&
 		    strcmp(name, hawser_event_name((enum hawser_event_kind)k)) == 0) {
 			*kind = (enum hawser_event_kind)k;
 			return HAWSER_OK;
 		}
 	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "locus",
-	                    "--kind %s: write fold, period-doubling, torus, branch-point or resonance",
-	                    name);
+	                    "--kind %s: write fold, period-doubling, torus, branch-point, resonance or "
+	                    "hopf", name);
 }
 
 /* The parameter where the curves begin: --at, else the model's own value, else the first end. */
@@ -190,13 +192,22 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	struct hawser_rom_plane plane = {.context = NULL};
 	struct cli_locus_result result = {.common = &settings->common, .model = &model, .locus = &locus};
 	enum hawser_status status = cli_outputs_check(&settings->common, report);
+	int own;
 
 	if (!status)
 		status = cli_model_load(&model, &settings->common, settings->n, report);
-	if (!status)
+	own = !status && hawser_rom_autonomous(&model.rom);
+	if (!status && settings->and && !settings->Omega && !own)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "locus",
+		                      "--and needs --Omega FREQUENCY: give that");
+	if (own && !settings->and)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "locus",
+		                      "nothing excites the model: give its two parameters with --over "
+		                      "KEY=FROM:TO and --and KEY=FROM:TO");
+	if (!status && !own)
 		status = cli_range(&result.from, &result.to, settings->from, settings->to, "locus", &model,
 		                   report);
-	if (!status)
+	if (!status && !own)
 		status = cli_basis_check(&model, fmax(result.from, result.to), report);
 	if (!status && !settings->and)
 		status = cli_exact_range(&model, result.from, result.to, work, &settings->common, report);

@@ -86,7 +86,10 @@ static const char *tell_hopf(char *text, size_t size, const struct cli_frf_resul
                              const struct hawser_frf_event *event)
 {
 	*text = '\0';
-	if (event->kind == HAWSER_HOPF)
+	if (event->kind == HAWSER_HOPF && event->hopf.l1 == 0.0)
+		snprintf(text, size, ", frequency %.12g%s, l1 = 0 (undecided: terms of higher order decide)",
+		         event->hopf.omega*cli_per_omega(result->model), cli_unit(result->model, " rad/s"));
+	else if (event->kind == HAWSER_HOPF)
 		snprintf(text, size, ", frequency %.12g%s, l1 = %.9g (%s), d(A_%d^2) = %.6g%s",
 		         event->hopf.omega*cli_per_omega(result->model), cli_unit(result->model, " rad/s"),
 		         event->hopf.l1, event->hopf.l1 < 0.0 ? "supercritical" : event->hopf.l1 > 0.0

@@ -54,7 +54,7 @@ static void comments(struct hawser__table *table, const void *of)
 	                      result->parameter_from, result->parameter_to,
 	                      *result->unit && *result->unit != '1' ? " " : "",
 	                      *result->unit != '1' ? result->unit : "");
-	if (result->first)
+	if (result->first && result->omega > 0.0)
 		hawser__table_comment(table, "Omega = %.12g%s", result->omega,
 		                      cli_unit(result->model, " rad/s"));
 	cli_basis_comment(table, result->model);
@@ -76,7 +76,8 @@ static void comments(struct hawser__table *table, const void *of)
 /* --- fields --- */
 
 /* the first parameter is Omega, or another one; of bifurcations, or of resonances */
-enum { LINE = 1, PLANE = 2, BIFURCATION = 4, RESONANCE = 8 };
+/* OWN: of an autonomous model */
+enum { LINE = 1, PLANE = 2, BIFURCATION = 4, RESONANCE = 8, OWN = 16 };
 
 HAWSER__LABELS(kind_name, hawser_event_name, enum hawser_event_kind)
 
@@ -96,6 +97,10 @@ static const struct hawser__field point_field[] = {
 	{"parameter", "parameter", "the other parameter, in SI units", OF(parameter)},
 	{NULL, "kind", "of the locus, or of a special point", HAWSER__AT(struct row, kind)},
 	{"angle", "angle", "argument of the critical multipliers, 0 to pi", OF(angle), .when = BIFURCATION},
+	{"frequency", "frequency", "of the limit cycle, or of the pair of a Hopf point; 0: an equilibrium",
+	 OF(own), .unit = HAWSER__RAD_S, .when = OWN},
+	{"l1", "l1", "first Lyapunov coefficient of a Hopf point", OF(l1), .flags = HAWSER__NULL,
+	 .when = OWN},
 	{"unstable", "unstable", "multipliers outside the unit circle besides critical ones",
 	 OF(unstable)},
 	{"amplitude", "amplitude", "of the harmonic of a resonance, along the load", OF(amplitude),
@@ -124,6 +129,8 @@ static const struct hawser__field event_field[] = {
 	{"first", "first", "the parameter of --and", OF(omega), .when = PLANE},
 	{"parameter", "parameter", "the other parameter", OF(parameter)},
 	{"angle", "angle", "argument of the critical multipliers", OF(angle), .when = BIFURCATION},
+	{"frequency", "frequency", "of the cycle or of the pair", OF(own), .unit = HAWSER__RAD_S,
+	 .when = OWN},
 	{"error", NULL, "estimated error of both parameters, relative to their ranges", OF(error)},
 	{"after", NULL, "index of the point before it", OF(after)},
 	HAWSER__END,
@@ -243,6 +250,9 @@ static struct cli_head head(const void *of)
 	const struct cli_locus_result *result = of;
 	int resonance = result->locus->kind == HAWSER_RESONANCE;
 
+	if (result->first && result->omega == 0.0)
+		return cli_model_head(result->common, "locus", "bifurcations of autonomous models on lines "
+		                      "across the curve", result->model, PLANE | BIFURCATION | OWN);
 	return cli_model_head(result->common, "locus", resonance
 	                      ? "harmonic balance, phase quadrature, pseudo-arclength continuation"
 	                      : "harmonic balance, minimally augmented bifurcation, pseudo-arclength "

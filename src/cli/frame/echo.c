@@ -224,6 +224,8 @@ static void echo_cases(struct hawser__json *json, json_t *echo, const struct haw
 			hawser__json_number(json, temperature, "change", c->change);
 			hawser__json_number(json, temperature, "expansion", c->expansion);
 		}
+		if (c->wind > 0.0)
+			hawser__json_number(json, hawser__json_object(json, item, "wind"), "speed", c->wind);
 	}
 }
 

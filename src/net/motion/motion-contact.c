@@ -169,7 +169,8 @@ void hawser__contact_begin(struct hawser__motion *motion)
 		place(at, motion, of->node, NULL);
 		touch->g0 = touch->g1 = hawser__contact_gap(n, of->surface, at);
 		round = round_off(contact, of->surface, at);
-		touch->closed = reaches(of->surface, at, at, touch->g0, touch->g0, round) &&
+		touch->closed = !(of->give > 0.0) &&
+		                reaches(of->surface, at, at, touch->g0, touch->g0, round) &&
 		                (of->r > 0.0 ||
 		                 (touch->g0 <= round && hawser__dot(n, motion->v[of->node]) <= 0.0));
 		memcpy(touch->T, of->friction, sizeof touch->T);
@@ -270,7 +271,9 @@ static int list(struct hawser__motion *motion, int first)
 		struct hawser__motion_touch *touch = &all->touch[i];
 		double from[3], to[3], n[3], n0[3], round;
 
-		if (!first && touch->candidate >= 0)
+		if (of->give > 0.0)
+			touch->candidate = -1;
+		if (of->give > 0.0 || (!first && touch->candidate >= 0))
 			continue;
 		place(to, motion, of->node, motion->x[of->node]);
 		round = round_off(all, of->surface, to);

@@ -202,6 +202,11 @@ void hawser__contact_finish(struct hawser__motion *motion)
 		struct hawser__motion_touch *touch = &all->touch[i];
 		enum hawser_contact_state before = touch->state;
 
+		if (motion->mesh->touch[i].give > 0.0) { /* net/motion/motion-bed.c */
+			touch->N = touch->given;
+			touch->state = touch->N > 0.0 ? HAWSER_CONTACT_SLIP : HAWSER_CONTACT_OPEN;
+			continue;
+		}
 		if (touch->candidate < 0) {
 			touch->closed = 0;
 			touch->N = touch->T[0] = touch->T[1] = touch->T[2] = 0.0;

@@ -203,6 +203,8 @@ void hawser__motion_residual(struct hawser__motion *motion, const struct hawser_
 		most = larger(element(motion, e, rule, h, tangent), most);
 	if (motion->block && tangent)
 		memset(motion->block, 0, (size_t)motion->nodes*sizeof *motion->block);
+	if (motion->soft)
+		most = larger(hawser__bed_residual(motion, rule, h, tangent), most);
 	if (motion->water)
 		most = larger(hawser__water_residual(motion, rule, tangent), most);
 	/* a rate is the difference of two stretches over h, with the round-off of displacements */
@@ -292,6 +294,7 @@ void hawser__motion_energies(struct hawser__motion *motion)
 		kinetic += 0.5*motion->mesh->mass[i]*hawser__dot(motion->v[i], motion->v[i]);
 		loads += hawser__dot(motion->base[i], motion->u[i]);
 	}
+	strain += motion->soft ? hawser__bed_energy(motion) : 0.0;
 	motion->added = motion->water ? hawser__water_kinetic(motion) : 0.0;
 	motion->energy.kinetic = kinetic + motion->added;
 	motion->energy.potential = strain - loads + (motion->events ? motion->events->offset : 0.0);
@@ -354,6 +357,8 @@ void hawser__motion_account(struct hawser__motion *motion, const struct hawser__
 		work += inertia(motion, h);
 	motion->energy.work += work;
 	motion->energy.dissipated += lost;
+	if (motion->soft)
+		hawser__bed_account(motion);
 	if (motion->water)
 		hawser__water_account(motion, h);
 	hawser__motion_balance(motion);

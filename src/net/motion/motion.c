@@ -34,6 +34,7 @@ void hawser__motion_clear(struct hawser__motion *motion)
 	free(motion->element);
 	free(motion->reference); /* with all that has a vector at each node */
 	free(motion->B);
+	free(motion->bed);
 	free(motion->mass);
 	free(motion->point);
 	for (int i = 0; i < motion->tables; i++)
@@ -131,6 +132,8 @@ enum hawser_status hawser__motion_open(struct hawser__motion *motion, struct haw
 	status = allocate(motion, report);
 	if (!status)
 		status = hawser__water_motion_open(motion, report);
+	if (!status)
+		status = hawser__bed_open(motion, report);
 	if (!status) {
 		refer(motion, balanced, loose);
 		status = hawser__blocks_open(&motion->blocks, mesh, report);

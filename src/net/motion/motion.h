@@ -151,6 +151,8 @@ struct hawser__motion {
 	double (*past)[3], (*past2)[3]; /* [nodes] increments of the last two steps */
 	double past_h, past2_h;      /* their lengths; 0: there was none */
 	double (*B)[9], (*mass)[2], *point; /* the matrix */
+	int soft;                    /* 1: planes that give way; net/motion/motion-bed.c */
+	double (*bed)[9];            /* [nodes] `block`, if these alone need it; or NULL */
 	double (*other)[9], (*block)[9]; /* of it, or NULL; see struct hawser__blocks_matrix */
 	struct hawser__water_motion *water; /* NULL: none; net/water/motion.c */
 	struct hawser__blocks *blocks;
@@ -252,6 +254,14 @@ enum hawser_status hawser__net_integrate(struct hawser_net_motion *motion,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
 extern const double hawser__motion_tolerance;
 
+/* motion-bed.c: planes that give way: whether there are any; their part of the residual and of the
+ * matrix, which returns the largest force; of the energy, J; and of the ledger. */
+enum hawser_status hawser__bed_open(struct hawser__motion *motion, struct hawser_report *report)
+	HAWSER_MUST_CHECK;
+double hawser__bed_residual(struct hawser__motion *motion, const struct hawser__motion_rule *rule,
+                            double h, int tangent);
+double hawser__bed_energy(const struct hawser__motion *motion);
+void hawser__bed_account(struct hawser__motion *motion);
 /* net/water/motion.c: in water. The flow of a step, for motion->x as expected; its part of the
  * residual and of the matrix, which returns the largest force; of the energies and the ledger; and
  * the loads of the mesh in the state with accelerations a [nodes] or NULL, for tensions, with the

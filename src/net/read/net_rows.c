@@ -211,7 +211,7 @@ static const struct hawser__tree_key net_rows[] = {
 	        "components of a sea")
 	INTEGER("net.water.waves.seed", OPTIONAL, 0, 2147483647, WAVES_AT(seed), "0",
 	        "of its random phases, and frequencies within their bins: so it does not repeat")
-	VECTOR("net.water.waves.frequencies", 2, OPTIONAL, "rad/s", INCREASING, WAVES_AT(range),
+	VECTOR("net.water.waves.frequencies", 2, OPTIONAL, "rad/s", POSITIVE, WAVES_AT(range),
 	       "0.5 and 5 times that of the peak", "range of its frequencies")
 	NUMBER("net.water.waves.heading", OPTIONAL, "rad", ANY, WAVES_AT(heading), "0",
 	       "direction in which waves run, from x towards z")
@@ -240,6 +240,11 @@ static const struct hawser__tree_key net_rows[] = {
 	     "them, and supports need not hold the net")
 	NUMBER("net.obstacles[].friction", OPTIONAL, "1", NOT_NEGATIVE, SURFACE_AT(friction), "0",
 	       "coefficient of friction")
+	NUMBER("net.obstacles[].stiffness", OPTIONAL, "Pa/m", POSITIVE, SURFACE_AT(stiffness), "rigid",
+	       "of a plane that gives way, as a seabed: force per unstretched length over the diameter and "
+	       "the depth")
+	NUMBER("net.obstacles[].damping", OPTIONAL, "Pa.s/m", NOT_NEGATIVE, SURFACE_AT(damping), "0",
+	       "of this: the same over the rate of the depth, in motions; it does not pull")
 	NUMBER("net.obstacles[].velocity", OPTIONAL, "m/s", ANY, SURFACE_AT(speed), NULL,
 	       "speed of the surface along a segment or counterclockwise around a circle")
 	PLACE_OR("net.obstacles[].velocity", 3, OPTIONAL, "m/s", SURFACE_AT(velocity),
@@ -255,8 +260,9 @@ static const struct hawser__tree_key net_rows[] = {
 	LIMITED("net.contact.restitution", OPTIONAL, "1", NOT_NEGATIVE, 1.0, NET_AT(contact.restitution),
 	        "0", "of impacts in motions: the normal velocity after over the one before, which does "
 	        "not grow")
-	WORD("net.contact.sliding", OPTIONAL, "none|history", NET_AT(contact.history), "none",
-	     "friction of surfaces that move alone, or along the way of the supports to their places")
+	WORD("net.contact.sliding", OPTIONAL, "none|history|pulled", NET_AT(contact.history), "none",
+	     "friction of surfaces that move alone, along the way of the supports to their places, or as "
+	     "they were pulled there from where lines hang loose: all of it towards the anchors")
 	MAPPING("net.contact.path", OPTIONAL, "ways of supports to their places, of sliding: history: "
 	        "from an equilibrium without friction to the places in nodes")
 	LIST("net.contact.path.*", OPTIONAL, "places, from the first on")

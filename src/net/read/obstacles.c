@@ -21,12 +21,22 @@ static const double TOUCHES = 1e-9;
 enum hawser_status hawser__net_obstacles(struct hawser__reader *reader, struct hawser_net *net,
                                          const struct hawser__tree *tree)
 {
+	enum hawser_status status;
+
 	for (int c = 0; c < net->cables; c++)
 		if (net->cable[c].given != HAWSER_NET_LENGTH0)
 			return hawser__reader_fail(reader, &tree->at, "obstacles: cable %s has no length0, and "
 			                           "form finding does not know obstacles: give its length0",
 			                           net->cable[c].name);
-	return hawser__surfaces_read(reader, &net->surface, &net->surfaces, tree);
+	status = hawser__surfaces_read(reader, &net->surface, &net->surfaces, tree);
+	for (int s = 0; s < net->surfaces && !status; s++)
+		for (int c = 0; c < net->cables && net->surface[s].stiffness > 0.0; c++)
+			if (!(net->cable[c].line.diameter > 0.0))
+				return hawser__reader_fail(reader, &tree->at, "obstacles.%s.stiffness is per "
+				                           "diameter, and cable %s has none: give it one, such as "
+				                           "diameter: 0.1 m", net->surface[s].name,
+				                           net->cable[c].name);
+	return status;
 }
 
 static enum hawser_status way(struct hawser__reader *reader, struct hawser_net *net,
@@ -89,11 +99,13 @@ enum hawser_status hawser__net_contact(struct hawser__reader *reader, struct haw
 	if (!net->surfaces)
 		return hawser__reader_fail(reader, &tree->at, "contact is of obstacles, and the scene has "
 		                           "none: add the section obstacles");
+	if (!one && net->contact.history == HAWSER_NET_PULLED)
+		return hawser__net_pulled(reader, net, tree);
 	if (!status && !one && net->contact.history)
 		status = hawser__reader_fail(reader, &tree->at, "contact.sliding: history needs contact.path, "
 		                             "the way of one or more supports to their places, such as path: "
 		                             "{B: [[380 m, 200 m, 0 m]]}");
-	if (!status && one && !net->contact.history)
+	if (!status && one && net->contact.history != HAWSER_NET_HISTORY)
 		status = hawser__reader_fail(reader, &one->at, "contact.path is of sliding: history: give "
 		                             "that, or leave path out");
 	return status || !one ? status : ways(reader, net, one);

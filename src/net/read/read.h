@@ -46,6 +46,9 @@ enum hawser_status hawser__net_obstacles(struct hawser__reader *reader, struct h
                                          const struct hawser__tree *tree) HAWSER_MUST_CHECK;
 enum hawser_status hawser__net_contact(struct hawser__reader *reader, struct hawser_net *net,
                                        const struct hawser__tree *tree) HAWSER_MUST_CHECK;
+/* pulled.c: the ways of contact.sliding: pulled. */
+enum hawser_status hawser__net_pulled(struct hawser__reader *reader, struct hawser_net *net,
+                                      const struct hawser__tree *tree) HAWSER_MUST_CHECK;
 enum hawser_status hawser__net_room(struct hawser__reader *reader, const struct hawser_net *net,
                                     const struct hawser__tree *root) HAWSER_MUST_CHECK;
 /* names.c: sort the names, of nodes and of cables if there are any yet. */

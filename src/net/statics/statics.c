@@ -256,6 +256,8 @@ static double energy(const struct hawser__net_work *work)
 	for (int i = 0; i < mesh->elements; i++)
 		sum += mesh->density[i] > 0.0 ? work->T[i]*hawser__mesh_direction(e, mesh, i)/2.0
 		                              : work->T[i]*(mesh->length0[i]/mesh->EA[i])*work->T[i]/2.0;
+	for (int i = 0; i < mesh->touches; i++)
+		sum += 0.5*mesh->touch[i].give*mesh->touch[i].r*mesh->touch[i].r;
 	for (int i = 0; i < mesh->nodes; i++)
 		for (int k = 0; k < 3; k++)
 			sum -= mesh->force[i][k]*mesh->q[i][k];
@@ -333,7 +335,8 @@ static enum hawser_status certify(struct hawser__net_work *work, struct hawser__
 	for (int i = 0; i < mesh->touches; i++)
 		if (mesh->touch[i].r > 0.0)
 			found->gap += hawser_surface_convex(mesh->touch[i].surface)
-			              ? fabs(mesh->touch[i].r*mesh->touch[i].g) : INFINITY;
+			              ? fabs(mesh->touch[i].r*(mesh->touch[i].g +
+			                                       mesh->touch[i].give*mesh->touch[i].r)) : INFINITY;
 	if (hawser__water_flows(mesh))
 		found->gap = INFINITY;
 	return status;

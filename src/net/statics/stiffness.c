@@ -100,12 +100,13 @@ static double normal(struct tangent *at, const struct hawser__touch *touch)
 	double stiff = STIFFER*mesh->EA[a]/mesh->length0[a], load, off, h, d[3];
 
 	load = -hawser__dot(mesh->force[touch->node], touch->n);
+	stiff = 1.0/(1.0/stiff + touch->give);
 	if (e < 0 || !(load > 0.0) || !(at->T[e] > 0.0))
 		return stiff;
 	h = hawser__mesh_direction(d, mesh, e);
 	off = fmin(fmax(touch->r/load - 0.5, -0.5), 0.5)*h;
 	if (off < 0.0)
-		return fmin(stiff, at->T[e]*(-1.0/off - 1.0/h));
+		return 1.0/(1.0/stiff + 1.0/(at->T[e]*(-1.0/off - 1.0/h)));
 	along(at->block[e], at->T[e]*(1.0/(h - off) - 1.0/h), touch->n);
 	return stiff;
 }

@@ -81,7 +81,7 @@ static void hold(struct hawser__mesh *mesh, int node, int first, enum hawser_net
 	for (int i = first; i < mesh->touches && mesh->touch[i].node == node; i++) {
 		const struct hawser__touch *touch = &mesh->touch[i];
 
-		if (touch->r > 0.0)
+		if (touch->r > 0.0 && !(touch->give > 0.0))
 			add(d, &count, touch->n);
 		if (touch->r > 0.0 && (touch->surface->groove || roll))
 			add(d, &count, axes[2]);
@@ -121,7 +121,8 @@ static enum hawser_status edges(struct hawser__mesh *mesh, struct hawser_report 
 	for (int e = 0; e < mesh->elements; e++) {
 		int a = on[mesh->end[e][0]], b = on[mesh->end[e][1]], i = a < 0 ? b : a;
 
-		if ((a < 0) == (b < 0) || mesh->touch[i].H[0][0] + mesh->touch[i].H[1][1] == 0.0)
+		if ((a < 0) == (b < 0) || mesh->touch[i].give > 0.0 ||
+		    mesh->touch[i].H[0][0] + mesh->touch[i].H[1][1] == 0.0)
 			continue;
 		mesh->edge[mesh->edges].element = e;
 		mesh->edge[mesh->edges++].touch = i;
@@ -137,6 +138,13 @@ static int sticks(const struct hawser__touch *touch, enum hawser_net_contact_mod
 		return 0;
 	return how == HAWSER_NET_MODES_STICK || touch->surface->rotation == HAWSER_SURFACE_FREE ||
 	       hawser__touch_sticks(touch);
+}
+
+/* A plane that gives way is a spring, which modes have as the curvature of an obstacle: -r*H. */
+static void spring(struct hawser__touch *touch)
+{
+	for (int k = 0; k < 9 && touch->give > 0.0; k++)
+		touch->H[k/3][k%3] = -touch->n[k/3]*touch->n[k%3]/(touch->give*touch->r);
 }
 
 /* The one obstacle to which a node sticks, if it turns freely; NULL if it does not, or there are
@@ -209,6 +217,7 @@ enum hawser_status hawser__touch_hold(unsigned char *state, struct hawser__mesh 
 
 		if (!(touch->r > 0.0))
 			continue;
+		spring(&mesh->touch[i]);
 		touches++;
 		stick += sticks(touch, how);
 		if (state[touch->node] != HAWSER_NET_STICK)

@@ -27,6 +27,27 @@ int hawser__touch_around(const struct hawser_net *net)
 	return 0;
 }
 
+/* A surface that gives way under a cable: by its diameter and the halves of the elements at the
+ * node. */
+static enum hawser_status give_way(struct hawser__mesh *mesh, const struct hawser_net *net,
+                                   struct hawser_report *report)
+{
+	double *area = calloc((size_t)mesh->nodes + 1, sizeof *area);
+
+	for (int e = 0; area && e < 2*mesh->elements; e++)
+		area[mesh->end[e/2][e%2]] += 0.5*mesh->length0[e/2]*net->cable[mesh->cable[e/2]].line.diameter;
+	for (int i = 0; area && i < mesh->touches; i++) {
+		struct hawser__touch *touch = &mesh->touch[i];
+
+		if (touch->surface->stiffness > 0.0)
+			touch->give = 1.0/(touch->surface->stiffness*area[touch->node]);
+	}
+	if (!area)
+		return hawser__no_memory(report, "net");
+	free(area);
+	return HAWSER_OK;
+}
+
 enum hawser_status hawser__touch_open(struct hawser__mesh *mesh, const struct hawser_net *net,
                                       struct hawser_report *report)
 {
@@ -50,7 +71,7 @@ enum hawser_status hawser__touch_open(struct hawser__mesh *mesh, const struct ha
 				.end = at[i] % 2};
 	pairs = at && mesh->touch;
 	free(at);
-	return pairs ? HAWSER_OK : hawser__no_memory(report, "net");
+	return pairs ? give_way(mesh, net, report) : hawser__no_memory(report, "net");
 }
 
 enum hawser_status hawser__touch_again(struct hawser__mesh *mesh, const struct hawser_net *net,

@@ -4,6 +4,7 @@
  * r        force of the obstacle along n: r >= 0, g >= 0, r*g = 0
  * f        friction: |f| <= friction*r, equal where it slides, against the slip d from the place `from`
  * k        a stiffness, above that of the net at the node
+ * c        how far the obstacle gives way over r: its gap is g + c*r, and k is k/(1 + c*k); usually 0
  *
  * Of Newton's method (Alart and Curnier): r = max(0, r - k*g) holds at the solution for any k > 0, and
  * so does f = (f - k*d, shortened to friction*r). The equations of a step have the derivatives of the
@@ -117,6 +118,12 @@ static void guide(const struct hawser__mesh *mesh, struct hawser__touch *touch)
 	touch->push[2] += touch->aside - touch->stiff*aside_of(mesh, touch);
 }
 
+/* The gap beyond what the obstacle gives way by: 0 of a node that touches. */
+static double apart_of(const struct hawser__touch *touch)
+{
+	return touch->g + touch->give*touch->r;
+}
+
 /* --- interior point --- */
 
 /* The speed of a surface that moves, and its velocity v; 0 if it is at rest. */
@@ -181,9 +188,10 @@ void hawser__touch_interior(struct hawser__mesh *mesh, double mu)
 {
 	for (int i = 0; i < mesh->touches; i++) {
 		struct hawser__touch *touch = &mesh->touch[i];
-		double force = (mu + touch->r*(touch->t - touch->g))/touch->t;
+		double way = touch->t + touch->give*touch->r;
+		double force = (mu + touch->r*(touch->t - touch->g))/way;
 
-		touch->stiff = touch->r/touch->t;
+		touch->stiff = touch->r/way;
 		memset(touch->block, 0, sizeof touch->block);
 		add(touch, touch->stiff, 0.0);
 		rest(touch);
@@ -203,7 +211,9 @@ static void change(double *r, double *t, const struct hawser__net_work *work,
 
 	step_of(d, work, touch);
 	*t = touch->g - touch->t + hawser__dot(touch->n, d);
-	*r = (mu - touch->r*touch->t - touch->r**t)/touch->t;
+	*r = (mu - touch->r*touch->t - touch->r*(*t + touch->give*touch->r))/
+	     (touch->t + touch->give*touch->r);
+	*t += touch->give*(touch->r + *r);
 }
 
 void hawser__touch_limit(double *step, const struct hawser__net_work *work, double mu)
@@ -274,7 +284,7 @@ static double trial_of(double trial[3], const struct hawser__touch *touch, const
 	double along;
 
 	for (int k = 0; k < 3; k++)
-		trial[k] = touch->friction[k] - touch->stiff*d[k];
+		trial[k] = touch->friction[k] - touch->hold*d[k];
 	along = hawser__dot(trial, touch->n);
 	for (int k = 0; k < 3; k++)
 		trial[k] -= along*touch->n[k];
@@ -297,12 +307,12 @@ static void rub(const struct hawser__net_work *work, struct hawser__touch *touch
 	slip_of(d, work->mesh, touch);
 	size = trial_of(trial, touch, d);
 	if (!touch->slides || !(size > 0.0)) {
-		add(touch, 0.0, touch->stiff);
+		add(touch, 0.0, touch->hold);
 		for (int k = 0; k < 3; k++)
 			touch->push[k] += trial[k];
 		return;
 	}
-	along = touch->stiff*bound/size;
+	along = touch->hold*bound/size;
 	add(touch, 0.0, along);
 	for (int i = 0; i < 3; i++) {
 		touch->drag[i] = hawser__touch_friction(touch)*trial[i]/size;
@@ -327,11 +337,12 @@ void hawser__touch_linear(struct hawser__net_work *work, double curved)
 		struct hawser__touch *touch = &mesh->touch[i];
 		double force, soft = work->weight/(mesh->nodes*mesh->length0[touch->element]);
 
-		touch->stiff = STIFFER*(work->bound[touch->node] + work->weight/mesh->length0[touch->element]);
-		force = touch->r - touch->stiff*touch->g;
+		touch->hold = STIFFER*(work->bound[touch->node] + work->weight/mesh->length0[touch->element]);
+		touch->stiff = touch->hold/(1.0 + touch->give*touch->hold);
+		force = touch->r*(1.0 - touch->give*touch->stiff) - touch->stiff*touch->g;
 		memset(touch->block, 0, sizeof touch->block);
 		memset(touch->push, 0, sizeof touch->push);
-		if (!(touch->r - soft*touch->g > 0.0) || past(touch)) {
+		if (!(touch->r - soft*apart_of(touch) > 0.0) || past(touch)) {
 			touch->stiff = touch->r = touch->aside = 0.0;
 			continue;
 		}
@@ -384,7 +395,7 @@ void hawser__touch_after(struct hawser__net_work *work)
 
 		if (touch->stiff > 0.0) {
 			step_of(d, work, touch);
-			touch->r -= touch->stiff*(touch->g + hawser__dot(touch->n, d));
+			touch->r -= touch->stiff*(apart_of(touch) + hawser__dot(touch->n, d));
 			if (touch->surface->groove)
 				touch->aside -= touch->stiff*(aside_of(work->mesh, touch) + d[2]);
 			bound = hawser__touch_friction(touch)*fmax(touch->r, 0.0);
@@ -426,7 +437,7 @@ int hawser__touch_settled(double *gap, const struct hawser__net_work *work)
 	*gap = 0.0;
 	for (int i = 0; i < mesh->touches; i++) {
 		const struct hawser__touch *touch = &mesh->touch[i];
-		double error = touch->r != 0.0 ? fmax(fabs(touch->g), fabs(aside_of(mesh, touch)))
+		double error = touch->r != 0.0 ? fmax(fabs(apart_of(touch)), fabs(aside_of(mesh, touch)))
 			: fmax(-touch->g, 0.0);
 
 		*gap = fmax(*gap, error);

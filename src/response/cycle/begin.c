@@ -148,8 +148,10 @@ static enum hawser_status from_state(struct hawser__trace *trace)
 		return HAWSER_ERR_CONVERGENCE;
 	status = orbit->ops->from_state(orbit, trace->here.y, trace->options.start, trace->options.omega,
 	                                trace->report);
-	if (!status)
+	if (!status) {
 		orbit->ops->metric(orbit, trace->here.y);
+		hawser__cycle_loose(orbit);
+	}
 	return status;
 }
 

@@ -3,8 +3,9 @@
  *
  *    inner   a method for orbits at a given Omega: its y is the first part of a cycle's: X, Omega
  *    y       unknowns: X, Omega, the parameter p
- *    phase   row: a change of X along the motion itself is none, <X', dX> = 0 in the metric. That
- *            is the integral condition of Doedel; it needs no coordinate that moves
+ *    phase   row: the cycle is not shifted along the motion from the last one, <X_old', X - X_old> = 0
+ *            in the metric: the integral condition of Doedel, which needs no coordinate that moves.
+ *            With <X', dX> = 0 what a prediction shifts would stay, and grow in the next ones
  *    A       the inner bordered matrix, with the row `phase`, and for the column of Omega one of
  *            the direction a in the plane of (Omega, p)
  *    b       direction in that plane at right angles to a; g the column of it
@@ -38,6 +39,8 @@ struct cycle {
 	double *given;                /* [size] y of the last defects */
 	double *by_omega, *by_p;      /* [count] */
 	double *kept, *phase, *part, *answer; /* [size] */
+	double *old;                  /* [size] y of the last metric, a point of the curve */
+	int loose;                    /* 1: that is only a guess, and phase the present motion */
 	double *border;               /* [size] c */
 	double *turn;                 /* [n][n] */
 	double a[2], b[2];            /* changes of Omega and p */
@@ -78,6 +81,10 @@ static void metric(struct hawser__orbit *orbit, const double *y)
 	int last = orbit->size - 1;
 
 	inner->ops->metric(inner, y);
+	memcpy(cycle->old, y, (size_t)orbit->size*sizeof *y);
+	inner->ops->shift(inner, cycle->phase, y);
+	cycle->phase[last - 1] = 0.0;
+	cycle->loose = 0;
 	memcpy(orbit->weight, inner->weight, (size_t)last*sizeof(double));
 	orbit->X = inner->X;
 	orbit->W = HAWSER_OMEGA_WIDTH*hawser__orbit_extent(orbit, y);
@@ -129,6 +136,12 @@ static double defects(struct hawser__orbit *orbit, const double *y, int derive)
 	return residual;
 }
 
+void hawser__cycle_loose(struct hawser__orbit *orbit)
+{
+	if (orbit->own == HAWSER__CYCLES)
+		((struct cycle *)orbit)->loose = 1;
+}
+
 /* --- the bordered system --- */
 
 /* a and b from the tangent's part in the plane of (Omega, p), relative to their widths. */
@@ -176,8 +189,10 @@ static int factor(struct hawser__orbit *orbit, const double *row)
 	choose_directions(cycle, row);
 	for (int i = 0; i < size; i++)
 		cycle->border[i] = orbit->weight[i]*row[i];
-	inner->ops->shift(inner, cycle->phase, cycle->given);
-	cycle->phase[size - 2] = 0.0;
+	if (cycle->loose) {
+		inner->ops->shift(inner, cycle->phase, cycle->given);
+		cycle->phase[size - 2] = 0.0;
+	}
 	for (int i = 0; i < cycle->parts; i++)
 		cycle->column[i] = cycle->a[0]*cycle->by_omega[i] + cycle->a[1]*cycle->by_p[i];
 	if (inner->ops->factor(inner, cycle->phase))
@@ -185,13 +200,32 @@ static int factor(struct hawser__orbit *orbit, const double *row)
 	memcpy(cycle->kept, cycle->defect, (size_t)cycle->parts*sizeof(double));
 	for (int i = 0; i < cycle->parts; i++)
 		cycle->defect[i] = cycle->b[0]*cycle->by_omega[i] + cycle->b[1]*cycle->by_p[i];
+	inner->held = 0;
 	inner->ops->solve(inner, cycle->part, 0, 0.0); /* - A^-1 g */
+	inner->held = !cycle->loose;
 	memcpy(cycle->defect, cycle->kept, (size_t)cycle->parts*sizeof(double));
 	compose(cycle, cycle->answer, cycle->part, 1.0);
 	cycle->below = across(cycle, cycle->answer);
 	orbit->det_sign = cycle->below < 0.0 ? -inner->det_sign : inner->det_sign;
 	orbit->det_log = inner->det_log + log(fabs(cycle->below));
 	return cycle->below == 0.0 || !isfinite(cycle->below);
+}
+
+/* Of X in the metric. */
+static double product(const struct cycle *cycle, const double *a, const double *b)
+{
+	double sum = 0.0;
+
+	for (int i = 0; i < cycle->base.size - 2; i++)
+		sum += cycle->base.weight[i]*a[i]*b[i];
+	return sum;
+}
+
+/* How far the cycle is along its motion from the last one. */
+static double ahead(const struct cycle *cycle)
+{
+	return cycle->loose ? 0.0 : product(cycle, cycle->phase, cycle->given) -
+	                            product(cycle, cycle->phase, cycle->old);
 }
 
 static void solve(struct hawser__orbit *orbit, double *dy, int homogeneous, double last)
@@ -203,11 +237,17 @@ static void solve(struct hawser__orbit *orbit, double *dy, int homogeneous, doub
 	if (homogeneous)
 		memset(cycle->kept, 0, (size_t)orbit->size*sizeof(double));
 	else
-		inner->ops->solve(inner, cycle->kept, 0, 0.0);
+		inner->ops->solve(inner, cycle->kept, 0, -ahead(cycle));
 	compose(cycle, dy, cycle->kept, 0.0);
 	db = (last - across(cycle, dy))/cycle->below;
 	for (int i = 0; i < orbit->size; i++)
 		dy[i] += db*cycle->answer[i];
+	if (!homogeneous)
+		return;
+	inner->ops->shift(inner, cycle->kept, cycle->given); /* a tangent that does not shift the cycle */
+	db = product(cycle, cycle->kept, dy)/product(cycle, cycle->kept, cycle->kept);
+	for (int i = 0; i < orbit->size - 2; i++)
+		dy[i] -= db*cycle->kept[i];
 }
 
 static double error(struct hawser__orbit *orbit, double residual)
@@ -335,12 +375,14 @@ enum hawser_status hawser__cycle_open(struct hawser__orbit **orbit, struct hawse
 	cycle->part = hawser__hold(&cycle->hold, size, sizeof(double));
 	cycle->answer = hawser__hold(&cycle->hold, size, sizeof(double));
 	cycle->border = hawser__hold(&cycle->hold, size, sizeof(double));
+	cycle->old = hawser__hold(&cycle->hold, size, sizeof(double));
 	cycle->turn = hawser__hold(&cycle->hold, (size_t)inner->n*(size_t)inner->n, sizeof(double));
 	if (!status && cycle->hold.short_of_memory)
 		status = hawser__no_memory(report, "frf");
 	if (!status)
 		status = hawser__cycle_turn(cycle->turn, &turns, inner->rom, report);
 	inner->turn = turns ? cycle->turn : NULL;
+	inner->anchor = cycle->old;
 	if (status)
 		clear(&cycle->base);
 	else

@@ -27,6 +27,9 @@ int hawser__autonomous_matrix(double *A, double *by_u, double *by_v, double *acc
 enum hawser_status hawser__cycle_open(struct hawser__orbit **orbit, struct hawser__orbit *inner,
                                       struct hawser_report *report);
 
+/* The y of the last metric is only a guess of a cycle: the next corrections may shift it. */
+void hawser__cycle_loose(struct hawser__orbit *orbit);
+
 /* turn [n][n]: the generator of rotations of the coordinates that leave the model as it is; *found:
  * there are such. turn.c. HAWSER_ERR_MEMORY. */
 enum hawser_status hawser__cycle_turn(double *turn, int *found, const struct hawser_rom *rom,

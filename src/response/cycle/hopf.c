@@ -30,6 +30,7 @@
 #define MOST_STEPS 20 /* of Newton's method for a Hopf point */
 #define NEAR 1e-11    /* and its last step, relative */
 #define SAME 1e-6     /* distance of eigenvalues that are one, relative, and of vectors; chosen */
+#define ROUND_OFF 1e-12 /* of the first Lyapunov coefficient, relative to its terms; chosen */
 
 struct form {
 	const struct hawser_rom *rom; /* of first order: as it stands */
@@ -285,26 +286,35 @@ static enum hawser_status eigenvectors(struct form *form, double complex *value,
 
 /* --- the normal form --- */
 
-/* NAN where a matrix is singular (a zero-Hopf point, a 1:2 resonance). */
+/* Add a multiple of <p, part>. */
+static void add_product(double complex *sum, double *size, double times, const struct form *form)
+{
+	double complex more = times*dot(form->p, form->part, form->m);
+
+	*sum += more;
+	*size += cabs(more);
+}
+
+/* NAN where a matrix is singular (a zero-Hopf point, a 1:2 resonance); 0 where it is round-off. */
 static double coefficient(struct form *form, double omega)
 {
 	const double complex *q = form->q, *star = form->star, *work = form->work;
-	int m = form->m;
-	double complex sum;
+	double complex sum = 0.0;
+	double size = 0.0;
 
 	derivative(form->part, form, (const double complex *[]){q, q, star}, 3);
-	sum = dot(form->p, form->part, m);
+	add_product(&sum, &size, 1.0, form);
 	derivative(form->work, form, (const double complex *[]){q, star}, 2);
 	if (resolve(form, form->work, 0.0)) /* - A^-1 B */
 		return NAN;
 	derivative(form->part, form, (const double complex *[]){q, work}, 2);
-	sum += 2.0*dot(form->p, form->part, m);
+	add_product(&sum, &size, 2.0, form);
 	derivative(form->work, form, (const double complex *[]){q, q}, 2);
 	if (resolve(form, form->work, 2.0*I*omega))
 		return NAN;
 	derivative(form->part, form, (const double complex *[]){star, work}, 2);
-	sum += dot(form->p, form->part, m);
-	return creal(sum)/(2.0*omega);
+	add_product(&sum, &size, 1.0, form);
+	return fabs(creal(sum)) <= ROUND_OFF*size ? 0.0 : creal(sum)/(2.0*omega);
 }
 
 /* The derivative of the growth rate along the branch of equilibria at p; the matrix of the model
@@ -384,7 +394,8 @@ enum hawser_status hawser__hopf(struct hawser_hopf *hopf, double *rate, double *
 		wave[form.n + j] = -cimag(form.q[j]);
 	}
 	status = growth(&hopf->growth, &form, family, p, NUDGE*extent, report);
-	hopf->swing = -4.0*pow(cabs(form.q[hopf->coordinate]), 2)*hopf->growth/(hopf->omega*hopf->l1);
+	hopf->swing = hopf->l1 == 0.0 ? NAN : -4.0*pow(cabs(form.q[hopf->coordinate]), 2)*hopf->growth
+	                                      /(hopf->omega*hopf->l1);
 done:
 	hawser__hold_clear(&form.hold);
 	return status;

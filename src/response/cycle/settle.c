@@ -24,6 +24,8 @@
 #define FINER 4       /* times as many steps as shooting begins with */
 #define CLOSE 0.01    /* distance of a return, relative to the extent, that closes a cycle; chosen */
 #define AT_REST 1e-3  /* distance from an equilibrium, relative, of a state that is one; chosen */
+#define NEAR_ENOUGH 1e-5 /* the same, at which nothing is gained; chosen */
+enum { CLOSER = 60 };    /* further periods; chosen */
 enum { TURNS = 12, STARTS = 60 }; /* returns that are looked at from a state, and states; chosen */
 
 struct settle {
@@ -58,9 +60,9 @@ static double apart(const struct settle *of, const double *at)
 	return sqrt(sum);
 }
 
-/* *period of the first near return to of->x; 0: none. of->at becomes the state that was reached
- * last. */
-static void look(double *period, struct settle *of)
+/* *period of the first near return to of->x, and *gap, its distance relative to the extent; 0: none.
+ * of->at becomes the state that was reached last. */
+static void look(double *period, double *gap, struct settle *of)
 {
 	double extent = 0.0, s, last = 0.0;
 	long most = (long)TURNS*of->step.steps*40;
@@ -85,10 +87,31 @@ static void look(double *period, struct settle *of)
 			turns++;
 			if (sqrt(near) <= CLOSE*extent) {
 				*period = ((double)i - 1.0 + part)*of->step.h;
+				*gap = sqrt(near)/extent;
 				return;
 			}
 		}
 		last = s;
+	}
+}
+
+/* A stable cycle is near after further periods; an unstable one is left, and the state stays. */
+static void approach_cycle(struct settle *of, double *period, double gap, double *kept)
+{
+	size_t bytes = (size_t)of->m*sizeof *kept;
+
+	for (int i = 0; i < CLOSER && gap > NEAR_ENOUGH; i++) {
+		double next, next_gap = 1.0;
+
+		memcpy(kept, of->x, bytes);
+		memcpy(of->x, of->at, bytes);
+		look(&next, &next_gap, of);
+		if (!(next > 0.0 && next_gap < gap)) {
+			memcpy(of->x, kept, bytes);
+			return;
+		}
+		*period = next;
+		gap = next_gap;
 	}
 }
 
@@ -110,7 +133,7 @@ enum hawser_status hawser__cycle_settle(double *x, double *omega, const struct h
 {
 	struct settle of = {.rom = rom, .m = 2*rom->n};
 	size_t m = (size_t)of.m;
-	double *memory = malloc(3*m*sizeof *memory), period = 0.0;
+	double *memory = malloc(4*m*sizeof *memory), period = 0.0, gap = 1.0;
 	int steps = FINER*hawser__shooting_steps(rom, 1.0, 1);
 	enum hawser_status status = memory ? hawser__flow_init(&of.flow, rom, report)
 	                                   : hawser__no_memory(report, "frf");
@@ -129,12 +152,14 @@ enum hawser_status hawser__cycle_settle(double *x, double *omega, const struct h
 	if (!status && rom->first) /* the velocities follow */
 		hawser_rom_acceleration(rom->first, x + rom->n, x, of.f, 0.0, 1.0);
 	for (int i = 0; !status && period == 0.0 && i < STARTS; i++) {
-		look(&period, &of);
+		look(&period, &gap, &of);
 		if (period == 0.0)
 			memcpy(x, of.at, m*sizeof *x);
 		if (!isfinite(cblas_dnrm2(of.m, x, 1)))
 			break;
 	}
+	if (period > 0.0)
+		approach_cycle(&of, &period, gap, memory + 3*m);
 	hawser__flow_clear(&of.flow);
 	free(memory);
 	if (!status && period == 0.0)

@@ -9,6 +9,7 @@
 #include "core/grow.h"
 #include "core/report.h"
 #include "core/settle.h"
+#include "response/locus/locus_own.h"
 #include "response/locus/locus_responses.h"
 #include "response/locus/locus_walk.h"
 #include "rom/terms/drag.h"
@@ -22,7 +23,8 @@
 const char *hawser_locus_special_name(enum hawser_event_kind kind, enum hawser_locus_special special)
 {
 	static const char *const plain[HAWSER_LOCUS_SPECIALS] = {
-		"cusp", "generalised-period-doubling", "1:1", "1:2", "1:3", "1:4", NULL, NULL, NULL, "start"};
+		"cusp", "generalised-period-doubling", "1:1", "1:2", "1:3", "1:4", NULL, NULL, NULL, NULL,
+		"bogdanov-takens", "start"};
 	static const char *const resonance[HAWSER_LOCUS_SPECIALS] = {
 		[HAWSER_LOCUS_CUSP] = "turning-point", [HAWSER_LOCUS_DEGENERATE] = "branch-point",
 		[HAWSER_LOCUS_WITH_FOLD] = "fold", [HAWSER_LOCUS_WITH_DOUBLING] = "period-doubling",
@@ -31,6 +33,12 @@ const char *hawser_locus_special_name(enum hawser_event_kind kind, enum hawser_l
 		{"fold-fold", "fold-flip", "fold-torus"}, {"fold-flip", "flip-flip", "flip-torus"},
 		{"fold-torus", "flip-torus", "torus-torus"}, {"branch-fold", "branch-flip", "branch-torus"}};
 
+	if (kind == HAWSER_HOPF && special == HAWSER_LOCUS_DEGENERATE)
+		return "generalised-hopf";
+	if (special == HAWSER_LOCUS_WITH_HOPF || (kind == HAWSER_HOPF && special == HAWSER_LOCUS_WITH_FOLD))
+		return kind == HAWSER_HOPF && special == HAWSER_LOCUS_WITH_HOPF ? "double-hopf" : "zero-hopf";
+	if (special == HAWSER_LOCUS_TAKENS)
+		return plain[special];
 	if (kind == HAWSER_RESONANCE && (unsigned)special < HAWSER_LOCUS_SPECIALS && resonance[special])
 		return resonance[special];
 	if ((unsigned)special >= HAWSER_LOCUS_SPECIALS || (unsigned)kind > HAWSER_BRANCH_POINT)
@@ -45,7 +53,7 @@ const char *hawser_locus_special_name(enum hawser_event_kind kind, enum hawser_l
 const char *hawser_locus_end_name(enum hawser_locus_end end)
 {
 	static const char *const name[] = {"end of the frequency range", "end of the parameter's range",
-		"closed", "resonance", "max_points", "interrupted", "failed"};
+		"closed", "resonance", "no frequency", "max_points", "interrupted", "failed"};
 
 	return (unsigned)end < sizeof name/sizeof *name ? name[end] : "unknown";
 }
@@ -59,7 +67,9 @@ void hawser_locus_settle(struct hawser_locus_options *options)
 
 static enum hawser_status check(const struct hawser_locus_options *o, struct hawser_report *report)
 {
-	int known = (unsigned)o->kind <= HAWSER_BRANCH_POINT || o->kind == HAWSER_RESONANCE;
+	int own = o->plane && o->plane->omega == 0.0;
+	int known = (unsigned)o->kind <= HAWSER_BRANCH_POINT ||
+	            o->kind == (own ? HAWSER_HOPF : HAWSER_RESONANCE);
 
 	if (!known || !(o->plane || (o->from > 0.0 && o->to > 0.0)) ||
 	    o->from == o->to || !isfinite(o->from - o->to) || o->parameter_from == o->parameter_to ||
@@ -67,7 +77,8 @@ static enum hawser_status check(const struct hawser_locus_options *o, struct haw
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "locus",
 		                    "a locus of kind %d, Omega from %.9g to %.9g, parameter from %.9g to "
 		                    "%.9g: loci are those of folds, period doublings, tori, branch points and "
-		                    "resonances; ranges must be finite and not empty, and frequencies positive",
+		                    "resonances, of models without a load Hopf points; ranges must be finite "
+		                    "and not empty, and frequencies positive",
 		                    (int)o->kind, o->from, o->to, o->parameter_from, o->parameter_to);
 	if (!(o->at >= fmin(o->parameter_from, o->parameter_to) &&
 	      o->at <= fmax(o->parameter_from, o->parameter_to)))
@@ -129,9 +140,8 @@ static void copy_point(struct hawser_locus *to, const struct hawser__locus_list 
 	memcpy(to->state + k*2*n, from->state + (size_t)i*2*n, 2*n*sizeof(double));
 }
 
-/* The curve of part[1], from its end to the start, and part[0]. */
-static enum hawser_status join(struct hawser_locus *to, const struct hawser__locus_list part[2],
-                               struct hawser_report *report)
+enum hawser_status hawser__locus_join(struct hawser_locus *to, const struct hawser__locus_list part[2],
+                                      struct hawser_report *report)
 {
 	enum hawser_status status = make_room(to, part, report);
 	struct hawser_locus_curve *curve;
@@ -208,7 +218,7 @@ static enum hawser_status trace_from(struct hawser_locus *locus, struct hawser__
 	if (!status && part[0].end != HAWSER_LOCUS_CLOSED && !walk->stopped)
 		status = hawser__locus_follow(walk, &part[1], -1);
 	if (!status)
-		status = join(locus, part, report);
+		status = hawser__locus_join(locus, part, report);
 	hawser__locus_list_clear(&part[0]);
 	hawser__locus_list_clear(&part[1]);
 	return status;
@@ -363,6 +373,8 @@ enum hawser_status hawser_locus_trace(struct hawser_locus *locus,
 	hawser_locus_settle(&own);
 	if ((status = check(&own, report)))
 		return status;
+	if (own.plane && own.plane->omega == 0.0)
+		return hawser__own_locus(locus, &own, report);
 	status = hawser__locus_open(&system, family, &own, report);
 	locus->n = system.n;
 	if (!status)

@@ -75,6 +75,8 @@ struct hawser__orbit {
 	double trivial;       /* of a cycle: distance of that one from 1, as computed */
 	const double *turn;   /* of a cycle, [n][n]: generator of rotations of the coordinates that leave
 	                       * the model as it is (cycle/turn.c); NULL: there are none */
+	const double *anchor; /* [size] with `turn`: y from which corrections do not turn */
+	int held;             /* 1: solve corrects what has been turned, too */
 	unsigned char *condensed; /* [m] 1: the multiplier belongs to the free motion of a coordinate that
 	                           * was condensed. It decays, and takes no part in any event */
 	/* Of the last multipliers, without the error of the orbit: the error of the matrix whose

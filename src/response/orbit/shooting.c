@@ -339,6 +339,8 @@ static void solve(struct hawser__orbit *orbit, double *dy, int homogeneous, doub
 	for (int i = 0; i < size - 1; i++)
 		dy[i] = homogeneous ? 0.0 : -shooting->defect[i]/shooting->scale[i%m];
 	dy[size - 1] = last;
+	if (!homogeneous)
+		hawser__shooting_hold(shooting, dy);
 	LAPACKE_dgetrs_work(LAPACK_COL_MAJOR, 'N', size, 1, shooting->matrix, size,
 	                    shooting->pivot, dy, size);
 	for (int i = 0; i < size - 1; i++)

@@ -75,6 +75,8 @@ enum hawser_status hawser__shooting_sharpen(struct hawser__orbit *orbit, int on,
 int hawser__shooting_reduce(struct hawser__shooting *shooting);
 /* Before the bordered matrix is factorised: keep corrections from turning the orbit. */
 void hawser__shooting_border(struct hawser__shooting *shooting);
+/* In the right side dy [size] of a correction: turn it back to the anchor. */
+void hawser__shooting_hold(const struct hawser__shooting *shooting, double *dy);
 
 /* shooting_guess.c: see keep and guess in method.h. _init returns 1 when out of memory. */
 int hawser__shooting_guess_init(struct hawser__shooting *shooting);

@@ -23,7 +23,7 @@
 
 #include "response/orbit/shooting.h"
 
-#define INDEPENDENT 1e-3 /* least part of g that is no motion along the orbit, relative; chosen */
+#define INDEPENDENT 0.01 /* least part of g that is no motion along the orbit, relative; chosen */
 #define TURNED 1e-6      /* square of the size of g, relative to the orbit, below which it is none;
                           * chosen */
 
@@ -85,8 +85,9 @@ static void take_out(struct hawser__shooting *shooting, const double *f, int str
 	orbit->trivial = fmax(orbit->trivial, fmax(fabs(head - 1.0), leak));
 }
 
-/* g [S][order]: change of the nodes by the rotation of the model. */
-static void turn_nodes(double *g, const struct hawser__shooting *shooting, int order)
+/* g [S][order]: change of the nodes [S][m] by the rotation of the model. */
+static void turn_nodes(double *g, const struct hawser__shooting *shooting, const double *node,
+                       int order)
 {
 	const struct hawser__orbit *orbit = &shooting->base;
 	int n = orbit->n, S = shooting->segments;
@@ -94,24 +95,54 @@ static void turn_nodes(double *g, const struct hawser__shooting *shooting, int o
 	for (int i = 0; i < S; i++)
 		for (int part = 0; part < order/n; part++)
 			cblas_dgemv(CblasRowMajor, CblasNoTrans, n, n, 1.0, orbit->turn, n,
-			            shooting->node + i*orbit->m + part*n, 1, 0.0, g + i*order + part*n, 1);
+			            node + i*orbit->m + part*n, 1, 0.0, g + i*order + part*n, 1);
+}
+
+/* g [S][m]: the rotation of the anchor, scaled and without its part along the motion, which the phase
+ * holds. Returns the square of its length; 0: the rotation is the motion itself. */
+static double free_turn(double *g, const struct hawser__shooting *shooting)
+{
+	const struct hawser__orbit *orbit = &shooting->base;
+	int m = orbit->m, size = shooting->segments*m;
+	double along = 0.0, motion = 0.0, whole = 0.0, square = 0.0;
+
+	turn_nodes(g, shooting, orbit->anchor, m);
+	for (int i = 0; i < size; i++) {
+		double rate = shooting->rates[i]/shooting->scale[i%m];
+
+		g[i] /= shooting->scale[i%m];
+		whole += g[i]*g[i];
+		along += g[i]*rate;
+		motion += rate*rate;
+	}
+	for (int i = 0; i < size; i++) {
+		g[i] -= along/motion*shooting->rates[i]/shooting->scale[i%m];
+		square += g[i]*g[i];
+	}
+	return square > fmax(TURNED*size, INDEPENDENT*INDEPENDENT*whole) ? square : 0.0;
 }
 
 void hawser__shooting_border(struct hawser__shooting *shooting)
 {
-	int m = shooting->base.m, S = shooting->segments, size = shooting->base.size;
-	double *g = shooting->finer, square = TURNED*S*m;
+	int m = shooting->base.m, all = shooting->segments*m, size = shooting->base.size;
+	double *g = shooting->finer, square = shooting->base.turn ? free_turn(g, shooting) : 0.0;
 
-	if (!shooting->base.turn)
-		return;
-	turn_nodes(g, shooting, m);
-	for (int i = 0; i < S*m; i++) {
-		g[i] /= shooting->scale[i%m];
-		square += g[i]*g[i];
-	}
-	for (int k = 0; k < S*m; k++)
-		for (int i = 0; i < S*m; i++)
-			shooting->matrix[(size_t)k*size + i] += g[(i + m)%(S*m)]*g[k]/square;
+	for (int k = 0; square > 0.0 && k < all; k++)
+		for (int i = 0; i < all; i++)
+			shooting->matrix[(size_t)k*size + i] += g[(i + m)%all]*g[k]/square;
+}
+
+void hawser__shooting_hold(const struct hawser__shooting *shooting, double *dy)
+{
+	const struct hawser__orbit *orbit = &shooting->base;
+	int m = orbit->m, all = shooting->segments*m;
+	double *g = shooting->finer, turned = 0.0;
+	double square = orbit->turn && orbit->held ? free_turn(g, shooting) : 0.0;
+
+	for (int i = 0; square > 0.0 && i < all; i++)
+		turned += g[i]*(shooting->node[i] - orbit->anchor[i])/shooting->scale[i%m];
+	for (int i = 0; square > 0.0 && i < all; i++)
+		dy[i] -= turned*g[(i + m)%all]/square;
 }
 
 int hawser__shooting_reduce(struct hawser__shooting *shooting)
@@ -135,7 +166,7 @@ int hawser__shooting_reduce(struct hawser__shooting *shooting)
 		}
 	}
 	if (g) {
-		turn_nodes(g, shooting, order);
+		turn_nodes(g, shooting, shooting->node, order);
 		whole = cblas_dnrm2(S*order, g, 1);
 	}
 	take_out(shooting, shooting->rates, m, g, order);

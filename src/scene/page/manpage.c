@@ -36,7 +36,8 @@ static void put_text(const char *from)
 			putchar(*from);
 }
 
-static void put_sentence(const char *from)
+/* capital: 1, it begins with a capital letter. */
+static void put_sentence(const char *from, int capital)
 {
 	int column = 0;
 
@@ -52,8 +53,10 @@ static void put_sentence(const char *from)
 		for (column += length; length > 0; length--, from++)
 			if (*from == '^')
 				fputs("\\(ha", stdout);
-			else
-				putchar(*from);
+			else {
+				putchar(capital ? toupper((unsigned char)*from) : *from);
+				capital = 0;
+			}
 		from += *from == ' ';
 	}
 }
@@ -90,7 +93,7 @@ static void form(const struct hawser__tree_key *row)
 		snprintf(what, sizeof what, "%s", number ? "Number"
 		         : row->type == HAWSER__TREE_TEXT ? "Name"
 		         : row->type == HAWSER__TREE_LIST ? "List" : "Mapping");
-	put_sentence(row->doc);
+	put_sentence(row->doc, 0);
 	fputs(".\n", stdout);
 	put_text(what);
 	fputs(*unit ? " in " : "", stdout);
@@ -175,8 +178,7 @@ static void sections(const char *kind)
 		fputs(".SS ", stdout);
 		put_text(strchr(row->path, '.') + 1);
 		printf(" (%s)\n", row->need == HAWSER__TREE_REQUIRED ? "required" : "optional");
-		putchar(toupper((unsigned char)*row->doc));
-		put_sentence(row->doc + 1);
+		put_sentence(row->doc, 1);
 		fputs(".\n", stdout);
 		keys_in(row->path);
 	}
@@ -210,13 +212,13 @@ static void plausible(const char *unused)
 		snprintf(line, sizeof line, "%s%s%s", rule->name, *rule->formula ? ", " : "",
 		         rule->formula);
 		fputs(".TP\n", stdout);
-		put_sentence(line);
+		put_sentence(line, 0);
 		fputs("\n", stdout);
 		snprintf(line, sizeof line, "%s to %g%s%s (%s).", low, rule->high,
 		         *rule->unit ? " " : "", rule->unit, rule->keys);
-		put_sentence(line);
+		put_sentence(line, 0);
 		fputs("\n", stdout);
-		put_sentence(rule->why);
+		put_sentence(rule->why, 0);
 		if (*rule->why)
 			fputs("\n", stdout);
 	}

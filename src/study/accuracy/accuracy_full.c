@@ -53,6 +53,8 @@
                           * chosen */
 #define NEAR 0.1        /* largest distance of marks from the curve that they are carried from: others
                           * are of another curve; chosen */
+#define MARGIN 1.2      /* on the distance of two bases at the marks, by bench/practical.py: there are
+                         * points between, and peaks are read there */
 #define AT_LEAST 0.5    /* of what can be borne, for the response whatever the drafts took; chosen */
 #define REACH 2.0        /* 2: the second harmonic of the response may be in resonance with them */
 
@@ -175,10 +177,34 @@ static enum hawser_status compare_condensed(struct condensed *condensed,
 	return status;
 }
 
+/* The error of a basis whose marks are moved by the next one: that, and with the factor of safety by
+ * what the one after it moves them further, if there is one. */
+static enum hawser_status bound_error(double *error, const struct hawser__traced *traced,
+                                      const struct hawser__draft *next, double moved, int functions,
+                                      const struct hawser_accuracy_bases *of,
+                                      const struct hawser_frf_options *settled,
+                                      struct hawser_report *report)
+{
+	struct hawser__draft last = {.functions = 0};
+	double away = INFINITY, beyond = INFINITY;
+	enum hawser_status status = hawser_accuracy_basis(&last.rom, &functions, of, next->rom.n, report);
+
+	last.functions = functions;
+	if (!status && last.rom.n > 0)
+		status = hawser__draft_carry(&last, &away, traced, &of->modes->statics, settled, report);
+	if (!status && away <= NEAR)
+		status = hawser__curve_points_distance(&beyond, &traced->curve, traced->mark, &next->curve,
+		                                       &last.curve, report);
+	*error = fmin(*error, MARGIN*moved + HAWSER__SAFETY_BASIS*beyond);
+	hawser__draft_clear(&last);
+	return status;
+}
+
 /* The first bases of which two agree: *chosen is the smaller one, *moved the distance of the two,
- * and *checked the coordinates of the larger. If no two agree, the last ones. */
-static enum hawser_status choose(struct hawser__draft *chosen, double *moved, int *checked,
-                                 struct condensed *condensed,
+ * *error that of the smaller one, and *checked the coordinates of the larger. If no two agree, the last
+ * ones. */
+static enum hawser_status choose(struct hawser__draft *chosen, double *moved, double *error,
+                                 int *checked, struct condensed *condensed,
                                  struct hawser_accuracy *a, const struct hawser_scene *scene,
                                  const struct hawser_accuracy_options *options,
                                  struct hawser_frf_options *frf, double *work,
@@ -224,7 +250,10 @@ static enum hawser_status choose(struct hawser__draft *chosen, double *moved, in
 			continue;
 		}
 		*checked = next.rom.n;
-		if (status || hawser__accuracy_cut(a) || HAWSER__SAFETY_BASIS**moved <= a->asked) {
+		*error = HAWSER__SAFETY_BASIS**moved;
+		if (status || hawser__accuracy_cut(a) || *error <= a->asked) {
+			if (!status && away <= NEAR)
+				status = bound_error(error, &traced, &next, *moved, functions, &of, frf, report);
 			hawser__draft_clear(&next);
 			break;
 		}
@@ -272,9 +301,9 @@ static void take_back(struct hawser_rom *rom, struct condensed *condensed)
 }
 
 /* Whether the condensed response is near enough to the exact energy's: then it is the answer. */
-static int is_right(struct hawser_accuracy *a, struct condensed *condensed, double moved, int checked)
+static int is_right(struct hawser_accuracy *a, struct condensed *condensed, double error, int checked)
 {
-	double error = condensed->off + HAWSER__SAFETY_BASIS*moved;
+	error += condensed->off;
 
 	if (!condensed->marks || !(error + hawser__marks_located(condensed->marks) <= a->asked))
 		return 0;
@@ -296,24 +325,24 @@ static enum hawser_status search(struct hawser_accuracy *a, struct hawser__marks
                                  struct hawser_report *report)
 {
 	struct hawser_frf_options frf = settle(options, a->asked);
-	double moved = INFINITY, work = 0.0, start = hawser__wall_seconds();
+	double moved = INFINITY, error = INFINITY, work = 0.0, start = hawser__wall_seconds();
 	int checked = 0;
-	enum hawser_status status = choose(chosen, &moved, &checked, condensed, a, scene, options, &frf,
-	                                   &work, report);
+	enum hawser_status status = choose(chosen, &moved, &error, &checked, condensed, a, scene, options,
+	                                   &frf, &work, report);
 
 	if (status || hawser__accuracy_cut(a) || !chosen->functions ||
-	    is_right(a, condensed, moved, checked))
+	    is_right(a, condensed, error, checked))
 		return status;
 	a->foreseen = work + hawser__draft_follows(options, chosen->rom.n, chosen->points, chosen->work);
 	a->costly = options->bearable > 0.0 && !options->partial && a->foreseen > options->bearable;
-	if (a->costly || (options->agreed && !(HAWSER__SAFETY_BASIS*moved <= a->asked)))
+	if (a->costly || (options->agreed && !(error <= a->asked)))
 		return HAWSER_OK;
 	hawser_rom_clear(&a->rom);
 	a->rom = chosen->rom;
 	a->functions = chosen->functions;
 	chosen->rom = (struct hawser_rom){.n = 0};
 	if (options->after > 0.0) {
-		a->estimated = fmax(HAWSER__SAFETY_BASIS*moved, HAWSER__LEAST_CLAIM*a->asked);
+		a->estimated = fmax(error, HAWSER__LEAST_CLAIM*a->asked);
 		a->checked = checked;
 		return HAWSER_OK;
 	}
@@ -325,7 +354,7 @@ static enum hawser_status search(struct hawser_accuracy *a, struct hawser__marks
 		this->moved = moved;
 		this->checked = checked;
 		if (!hawser__accuracy_cut(a) && isfinite(moved))
-			hawser__accuracy_claim(a, HAWSER__SAFETY_BASIS*moved, marks);
+			hawser__accuracy_claim(a, error, marks);
 	}
 	return status;
 }

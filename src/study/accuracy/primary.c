@@ -141,6 +141,23 @@ static double impedance(const struct hawser_rom *rom, int j, double p)
 	return hypot(hawser__stiffness(rom, j) - p*p, rom->D[(size_t)j*((size_t)rom->n + 1)]*p);
 }
 
+/* How far the motion of mode m with the amplitude a at W is beyond that from which on it excites mode j
+ * at W/2: by a stiffness c a cos W t. */
+static double excited(const struct hawser_rom *rom, int j, int m, double W, double a)
+{
+	return 0.5*fabs(quadratic(rom, j, j, m))*a/impedance(rom, j, 0.5*W);
+}
+
+int hawser__primary_excites(const struct hawser_primary *primary, double W, double a)
+{
+	const struct hawser_rom *rom = primary->modulation.rom;
+	int count = 0;
+
+	for (int j = 0; j < rom->n; j++)
+		count += j != primary->mode && excited(rom, j, primary->mode, W, a) > 1.0;
+	return count;
+}
+
 int hawser_primary_rival(double *strength, const struct hawser_primary *primary,
                          const struct hawser_rom *rom)
 {
@@ -149,10 +166,9 @@ int hawser_primary_rival(double *strength, const struct hawser_primary *primary,
 
 	*strength = 1.0;
 	for (int j = 0; j < rom->n; j++) {
-		/* driven by c a^2/2 cos 2 W t; by a stiffness c a cos W t */
+		/* driven by c a^2/2 cos 2 W t */
 		double driven = 0.5*fabs(quadratic(rom, j, m, m))*a/impedance(rom, j, 2.0*W);
-		double excited = 0.5*fabs(quadratic(rom, j, j, m))*a/impedance(rom, j, 0.5*W);
-		double most = hawser__stiffness(rom, j) > W*W ? driven : excited;
+		double most = hawser__stiffness(rom, j) > W*W ? driven : excited(rom, j, m, W, a);
 
 		if (j != m && most > *strength) {
 			*strength = most;

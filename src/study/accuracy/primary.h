@@ -7,5 +7,8 @@
 
 /* A third of the coefficient of A^2 conj(A) in the modulation equations of one mode. */
 double hawser__primary_cubic(const struct hawser_modulation *modulation);
+/* Number of modes that the motion with the amplitude a at the scaled frequency W excites at half of it,
+ * by a resonance of two to one: it is not stable then. */
+int hawser__primary_excites(const struct hawser_primary *primary, double W, double a);
 
 #endif

@@ -6,7 +6,8 @@
  *    F      f/(2 omega)
  *
  * Points are equidistant in asinh(x/delta), which resolves the peak as well as its flanks. The
- * motion is unstable where sigma decreases as x grows.
+ * motion is unstable where sigma decreases as x grows, and where it excites a mode of half the
+ * frequency.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -250,6 +251,9 @@ enum hawser_status hawser_primary_trace(struct hawser_primary_curve *curve,
 		hawser_primary_curve_clear(curve);
 	else
 		mark(&curve->frf);
+	for (int i = 0; !status && i < count; i++)
+		curve->frf.point[i].unstable += hawser__primary_excites(primary, curve->frf.point[i].omega,
+		                                                        curve->amplitude[i]);
 	return status;
 }
 

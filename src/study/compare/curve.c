@@ -14,8 +14,8 @@
  * e_i is therefore no evidence of a difference, and the result is the maximum of min(d_i, e_i).
  *
  * Below a sharp peak the curve's flanks are nearer than its top: with 0.6 % of damping a peak that is
- * off by 0.35 % is 0.04 % from the curve. Of points carried over from one model to another, those at
- * extremes are therefore compared with their counterparts too.
+ * off by 0.35 % is 0.04 % from the curve. Of points carried over from one model to another, extremes
+ * are therefore compared too.
  *
  * The distance is taken to a refinement of the other curve by cubics in its arclength, so that the
  * chords between its points do not count as error.
@@ -35,6 +35,7 @@ static const double uneven = 100.0; /* ratio of successive steps above which the
                                      * few digits for a parabola; chosen */
 static const double apart = 0.4, small = 0.02; /* arclength between two marks, relative amplitude from
                                                  * which on there are marks; chosen */
+static const double counted_peak = 0.2; /* smallest that counts, of the component; as of landmarks */
 static const double faintest = 0.5; /* smallest relevant component, relative to the largest one:
                                      * peaks are compared down to the same size */
 
@@ -252,6 +253,44 @@ static int turns(const struct hawser__drawn_curve *curve, int i, int column)
 	       (at(curve, i + 1, column) - at(curve, i, column)) <= 0.0;
 }
 
+/* By what component c of counterpart i is off from its point. */
+static double off(const struct hawser__drawn_curve *curve, const int *at_point,
+                  const struct hawser__drawn_curve *a, const struct hawser__drawn_curve *b, int i,
+                  int c)
+{
+	return at(b, i, c) - (a ? at(a, i, c) : at(curve, at_point[i], c));
+}
+
+/* By how much an extreme of component c near point at_point[i] is higher in the other response, where
+ * that point's counterpart lies beside the top: from the curve and the parabola through what three
+ * counterparts are off. Relative to a peak that counts, or to the component. */
+static double extreme_change(const struct hawser__drawn_curve *curve, const int *at_point,
+                             const struct hawser__drawn_curve *a,
+                             const struct hawser__drawn_curve *b, int i, int c, double scale)
+{
+	double d[3], s[3], top = -HUGE_VAL, other = -HUGE_VAL, side;
+
+	if (i < 1 || i + 1 >= b->points)
+		return fabs(off(curve, at_point, a, b, i, c))/scale;
+	for (int k = 0; k < 3; k++) {
+		d[k] = off(curve, at_point, a, b, i - 1 + k, c);
+		s[k] = curve->arc[at_point[i - 1 + k]];
+	}
+	side = at(curve, at_point[i], c) >= at(curve, at_point[i] - 1, c) ? 1.0 : -1.0;
+	for (int k = at_point[i - 1]*PARTS; k <= at_point[i + 1]*PARTS; k++) {
+		int p = k/PARTS < curve->points - 1 ? k/PARTS : curve->points - 2;
+		double x = (double)(k - p*PARTS)/PARTS, value = side*between(curve, p, x, c);
+		double arc = curve->arc[p] + x*(curve->arc[p + 1] - curve->arc[p]);
+		double by = d[0]*(arc - s[1])*(arc - s[2])/((s[0] - s[1])*(s[0] - s[2])) +
+		            d[1]*(arc - s[0])*(arc - s[2])/((s[1] - s[0])*(s[1] - s[2])) +
+		            d[2]*(arc - s[0])*(arc - s[1])/((s[2] - s[0])*(s[2] - s[1]));
+
+		top = fmax(top, value);
+		other = fmax(other, value + side*by);
+	}
+	return fabs(other - top)/(side > 0.0 ? fmax(top, counted_peak*scale) : scale);
+}
+
 enum hawser_status hawser__curve_points_distance(double *distance,
                                                  const struct hawser__drawn_curve *curve,
                                                  const int *at_point,
@@ -286,7 +325,7 @@ enum hawser_status hawser__curve_points_distance(double *distance,
 				*distance = fmax(*distance, to_line(&line, w, size/scale, end));
 			/* below a peak the curve's flanks are nearer than its top, and more so the sharper it is */
 			if (end > *distance && at_point && turns(curve, at_point[i], c))
-				*distance = fmax(*distance, fabs(size - at(curve, at_point[i], c))/scale);
+				*distance = fmax(*distance, extreme_change(curve, at_point, a, b, i, c, scale));
 		}
 		free(line.wa);
 	}

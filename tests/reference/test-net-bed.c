@@ -1,0 +1,174 @@
+/* Beds of moorings, against numbers of other programs and closed forms: slopes, friction, chains
+ * that are drawn across and along a bed, a bed that gives way at rest and in motion, and its
+ * ledger. SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include <hawser/net_motion.h>
+
+#include "tests/tap.h"
+
+static int opened(struct hawser_net *net, const char *const *set, size_t sets)
+{
+	struct hawser_report report = {0};
+	char path[4096];
+
+	snprintf(path, sizeof path, "%s/notebooks-data/scenes/net-mooring.yaml", getenv("SRCDIR"));
+	return ok(!hawser_net_open(net, path, set, sets, &report), "the scene: %s", report.message);
+}
+
+static int solved(struct hawser_net *net, struct hawser_net_statics *st, const char *const *set,
+                  size_t sets)
+{
+	struct hawser_report report = {0};
+
+	return opened(net, set, sets) &&
+	       ok(!hawser_net_solve(st, net, NULL, &report), "solved: %s", report.message);
+}
+
+#define WEIGHT "g=9.4011927657697393"
+#define PLANE(x, y) "obstacles=[{plane: {point: [0, 0], normal: [" x ", " y "]}}]"
+#define ROUGH(more) "obstacles=[{plane: {point: [0, 0], normal: [0, 1]}, friction: 0.6" more "}]"
+
+/* The chain of the scene: tension at the anchor, pull along x and y at the fairlead. */
+static void chains(void)
+{
+	static const struct {
+		const char *set[3];
+		double T_A, H, V;
+	} of[] = {
+		{{PLANE("0", "1"), WEIGHT, WEIGHT}, 900903.8, 900903.8, 629156.6},
+		{{PLANE("-0.08715574274765817", "0.9961946980917455"), "nodes.B=[790, 220, 0]", WEIGHT},
+		 751509.0, 779493.0, 603282.0},
+		{{PLANE("0.08715574274765817", "0.9961946980917455"), "nodes.B=[790, 150, 0]", WEIGHT},
+		 637368.0, 607094.0, 516470.0},
+		{{ROUGH(", velocity: [-1, 0]"), WEIGHT, WEIGHT}, 745579.1, 902064.3, 629521.1},
+		{{ROUGH(""), "contact={sliding: pulled, steps: 10}", WEIGHT}, 745579.1, 902064.3, 629521.1},
+	};
+
+	for (size_t i = 0; i < sizeof of/sizeof *of; i++) {
+		struct hawser_net net;
+		struct hawser_net_statics st = {0};
+
+		if (solved(&net, &st, of[i].set, 3)) {
+			close_to(st.member[0].T_from, of[i].T_A, 1e-5, "tension at the anchor, N");
+			close_to(st.reaction[1][0], of[i].H, 1e-5, "pull along x, N");
+			close_to(st.reaction[1][1], of[i].V, 1e-5, "pull upwards, N");
+		}
+		hawser_net_statics_clear(&st);
+		hawser_net_clear(&net);
+	}
+}
+
+#define LINE(end, EA, length) "nodes={A: [0, 0, 0], B: [" end ", 0, 0]}", "g=9.81", \
+	"cables=[{name: c, from: A, to: B, EA: " EA ", rho: 88.40752293577982, length0: " length ", " \
+	"elements: 400}]"
+
+/* Drawn across, a chain is a catenary under mu*w; pulled by T, it slides over T/(mu w) and moves by
+ * T^2/(2 EA mu w). */
+static void drawn(void)
+{
+	static const char *const across[] = {LINE("80", "600e6", "100"), ROUGH(", velocity: [0, 0, -1]")};
+	static const char *const along[] = {
+		LINE("1000.0960861", "4e8", "1000"), ROUGH(""),
+		"contact={sliding: history, path: {B: [[1000.00001, 0, 0]]}, steps: 2}"};
+	struct hawser_net net;
+	struct hawser_net_statics st = {0};
+	double slid = 0.0;
+
+	if (solved(&net, &st, across, 4)) {
+		close_to(st.reaction[1][0], 17596.75, 1e-5, "pull along, N");
+		close_to(st.reaction[0][2] + st.reaction[1][2], 52036.67, 1e-6, "pull across, N");
+	}
+	hawser_net_statics_clear(&st);
+	hawser_net_clear(&net);
+	if (solved(&net, &st, along, 5)) {
+		for (int i = 0; i < st.contacts; i++)
+			slid += st.contact[i].sticks ? 0.0 : st.contact[i].length0;
+		close_to(st.reaction[1][0], 2e5, 1e-4, "pull, N");
+		close_to(slid, 384.344, 1e-2, "length that slides, m");
+	}
+	hawser_net_statics_clear(&st);
+	hawser_net_clear(&net);
+}
+
+#define SOFT "cables.chain.diameter=0.0766", WEIGHT, \
+	"obstacles=[{plane: {point: [0, 0], normal: [0, 1]}, stiffness: 3e6, damping: 3e5}]"
+
+/* The chain sinks by its weight over stiffness times diameter; its energy is that of the
+ * certificate. */
+static void gives_way(void)
+{
+	static const char *const set[] = {SOFT, "cables.chain.elements=200"};
+	struct hawser_net net;
+	struct hawser_net_statics st = {0};
+
+	if (solved(&net, &st, set, 4)) {
+		double least = 0.0;
+
+		for (int i = 0; i < st.points/5; i++)
+			least = fmin(least, st.point[i].x[1]);
+		close_to(least, -4.637e-3, 1e-4, "depth, m");
+		ok(st.gap >= 0.0 && st.gap < 1e-13*st.energy && st.apart < 1e-11, "gap %.1e J, %.1e m", st.gap,
+		   st.apart);
+	}
+	hawser_net_statics_clear(&st);
+	hawser_net_clear(&net);
+}
+
+/* The fairlead goes up and down by 1 m in 10 s, which grows over 20 s. In water; forces from 50 s
+ * on. */
+static void heaves(void)
+{
+	char path[] = P_tmpdir "/hawser-bed-XXXXXX", table[200];
+	const char *const set[] = {
+		"cables=[{name: c, from: A, to: B, EA: 753.6e6, rho: 113.35, length0: 835.5, elements: 80, "
+		"diameter: 0.0766, drag: {normal: 2, tangential: 0.4}, added_mass: {normal: 1}}]",
+		"g=9.81", "water={density: 1025, surface: 200}", table,
+		"obstacles=[{plane: {point: [0, 0], normal: [0, 1]}, stiffness: 3e6, damping: 3e5}]"};
+	const struct hawser_net_probe probe[] = {{0, -1, 0.0}, {1, -1, 0.0}};
+	const struct hawser_net_motion_options options = {.until = 60.0, .every = 0.1, .step = 0.05,
+	                                                  .probe = probe, .probes = 2};
+	double range[2][2] = {{INFINITY, 0.0}, {INFINITY, 0.0}};
+	struct hawser_net net;
+	struct hawser_net_motion motion = {0};
+	struct hawser_report report = {0};
+	int file = mkstemp(path);
+	FILE *to = file < 0 ? NULL : fdopen(file, "w");
+
+	for (int i = 0; to && i <= 610; i++) {
+		double t = 0.1*i, q = fmin(t/20.0, 1.0), p = q*q*q*(10.0 - 15.0*q + 6.0*q*q);
+
+		fprintf(to, "%.17g 0 %.17g 0\n", t, p*sin(2.0*M_PI*t/10.0));
+	}
+	ok(to && fclose(to) == 0, "a table of the motion");
+	snprintf(table, sizeof table, "supports={A: fixed, B: {table: %s}}", path);
+	if (opened(&net, set, 5) && ok(!hawser_net_integrate(&motion, &net, &options, &report), "%s",
+	                               report.message)) {
+		for (int i = 1000; i <= 1200; i++)
+			for (int k = 0; k < 2; k++) {
+				range[k][0] = fmin(range[k][0], motion.T[i/2*2 + k]);
+				range[k][1] = fmax(range[k][1], motion.T[i/2*2 + k]);
+			}
+		close_to(range[0][0], 855.9e3, 1e-3, "least tension at the anchor, N");
+		close_to(range[0][1], 943.8e3, 1e-3, "largest tension at the anchor, N");
+		close_to(range[1][0], 1049.5e3, 1e-3, "least tension at the fairlead, N");
+		close_to(range[1][1], 1146.3e3, 1e-3, "largest tension at the fairlead, N");
+		ok(motion.closure < 1e-10, "energy closed to %.1e", motion.closure);
+	}
+	remove(path);
+	hawser_net_motion_clear(&motion);
+	hawser_net_clear(&net);
+}
+
+CASE(reference_net_bed)
+{
+	chains();
+	drawn();
+	gives_way();
+	heaves();
+	return done_testing();
+}
