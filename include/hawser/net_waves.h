@@ -18,7 +18,7 @@ extern "C" {
 #endif
 
 struct hawser_net_waves_options {
-	double from, to;    /* rad/s; 0, 0: the range of the sea, or 0.5 and 2 times the frequency of
+	double from, to;    /* rad/s; 0: the end of the sea's range, or 0.5 and 2 times the frequency of
 	                     * regular waves */
 	int points;         /* from one to the other; 0: 100 */
 	const struct hawser_net_probe *probe; /* [probes] */
@@ -47,9 +47,11 @@ struct hawser_net_waves {
 	int iterations;     /* most of a point */
 	double change;      /* largest relative change of C in the last iteration */
 	int unknowns, touching; /* of the mesh; contacts, which stay */
+	int interrupted;    /* 1: the caller ended it; `points` are those that there are */
 };
 /* Overwrites *waves; release it with hawser_net_waves_clear. HAWSER_ERR_ARGUMENT without waves, or with
- * damping by modes; statuses of the statics; HAWSER_ERR_CONVERGENCE. */
+ * damping by modes, harmonic loads or moving supports, which the response does not have; statuses of
+ * the statics; HAWSER_ERR_CONVERGENCE. */
 enum hawser_status hawser_net_waves_solve(struct hawser_net_waves *waves, const struct hawser_net *net,
                                           const struct hawser_net_waves_options *options,
                                           struct hawser_report *report) HAWSER_MUST_CHECK;

@@ -170,6 +170,12 @@ static void wavy_tether(void)
 	hawser_waves_clear(&body.net.water.waves);
 }
 
+static int wavy_stop(void *data, const struct hawser_progress_state *state)
+{
+	(void)data;
+	return state->done == 3;
+}
+
 static void wavy_refused(void)
 {
 	struct hawser_net_waves_options options = {.points = 1};
@@ -185,6 +191,16 @@ static void wavy_refused(void)
 	options.iterations = 1;
 	ok(hawser_net_waves_solve(&waves, &body.net, &options, &report) == HAWSER_ERR_CONVERGENCE &&
 	   waves.omega == NULL, "not converged: %s", report.message);
+	options.iterations = 0;
+	body.net.motions = 1;
+	ok(hawser_net_waves_solve(&waves, &body.net, &options, &report) == HAWSER_ERR_ARGUMENT &&
+	   strstr(report.message, "motions of supports"), "refused: %s", report.message);
+	body.net.motions = 0;
+	options.progress.function = wavy_stop;
+	options.points = 5;
+	ok(hawser_net_waves_solve(&waves, &body.net, &options, &report) == HAWSER_OK &&
+	   waves.interrupted && waves.points == 3, "ended by the caller after %d points", waves.points);
+	hawser_net_waves_clear(&waves);
 	hawser_waves_clear(&body.net.water.waves);
 	ok(hawser_net_waves_solve(&waves, &body.net, &options, &report) == HAWSER_ERR_ARGUMENT &&
 	   strstr(report.message, "no waves"), "refused: %s", report.message);

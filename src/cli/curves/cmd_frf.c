@@ -71,8 +71,8 @@ static const struct cli_option options[] = {
 	 .needs = "over"},
 	CLI_TEXT_WITH(sweep, "WHICH", "add a slow sweep, integrated in time: up, down or both",
 	              .words = "up|down|both"),
-	{"sweep-points", 0, "N", "number of frequencies of a sweep, or of waves (200)",
-	 CLI_COUNT(sweep_points)},
+	{"sweep-points", 0, "N", "number of frequencies of a sweep (200)", CLI_COUNT(sweep_points),
+	 .needs = "sweep"},
 	{"backbone", 0, "J", "add the backbone of mode J: its free undamped motions",
 	 CLI_INTEGER(backbone)},
 	{"energy", 0, "", "draw the backbone's frequency over its energy instead", CLI_FLAG(energy),
@@ -83,7 +83,7 @@ static const struct cli_option options[] = {
 	 "takes some seconds), yes or no (auto)", CLI_TEXT_FOR(certificate, CLI_NET | CLI_CABLE),
 	 .words = "auto|yes|no"},
 	CLI_STEP_OPTION,
-	CLI_POINTS_OPTION("end after this many points (20000)"),
+	CLI_POINTS_OPTION("end after this many points (20000); of waves, so many (200)"),
 	{"segments", 0, "N", "shooting segments (as many as needed)", CLI_INTEGER(segments)},
 	CLI_TEXT_WITH(slack, "WHAT",
 	              "where the cable goes slack: end the curve or follow the model's on (end)",
@@ -477,8 +477,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	const struct settings *settings = context;
 
 	return cli_waves_in(&settings->common)
-		? cli_waves_response(&settings->common, settings->from, settings->to, settings->sweep_points,
-		                     report)
+		? cli_waves_response(&settings->common, settings->from, settings->to, settings->points, report)
 		: curves(settings, report);
 }
 

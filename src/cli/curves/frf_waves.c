@@ -17,6 +17,7 @@
 #include "output/drawing/style.h"
 
 enum { PROBES = 8, DRAWN = 6, EACH_PROBE = 6, EACH_CABLE = 4, LABEL = 3*HAWSER_NET_NAME, SEA = 1 };
+enum { POINTS = 200 }; /* without --max-points */
 static const double SIGMAS = 3.0; /* of a tension: at its mean, slack counts as probable; chosen */
 
 struct result {
@@ -146,6 +147,8 @@ const struct hawser__field cli_waves_field[] = {
 	{"height", NULL, "that the linear drag belongs to: of regular waves, or Hs", ONE(height),
 	 .unit = HAWSER__METRE},
 	{"touching", NULL, "contacts with obstacles, which stay", ONE(touching)},
+	{"interrupted", NULL, "whether the run ended early",
+	 HAWSER__FLAG_AT(struct result, waves.interrupted), .from = HAWSER__IN_PARENT},
 	HAWSER__END,
 };
 static const struct hawser__list row_list = {
@@ -192,6 +195,8 @@ static void comments(struct hawser__table *table, const void *of)
 		                      waves->T_mean[2*c + 1], what, waves->T_size[c][0],
 		                      waves->T_size[c][1]);
 	cli_mesh_comment(table, &result->mesh);
+	if (waves->interrupted)
+		hawser__table_comment(table, "interrupted after %d frequencies", waves->points);
 }
 
 /* The largest of a curve. */
@@ -309,7 +314,7 @@ static enum hawser_status check(const struct cli_common *common, struct hawser_r
 			if (!strcmp(common->given[i]->name, curve[k]))
 				return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf", "--%s is for curves, and the "
 				                    "response to the waves of %s is linear: give --from, --to and "
-				                    "--sweep-points", curve[k], cli_input_name(common));
+				                    "--max-points", curve[k], cli_input_name(common));
 	return cli_outputs_check(common, report);
 }
 
@@ -319,7 +324,7 @@ enum hawser_status cli_waves_response(const struct cli_common *common, const cha
 	struct result *result = calloc(1, sizeof *result);
 	struct cli_watch watch = {{.quiet = common->quiet}, "frf"};
 	struct hawser_net_waves_options options = {
-		.points = points, .progress = {cli_watch, &watch}};
+		.points = points > 0 ? points : POINTS, .progress = {cli_watch, &watch}};
 	enum hawser_status status;
 
 	if (!result)
@@ -339,6 +344,9 @@ enum hawser_status cli_waves_response(const struct cli_common *common, const cha
 	if (!status)
 		status = hawser_net_waves_solve(&result->waves, &result->mesh.net, &options, report);
 	cli_progress_end(&watch.progress);
+	if (!status && result->waves.points == 0)
+		status = hawser__fail(report, HAWSER_ERR_CONVERGENCE, "frf", "interrupted before the first "
+		                      "frequency");
 	if (!status)
 		status = hawser_net_mesh_error(&result->mesh.error, &result->mesh.net, NULL, report);
 	if (!status)

@@ -24,6 +24,7 @@ struct solver {
 	struct hawser_net_waves_options options;
 	struct hawser__linear_mesh linear;
 	struct hawser_waves sea; /* of a sea: with frequencies in the middle of bins */
+	double began;            /* s */
 };
 
 void hawser_net_waves_clear(struct hawser_net_waves *waves)
@@ -93,6 +94,18 @@ static double half_step(struct hawser__linear_mesh *linear, double omega, double
 		}
 	}
 	return most > 0.0 ? change/most : 0.0;
+}
+
+/* 1 if the caller ends it. */
+static int stopped(struct hawser_net_waves *waves, const struct solver *solver, int done)
+{
+	struct hawser_progress_state state = hawser__progress_state("response", "frequencies", done,
+	                                                            solver->began);
+
+	state.expected = waves->points;
+	waves->interrupted = waves->interrupted ||
+	                     hawser__told_to_stop(&solver->options.progress, &state);
+	return waves->interrupted;
 }
 
 static enum hawser_status diverged(const struct solver *solver, double change,
@@ -201,15 +214,15 @@ static enum hawser_status sea(struct hawser_net_waves *waves, struct solver *sol
 {
 	enum hawser_status status = HAWSER_OK;
 
-	for (waves->change = 1.0; !status && waves->change > solver->options.tolerance;
-	     waves->iterations++) {
+	for (waves->change = 1.0; !status && waves->change > solver->options.tolerance &&
+	     !stopped(waves, solver, 0); waves->iterations++) {
 		if (waves->iterations == solver->options.iterations)
 			return diverged(solver, waves->change, report);
 		status = sum(waves, solver, 0, report);
 		if (!status)
 			waves->change = half_step(&solver->linear, 0.0, 0.0);
 	}
-	if (!status)
+	if (!status && !waves->interrupted)
 		status = sum(waves, solver, 1, report);
 	for (int k = 0; k < 3*waves->probes; k++)
 		waves->size[k/3][k%3] = sqrt(waves->size[k/3][k%3]);
@@ -266,6 +279,8 @@ static enum hawser_status check(const struct hawser_net *net,
                                 const struct hawser_net_waves_options *options,
                                 struct hawser_report *report)
 {
+	int driven = net->motions > 0;
+
 	if (!net->water.waves.count)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s has no waves: add water.waves, for "
 		                    "example {height: 4 m, period: 9 s}, and water.depth", net->name);
@@ -273,6 +288,12 @@ static enum hawser_status check(const struct hawser_net *net,
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s: damping.ratio is that of modes, "
 		                    "and the response to waves has none: give damping.rayleigh, alpha or "
 		                    "axial", net->name);
+	for (int i = 0; i < net->loads; i++)
+		driven = driven || net->load[i].harmonic;
+	if (driven)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s has waves, and harmonic loads or "
+		                    "motions of supports besides: the response to waves is that to waves "
+		                    "alone; leave one of them out", net->name);
 	if (!(options->from > 0.0 && options->from <= options->to && options->points >= 1))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%d frequencies of waves from %g to %g "
 		                    "rad/s", options->points, options->from, options->to);
@@ -286,9 +307,10 @@ static void settle(struct hawser_net_waves_options *options, const struct hawser
 	hawser__settle(&options->tolerance, 1e-8);
 	hawser__settle_count(&options->iterations, 100);
 	hawser__settle_count(&options->points, 100);
-	if (options->to == 0.0 && waves->count) {
-		options->from = waves->wave[0].omega*(waves->count > 1 ? 1.0 : 0.5);
-		options->to = waves->wave[waves->count - 1].omega*(waves->count > 1 ? 1.0 : 2.0);
+	if (waves->count) {
+		hawser__settle(&options->from, waves->wave[0].omega*(waves->count > 1 ? 1.0 : 0.5));
+		hawser__settle(&options->to,
+		               waves->wave[waves->count - 1].omega*(waves->count > 1 ? 1.0 : 2.0));
 	}
 }
 
@@ -303,6 +325,10 @@ static enum hawser_status run(struct hawser_net_waves *waves, struct solver *sol
 		double omega = options->from + (waves->points > 1 ? (options->to - options->from)*i/
 		                                                    (waves->points - 1) : 0.0);
 
+		if (stopped(waves, solver, i)) {
+			waves->points = i;
+			break;
+		}
 		waves->omega[i] = omega;
 		if (waves->spectrum) {
 			waves->spectrum[i] = hawser_jonswap_at(spectrum, omega);
@@ -326,7 +352,7 @@ enum hawser_status hawser_net_waves_solve(struct hawser_net_waves *waves, const 
                                           const struct hawser_net_waves_options *asked,
                                           struct hawser_report *report)
 {
-	struct solver solver = {.options = *asked};
+	struct solver solver = {.options = *asked, .began = hawser__wall_seconds()};
 	struct hawser_waves_given middle = net->water.given;
 	struct hawser_jonswap spectrum = {0.0, 0.0, 0.0};
 	int is_sea = middle.Hs > 0.0;
