@@ -10,6 +10,7 @@
 #include <lapacke.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include <hawser/branches.h>
 
@@ -175,6 +176,31 @@ static enum hawser_status switch_cycles(struct hawser_frf *branch, const struct 
 	return status;
 }
 
+/* v [m]: the direction in which the motion about the equilibrium u [n] grows fastest, of length 1, so
+ * that slowly decaying ones are not excited. */
+static enum hawser_status growing(double *v, const struct hawser_rom *rom, const double *u,
+                                  struct hawser_report *report)
+{
+	size_t n = (size_t)rom->n, m = 2*n;
+	double *memory = calloc(3*m*m + 8*m, sizeof *memory), *A = memory, *right = A + m*m;
+	double *by_u = right + m*m, *re = by_u + m*m, *im = re + m, *rest = im + m, *work = rest + m;
+	double unused;
+	int order, info, best = 0;
+
+	if (!memory)
+		return hawser__no_memory(report, "frf");
+	order = hawser__autonomous_matrix(A, by_u, by_u + n*n, work, rom, u, rest);
+	info = LAPACKE_dgeev(LAPACK_COL_MAJOR, 'N', 'V', order, A, order, re, im, &unused, 1, right,
+	                     order);
+	for (int i = 1; i < order; i++)
+		best = re[i] > re[best] ? i : best;
+	memset(v, 0, m*sizeof *v);
+	memcpy(v, right + (size_t)best*(size_t)order, (size_t)order*sizeof *v);
+	cblas_dscal(order, 1.0/cblas_dnrm2(order, v, 1), v, 1);
+	free(memory);
+	return hawser__lapack_starved(info) ? hawser__no_memory(report, "frf") : HAWSER_OK;
+}
+
 /* The motion is followed in time from beside an equilibrium: the first one, the last one and that in
  * the middle, until it comes to a cycle. With `back` from that in the middle, to the other end. */
 enum hawser_status hawser__own_leave(struct hawser_frf *branch, const struct hawser_rom *rom,
@@ -185,7 +211,7 @@ enum hawser_status hawser__own_leave(struct hawser_frf *branch, const struct haw
 	struct hawser_frf_options options = *as;
 	const int at[] = {0, from->points - 1, from->points/2};
 	int m = 2*from->n;
-	double *state = malloc((size_t)m*sizeof *state);
+	double *state = malloc(2*(size_t)m*sizeof *state);
 	enum hawser_status status = state ? HAWSER_ERR_CONVERGENCE : hawser__no_memory(report, "frf");
 
 	options.start = state;
@@ -195,11 +221,17 @@ enum hawser_status hawser__own_leave(struct hawser_frf *branch, const struct haw
 		int turned = i == 1 || back;
 		const double *rest = from->state + (size_t)at[i]*(size_t)m;
 		double size = cblas_dnrm2(m, rest, 1);
+		const struct hawser_rom *there;
 
-		for (int j = 0; j < m; j++)
-			state[j] = rest[j] + (size > 0.0 ? size : 1.0)*APART_BY*cos(2.385*j + 0.3);
-		hawser_frf_clear(branch);
 		options.begin = from->point[at[i]].parameter;
+		if (as->family->model(as->family->context, &there, options.begin, NULL))
+			continue;
+		status = growing(state + m, there, rest, report);
+		for (int j = 0; j < m; j++)
+			state[j] = rest[j] + (size > 0.0 ? size : 1.0)*APART_BY*state[m + j];
+		if (status)
+			break;
+		hawser_frf_clear(branch);
 		options.from = turned ? as->to : as->from;
 		options.to = turned ? as->from : as->to;
 		status = hawser_frf_trace(branch, rom, &options, report);
