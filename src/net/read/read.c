@@ -337,6 +337,8 @@ static enum hawser_status interpret(struct hawser__reader *reader, void *scene,
 		status = hawser__tree_keys(reader, root, "the scene", "net");
 	if (!status)
 		status = common(reader, net, root, 0);
+	if (!status)
+		status = hawser__net_bed(reader, net, hawser__tree_find(root, "nodes"));
 	return status ? status : rules(reader, net, hawser__tree_find(root, "cables"));
 }
 

@@ -29,6 +29,9 @@ enum hawser_status hawser__net_buoys(struct hawser__reader *reader, struct hawse
 enum hawser_status hawser__net_wet(struct hawser__reader *reader, const struct hawser_net *net,
                                    const struct hawser__tree *tree, const char *what)
 	HAWSER_MUST_CHECK;
+/* Refuse nodes below the depth of the water. */
+enum hawser_status hawser__net_bed(struct hawser__reader *reader, const struct hawser_net *net,
+                                   const struct hawser__tree *nodes) HAWSER_MUST_CHECK;
 /* read.c: a mapping of nodes, whose values have this key. */
 enum hawser_status hawser__net_of_nodes(struct hawser__reader *reader, struct hawser_net *net,
                                         const struct hawser__tree *tree, const char *path,

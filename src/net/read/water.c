@@ -8,6 +8,8 @@
 #include "core/report.h"
 #include "net/read/read.h"
 
+#define ROUND_OFF 1e-9 /* of the depth, by which a node may be below the bed; chosen */
+
 /* Rows [y, ux, uy, uz], in the order of the heights. */
 static enum hawser_status table(struct hawser__reader *reader, struct hawser_water *water,
                                 const struct hawser__tree *tree)
@@ -102,5 +104,26 @@ enum hawser_status hawser__net_wet(struct hawser__reader *reader, const struct h
 		if (hawser__tree_find(tree, of_water[i]))
 			return hawser__reader_fail(reader, &tree->at, "%s has %s, and the scene has no water: add "
 			                           "water: {density: 1025 kg/m^3}", what, of_water[i]);
+	return HAWSER_OK;
+}
+
+enum hawser_status hawser__net_bed(struct hawser__reader *reader, const struct hawser_net *net,
+                                   const struct hawser__tree *nodes)
+{
+	const struct hawser_water *water = &net->water;
+	double bed = water->surface - water->depth;
+
+	if (!(water->density > 0.0 && water->depth > 0.0))
+		return HAWSER_OK;
+	for (int i = 0; i < net->nodes; i++) {
+		const struct hawser_net_node *node = &net->node[i];
+		const struct hawser__tree *at = hawser__tree_find(nodes, node->name);
+
+		if (node->placed && node->x[1] < bed - ROUND_OFF*water->depth)
+			return hawser__reader_fail(reader, at ? &at->at : &nodes->at, "node %s is at y = %.9g m, "
+			                           "below the bed of the water, surface - depth = %.9g m: give "
+			                           "water.depth at its deepest place, or move the node",
+			                           node->name, node->x[1], bed);
+	}
 	return HAWSER_OK;
 }
