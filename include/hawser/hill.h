@@ -108,8 +108,8 @@ enum hawser_status hawser_hill_counter_open(struct hawser_hill_counter **counter
                                             const struct hawser_hill_field *field,
                                             struct hawser_report *report) HAWSER_MUST_CHECK;
 /* unstable [count]: number of multipliers that are outside the unit circle by more than their errors,
- * at the points x, y [count]. If fast coordinates can be condensed and the count is certain without
- * them, the condensed model is used. */
+ * at the points x, y [count]; -1: no response was found there. If fast coordinates can be condensed
+ * and the count is certain without them, the condensed model is used. */
 enum hawser_status hawser_hill_count(struct hawser_hill_counter *counter, int *unstable,
                                      const double *x, const double *y, int count,
                                      struct hawser_report *report) HAWSER_MUST_CHECK;

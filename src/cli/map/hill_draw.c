@@ -74,13 +74,13 @@ static const struct hawser__axis mathieu[2] = {{"{/:Italic δ}", "", 1.0}, {"{/:
 enum hawser_status cli_hill_draw(const char *path, const void *context,
                                  struct hawser_report *report)
 {
+	static const char silent[] = "#b4b4b4"; /* as of maps, plot_map.c */
 	static const char sample[] = "with boxes fs solid border lc rgb '#808080' fc rgb '%s'";
 	const struct cli_hill_result *result = context;
 	struct hawser__figure figure = {0};
 	struct hawser__axis axis[2];
-	double *box = NULL;
-	int boxes;
-	enum hawser_status status = cli_hill_unstable(&box, &boxes, result, report);
+	struct cli_hill_boxes boxes[2];
+	enum hawser_status status = cli_hill_unstable(boxes, result, report);
 
 	if (!status)
 		status = hawser__figure_begin(&figure, path, 17.0, 12.8, report);
@@ -93,18 +93,23 @@ enum hawser_status cli_hill_draw(const char *path, const void *context,
 	hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.13, 0.965, 0.28, 0.97,
 		.x = {&axis[0], result->axis[0].from, result->axis[0].to, .tics = 10},
 		.y = {&axis[1], result->axis[1].from, result->axis[1].to, .tics = 8}});
-	hawser__legend_add(&figure.legend, boxes ? "unstable" : "no instability found", sample,
-	                   boxes ? HAWSER__UNSTABLE_FILL : "#ffffff");
-	for (int k = 0; k < boxes; k++)
-		hawser__figure_row(&figure, "xyxy", box + 4*k);
-	hawser__figure_draw(&figure, NULL,
-	                    "using 1:2:1:3:2:4 with boxxyerror fs solid noborder lc rgb '%s'",
-	                    HAWSER__UNSTABLE_FILL);
+	hawser__legend_add(&figure.legend, boxes[0].count ? "unstable" : "no instability found", sample,
+	                   boxes[0].count ? HAWSER__UNSTABLE_FILL : "#ffffff");
+	if (boxes[1].count)
+		hawser__legend_add(&figure.legend, "no response found", sample, silent);
+	for (int of = 0; of < 2; of++) {
+		for (int k = 0; k < boxes[of].count; k++)
+			hawser__figure_row(&figure, "xyxy", boxes[of].box + 4*k);
+		hawser__figure_draw(&figure, NULL,
+		                    "using 1:2:1:3:2:4 with boxxyerror fs solid noborder lc rgb '%s'",
+		                    of ? silent : HAWSER__UNSTABLE_FILL);
+	}
 	boundaries(&figure, &result->chart);
 	for (int expansion = 0; expansion < 2 && !result->model; expansion++)
 		compared(&figure, result, expansion);
 	status = hawser__figure_finish(&figure, report);
 done:
-	free(box);
+	free(boxes[0].box);
+	free(boxes[1].box);
 	return status;
 }

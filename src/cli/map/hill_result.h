@@ -26,9 +26,14 @@ struct cli_hill_result {
 	int outside, undecided;        /* multipliers outside the unit circle; on it within the error */
 };
 enum hawser_status cli_hill_draw(const char *path, const void *result, struct hawser_report *report);
-/* Boxes that cover the unstable part of the plane, [boxes][4], see hawser__hill_picture; the caller
- * frees *box. */
-enum hawser_status cli_hill_unstable(double **box, int *boxes, const struct cli_hill_result *result,
+/* Boxes, as "xyxy". */
+struct cli_hill_boxes {
+	double *box; /* [count][4], the caller frees it */
+	int count;
+};
+/* Those that cover the unstable part of the plane, and that without a response. */
+enum hawser_status cli_hill_unstable(struct cli_hill_boxes boxes[2],
+                                     const struct cli_hill_result *result,
                                      struct hawser_report *report);
 extern const struct cli_showing cli_hill_boundaries, cli_hill_multipliers;
 

@@ -1,4 +1,5 @@
-/* cli/map/hill_sides.c - the unstable parts of a plane of two parameters, for the picture of hill.
+/* cli/map/hill_sides.c - the unstable parts of a plane of two parameters, and those without a response,
+ * for the picture of hill.
  *
  * The number of unstable multipliers is computed on rows of the plane: at equidistant samples, and
  * in the middle between adjacent crossings of the row with the traced boundaries, so that a traced
@@ -10,6 +11,7 @@
 #include "config.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 #include "cli/map/hill_result.h"
 #include "core/grow.h"
@@ -29,9 +31,15 @@ struct plane {
 	double *height;   /* [samples] multipliers outside the unit circle */
 	int *unstable;    /* [samples] multipliers there */
 	double from[2], to[2];
-	double *box; /* [boxes][4] */
-	int boxes;
+	struct cli_hill_boxes boxes[2]; /* UNSTABLE, SILENT */
 };
+
+enum { STABLE = -1, UNSTABLE = 0, SILENT = 1 };
+
+static int side(int unstable)
+{
+	return unstable < 0 ? SILENT : unstable > 0 ? UNSTABLE : STABLE;
+}
 
 static enum hawser_status ask(int *unstable, struct plane *plane, double x, double y,
                               struct hawser_report *report)
@@ -39,7 +47,7 @@ static enum hawser_status ask(int *unstable, struct plane *plane, double x, doub
 	return hawser_hill_count(plane->counter, unstable, &x, &y, 1, report);
 }
 
-/* Bisect for the change between two neighbouring samples; `left` is 1 if `low` is unstable. */
+/* Bisect for the change between two neighbouring samples; `left` is the side of `low`. */
 static enum hawser_status change(double *at, struct plane *plane, double low, double high, double y,
                                  int left, struct hawser_report *report)
 {
@@ -50,7 +58,7 @@ static enum hawser_status change(double *at, struct plane *plane, double low, do
 
 		*at = 0.5*(low + high);
 		status = ask(&unstable, plane, *at, y, report);
-		if ((unstable > 0) == left)
+		if (side(unstable) == left)
 			low = *at;
 		else
 			high = *at;
@@ -58,14 +66,15 @@ static enum hawser_status change(double *at, struct plane *plane, double low, do
 	return status;
 }
 
-static enum hawser_status add(struct plane *plane, double from, double to, double y,
+static enum hawser_status add(struct plane *plane, int of, double from, double to, double y,
                               struct hawser_report *report)
 {
 	double half = (0.5 + overlap)*(plane->to[1] - plane->from[1])/ROWS, *box;
+	struct cli_hill_boxes *boxes = &plane->boxes[of];
 
-	if (hawser__more(&plane->box, plane->boxes, 4*sizeof *plane->box))
+	if (hawser__more(&boxes->box, boxes->count, 4*sizeof *boxes->box))
 		return hawser__no_memory(report, "hill");
-	box = plane->box + 4*(size_t)plane->boxes++;
+	box = boxes->box + 4*(size_t)boxes->count++;
 	box[0] = from;
 	box[1] = y - half < plane->from[1] ? plane->from[1] : y - half;
 	box[2] = to;
@@ -132,22 +141,22 @@ static enum hawser_status row(struct plane *plane, double y, struct hawser_repor
 		plane->height[i] = y;
 	status = hawser_hill_count(plane->counter, plane->unstable, plane->sample, plane->height,
 	                           plane->samples, report);
-	before = !status && plane->unstable[0] > 0;
+	before = status ? STABLE : side(plane->unstable[0]);
 	for (int i = 1; !status && i < plane->samples; i++) {
 		double last = plane->sample[i - 1], x = plane->sample[i];
-		int now = plane->unstable[i] > 0;
+		int now = side(plane->unstable[i]);
 
 		if (now != before) {
 			if (!traced(&at, plane, last, x))
 				status = change(&at, plane, last, x, y, before, report);
-			if (!status && before)
-				status = add(plane, begin, at, y, report);
+			if (!status && before != STABLE)
+				status = add(plane, before, begin, at, y, report);
 			begin = at;
 		}
 		before = now;
 	}
-	if (!status && before)
-		status = add(plane, begin, plane->to[0], y, report);
+	if (!status && before != STABLE)
+		status = add(plane, before, begin, plane->to[0], y, report);
 	return status;
 }
 
@@ -161,7 +170,8 @@ static size_t most_crossings(const struct hawser_hill_chart *chart)
 	return most;
 }
 
-enum hawser_status cli_hill_unstable(double **box, int *boxes, const struct cli_hill_result *result,
+enum hawser_status cli_hill_unstable(struct cli_hill_boxes boxes[2],
+                                     const struct cli_hill_result *result,
                                      struct hawser_report *report)
 {
 	struct plane plane = {.chart = &result->chart};
@@ -185,7 +195,6 @@ enum hawser_status cli_hill_unstable(double **box, int *boxes, const struct cli_
 	free(plane.crossing);
 	free(plane.unstable);
 	hawser_hill_counter_free(plane.counter);
-	*box = plane.box;
-	*boxes = plane.boxes;
+	memcpy(boxes, plane.boxes, sizeof plane.boxes);
 	return status;
 }

@@ -95,12 +95,13 @@ static int strict(struct hawser__hill *hill, struct hawser__hill_worker *worker,
 	if (worker->status)
 		return 0;
 	if (!worker->linear)
-		return hawser__hill_multipliers(hill, worker, at, 0) ? 0 : beyond(worker, ALONE);
+		return !hawser__hill_multipliers(hill, worker, at, 0) ? beyond(worker, ALONE)
+		       : worker->status ? 0 : -1;
 	worker->status = hill->field->model(hill->field->context, &rom, &omega, worker->number, at[0],
 	                                    at[1], &worker->report);
 	if (worker->status == HAWSER_ERR_CONVERGENCE && hill->field->responds) {
 		worker->status = HAWSER_OK; /* no response there */
-		return 0;
+		return -1;
 	}
 	if (!worker->status)
 		worker->status = hawser_linear_multipliers(worker->linear, worker->log_modulus,
