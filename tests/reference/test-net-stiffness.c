@@ -149,8 +149,8 @@ CASE(reference_net_stiffness)
 	static const char *const current[] = {
 		"nodes={A: [0,-200,0], B: [200,-10,0]}", "g=9.81", "cables=[{name: c, from: A, to: B, "
 		"EA: 20 MN, rho: 12, length0: 300, elements: 30, diameter: 0.12, drag: {normal: 1.2, "
-		"tangential: 0.02}}]", "water={density: 1025, current: {table: [[-200, 0.1, 0, 0.3], "
-		"[0, 0.9, 0, 0.5]]}}", "obstacles=[{plane: {point: [0, -900], normal: [0, 1]}}]"};
+		"tangential: 0.02}}]", ("water={density: 1025, current: {table: [[-200, 0.1, 0, 0.3], "
+		"[0, 0.9, 0, 0.5]]}}"), "obstacles=[{plane: {point: [0, -900], normal: [0, 1]}}]"};
 	struct hawser_net net;
 	struct hawser_net_stiffness K;
 	int end = 1;
