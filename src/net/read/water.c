@@ -44,6 +44,10 @@ static enum hawser_status waves(struct hawser__reader *reader, struct hawser_net
 
 	if (!tree)
 		return HAWSER_OK;
+	if (hawser__tree_find(tree, "jonswap") &&
+	    (hawser__tree_find(tree, "height") || hawser__tree_find(tree, "period")))
+		return hawser__reader_fail(reader, &tree->at, "water.waves: height and period are of a regular "
+		                           "wave, jonswap is a sea: give one of them");
 	water->given.depth = water->depth;
 	water->given.surface = water->surface;
 	water->given.g = net->g;
