@@ -54,7 +54,8 @@ static void go_back(struct hawser__net_work *work, const struct kept *kept)
 
 	memcpy(mesh->q, work->start, (size_t)mesh->nodes*sizeof *mesh->q);
 	memcpy(work->N, kept->N, (size_t)mesh->elements*sizeof *kept->N);
-	memcpy(mesh->touch, kept->touch, (size_t)mesh->touches*sizeof *kept->touch);
+	if (mesh->touches)
+		memcpy(mesh->touch, kept->touch, (size_t)mesh->touches*sizeof *kept->touch);
 	hawser__water_load(mesh);
 }
 
@@ -67,12 +68,13 @@ static enum hawser_status newton(struct hawser__net_work *work, int *done, const
 
 	keep(work);
 	memcpy(kept->N, work->N, (size_t)mesh->elements*sizeof *kept->N);
-	memcpy(kept->touch, mesh->touch, (size_t)mesh->touches*sizeof *kept->touch);
+	if (mesh->touches)
+		memcpy(kept->touch, mesh->touch, (size_t)mesh->touches*sizeof *kept->touch);
 	work->rest = INFINITY; /* of other loads */
 	mesh->water->follows = 1;
 	hawser__water_load(work->mesh);
 	status = mesh->touches ? hawser__touch_newton(work, done, report)
-	                             : hawser__net_finish(work, done, report);
+	                       : hawser__net_finish(work, done, report);
 	mesh->water->follows = 0;
 	if (!status && !*done)
 		go_back(work, kept);

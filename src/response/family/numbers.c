@@ -243,7 +243,8 @@ void hawser__copy_entries(struct hawser_rom *to, struct hawser_rom *from)
 
 	for (int i = 0; list_of(&list, to, i); i++) {
 		(void)list_of(&whole, from, i);
-		memcpy(*list.array, *whole.array, (size_t)*whole.count*whole.size);
+		if (*whole.count > 0)
+			memcpy(*list.array, *whole.array, (size_t)*whole.count*whole.size);
 		*list.count = *whole.count;
 	}
 }
