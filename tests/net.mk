@@ -24,6 +24,7 @@ tests_net_SOURCES = tests/cases.c \
 	tests/reference/test-net-contact.c \
 	tests/reference/test-net-events.c \
 	tests/reference/test-net-impact.c \
+	tests/reference/test-net-law.c \
 	tests/reference/test-net-modes.c \
 	tests/reference/test-net-motion.c \
 	tests/reference/test-net-round.c \
@@ -49,4 +50,4 @@ tests_libnets_a_SOURCES = \
 	tests/nets/regularised.c \
 	tests/nets/relaxation.c \
 	tests/nets/two_sided.c
-EXTRA_DIST += tests/reference/net-bed-corner.yaml tests/reference/net-bight.yaml tests/reference/net-damped.yaml
+EXTRA_DIST += tests/reference/net-bed-corner.yaml tests/reference/net-bight.yaml tests/reference/net-damped.yaml tests/reference/net-law.yaml

@@ -39,10 +39,14 @@ struct hawser_net_node {
 	char *table;        /* file with the motion of the support, or NULL */
 };
 
+enum { HAWSER_NET_LAW = 16 }; /* most rows of a table of EA */
 struct hawser_net_cable {
 	char name[HAWSER_NET_NAME];
 	int from, to;       /* nodes */
-	double EA, rho;     /* N, kg/m per unstretched length */
+	double EA, rho;     /* N, kg/m per unstretched length; EA of the first row of the law, if any */
+	double law[HAWSER_NET_LAW][2]; /* [rows] strain and tension (N), both rising, from (0, 0) on; linear
+	                     * between, and beyond the last row as before it. For statics and modes */
+	int rows;           /* 0: T = EA*strain */
 	struct hawser_water_line line;
 	double axial;       /* s, of its own, beside that of the net: a damper */
 	double damper;      /* N s/m, of the scene, and in `axial` too */

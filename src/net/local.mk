@@ -36,6 +36,7 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/read/water.c \
 	%D%/statics/history.c \
 	%D%/motion/integrate.c \
+	%D%/law.c \
 	%D%/mesh.c \
 	%D%/statics/mesh-error.c \
 	%D%/modes/modes.c \

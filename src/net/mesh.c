@@ -73,6 +73,8 @@ static enum hawser_status allocate(struct hawser__mesh *mesh, const struct hawse
 	mesh->cable = hawser__hold(&mesh->hold, elements, sizeof *mesh->cable);
 	mesh->length0 = hawser__hold(&mesh->hold, elements, sizeof *mesh->length0);
 	mesh->EA = hawser__hold(&mesh->hold, elements, sizeof *mesh->EA);
+	mesh->offset = hawser__hold(&mesh->hold, elements, sizeof *mesh->offset);
+	mesh->stored = hawser__hold(&mesh->hold, elements, sizeof *mesh->stored);
 	mesh->density = hawser__hold(&mesh->hold, elements, sizeof *mesh->density);
 	mesh->rho = hawser__hold(&mesh->hold, elements, sizeof *mesh->rho);
 	mesh->axial = hawser__hold(&mesh->hold, elements, sizeof *mesh->axial);
@@ -184,6 +186,7 @@ enum hawser_status hawser__mesh_build(struct hawser__mesh *mesh, const struct ha
 		hawser__mesh_clear(mesh);
 		return status;
 	}
+	mesh->net = net;
 	mesh->g = net->g;
 	mesh->alpha = net->alpha;
 	for (int i = 0; i < net->nodes; i++) {
@@ -223,13 +226,13 @@ double hawser__mesh_carried(const struct hawser__mesh *mesh, const struct hawser
                             int element, int side)
 {
 	int first = mesh->first[mesh->cable[element]], last = mesh->first[mesh->cable[element] + 1];
-	double L = mesh->length0[element], S = 0.0, all = 0.0, a, b, middle;
+	double L = hawser__mesh_length(mesh, element), S = 0.0, all = 0.0, a, b, middle;
 
 	if (!(load->extent[1] > 0.0))
 		return 0.5*L;
 	for (int e = first; e < last; e++) {
-		S += e < element ? mesh->length0[e] : 0.0;
-		all += mesh->length0[e];
+		S += e < element ? hawser__mesh_length(mesh, e) : 0.0;
+		all += hawser__mesh_length(mesh, e);
 	}
 	a = fmax(S, load->extent[0]*all);
 	b = fmin(S + L, load->extent[1]*all);
@@ -259,7 +262,7 @@ static void load(struct hawser__mesh *mesh, const struct hawser_net_load *from)
 			*(from->harmonic ? &wave->value[k] : &mesh->force[at][k]) +=
 				from->along ? from->along[i][k] : half*from->value[k];
 		mesh->waves += from->harmonic;
-		S += i < n ? mesh->length0[first + i] : 0.0;
+		S += i < n ? hawser__mesh_length(mesh, first + i) : 0.0;
 	}
 }
 

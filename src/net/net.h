@@ -24,6 +24,9 @@ struct hawser__mesh {
 	int *cable;            /* [elements] the cable it is of */
 	double *length0;       /* [elements] m */
 	double *EA;            /* [elements] N */
+	double *offset;        /* [elements] strain at which the present piece of the law of the cable
+	                        * has no tension: length0 and EA are of it, rho*length0 is the mass */
+	double *stored;        /* [elements] J: energy of the law beyond that of this piece */
 	double *density;       /* [elements] N/m; positive only within form finding, where the tension
 	                        * of the element is density*l */
 	double *rho;           /* [elements] kg/m per unstretched length */
@@ -55,6 +58,7 @@ struct hawser__mesh {
 	                        * the end that is on it. Set for modes alone (hawser__touch_hold) */
 	int edges;
 	struct hawser__mesh_water *water; /* NULL: none; net/water/water.h */
+	const struct hawser_net *net; /* it is of; used for the laws of its cables alone */
 	int around;            /* 1: an obstacle has cables around it: they begin straight between the
 	                        * places of nodes, and supports need not hold them */
 	struct hawser__hold hold;
@@ -90,6 +94,16 @@ struct hawser__mesh_wave {
  * and no weight or load, until form finding has set it (hawser__mesh_load). */
 enum hawser_status hawser__mesh_build(struct hawser__mesh *mesh, const struct hawser_net *net,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Fail if cables have tables of tensions, which `what` cannot use. */
+enum hawser_status hawser__mesh_lawless(const struct hawser_net *net, const char *what,
+                                        struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Take the pieces of the laws that the elements at mesh->q are on; returns how many are new, beyond
+ * round-off of the tensions. */
+int hawser__mesh_follow(struct hawser__mesh *mesh);
+/* Go back from mesh->q towards `from` [nodes][3] to where the energy is least; `d` is work space. */
+void hawser__mesh_descend(struct hawser__mesh *mesh, double (*from)[3], double (*d)[3]);
+/* Unstretched length of an element. */
+double hawser__mesh_length(const struct hawser__mesh *mesh, int element);
 /* Recompute force and the amplitudes of waves from the unstretched lengths of the elements. */
 void hawser__mesh_load(struct hawser__mesh *mesh, const struct hawser_net *net);
 /* Length of an element whose load of its cable acts on its end `side`. */

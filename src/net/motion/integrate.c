@@ -273,7 +273,9 @@ static enum hawser_status prepare(struct run *run, struct hawser_report *report)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%.3g rows are more than %d: choose "
 		                    "a longer time between them", options->until/run->every, ROWS);
 	run->step = options->step != 0.0 ? fmax(options->step, 0.0) : run->net->dynamics.step;
-	status = hawser__mesh_build(&run->mesh, run->net, report);
+	status = hawser__mesh_lawless(run->net, "time integration", report);
+	if (!status)
+		status = hawser__mesh_build(&run->mesh, run->net, report);
 	if (!status)
 		status = hawser__net_supported(&run->mesh, run->net, report);
 	if (!status)

@@ -112,13 +112,15 @@ static void duration(struct hawser__net_planner *planner)
 static enum hawser_status settle(struct hawser__net_planner *planner, struct hawser_report *report)
 {
 	struct hawser_net_plan_options *options = &planner->options;
+	enum hawser_status status;
 
 	options->modes = options->modes > 0 ? options->modes : MODES;
 	options->seconds = options->seconds > 0.0 ? options->seconds : 0.2;
 	if (options->motion.until < 0.0 || !isfinite(options->motion.until))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "the end of the motion must be a "
 		                    "positive time, not %g s", options->motion.until);
-	return hawser__mesh_build(&planner->mesh, planner->net, report);
+	status = hawser__mesh_lawless(planner->net, "the plan", report);
+	return status ? status : hawser__mesh_build(&planner->mesh, planner->net, report);
 }
 
 /* Directions without motion, and the end of the tables that move supports. A table that cannot be

@@ -66,6 +66,10 @@ static const struct hawser__tree_key net_rows[] = {
 	TEXT("net.cables[].from", REQUIRED, NOWHERE, NULL, "node at its begin")
 	TEXT("net.cables[].to", REQUIRED, NOWHERE, NULL, "node at its end")
 	NUMBER("net.cables[].EA", REQUIRED, "N", POSITIVE, CABLE_AT(EA), NULL, "axial stiffness")
+	MAPPING("net.cables[].EA", REQUIRED, "a law of the tension, for statics and modes")
+	LIST("net.cables[].EA.table", REQUIRED, "strains with tensions, rising from (0, 0) on: linear "
+	     "between, and beyond the last row")
+	VECTOR("net.cables[].EA.table[]", 2, OPTIONAL, "1, N", ANY, NOWHERE, NULL, "[strain, tension]")
 	NUMBER("net.cables[].rho", REQUIRED, "kg/m", NOT_NEGATIVE, CABLE_AT(rho), NULL,
 	       "mass per unstretched length; 0: without weight")
 	NUMBER("net.cables[].axial", OPTIONAL, "s", NOT_NEGATIVE, CABLE_AT(axial), NULL,

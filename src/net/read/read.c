@@ -60,11 +60,52 @@ static enum hawser_status end_of(struct hawser__reader *reader, int *node, const
 	return status ? status : hawser__net_find_node(reader, node, net, end, text, what);
 }
 
+/* Rows [strain, tension] of EA: {table: ...}. */
+static enum hawser_status law_of(struct hawser__reader *reader, struct hawser_net_cable *cable,
+                                 const struct hawser__tree *tree)
+{
+	const struct hawser__tree *rows = hawser__tree_find(tree, "table");
+	double slope, strain = 0.0, tension = 0.0;
+	enum hawser_status status = HAWSER_OK;
+
+	if (!rows || rows->kind != HAWSER__SEQUENCE || !rows->child || rows->children > HAWSER_NET_LAW)
+		return hawser__reader_fail(reader, &tree->at, "EA of cable %s must be a number or {table: "
+		                           "[[0.01, 1 MN], [0.02, 3 MN]]}, 1 to %d strains with tensions",
+		                           cable->name, HAWSER_NET_LAW);
+	for (const struct hawser__tree *one = rows->child; one && !status; one = one->next) {
+		double *row = cable->law[cable->rows++];
+
+		if (one->kind != HAWSER__SEQUENCE || one->children != 2)
+			return hawser__reader_fail(reader, &one->at, "EA.table of cable %s: a row must be [strain, "
+			                           "tension], such as [1 %%, 1 MN]", cable->name);
+		status = hawser__tree_number(reader, &row[0], one->child, "EA.table", "1", HAWSER__TREE_ANY);
+		if (!status)
+			status = hawser__tree_number(reader, &row[1], one->child->next, "EA.table", "N",
+			                             HAWSER__TREE_ANY);
+		slope = (row[1] - tension)/(row[0] - strain);
+		if (!status && (row[0] <= strain || row[1] <= tension || !isfinite(slope) ||
+		                row[0] - row[1]/slope <= -1.0))
+			status = hawser__reader_fail(reader, &one->at, "EA.table of cable %s: strain %g and "
+			                             "tension %g N do not follow %g and %g N: both must rise "
+			                             "from row to row, from (0, 0) on, with a slope above the "
+			                             "tension over 1 + strain", cable->name, row[0], row[1],
+			                             strain, tension);
+		strain = row[0];
+		tension = row[1];
+	}
+	cable->EA = status ? 0.0 : cable->law[0][1]/cable->law[0][0];
+	if (!status && (cable->given != HAWSER_NET_LENGTH0 || cable->damper > 0.0))
+		return hawser__reader_fail(reader, &tree->at, "cable %s has a table of EA, which needs length0 "
+		                           "and no damper: give its length0", cable->name);
+	return status;
+}
+
 static enum hawser_status cable_of(struct hawser__reader *reader, struct hawser_net *net,
                                    const struct hawser__tree *tree)
 {
 	struct hawser_net_cable *cable = &net->cable[net->cables];
 	const struct hawser__tree *name = hawser__tree_find(tree, "name");
+	const struct hawser__tree *EA = hawser__tree_find(tree, "EA");
 	const char *text = "";
 	char what[CALLED];
 	enum hawser_status status = HAWSER_OK;
@@ -78,6 +119,8 @@ static enum hawser_status cable_of(struct hawser__reader *reader, struct hawser_
 	if (!status)
 		status = hawser__tree_fill(reader, cable, tree, what, "net.cables[]");
 	cable->elements_given = hawser__tree_find(tree, "elements") != NULL;
+	if (!status && EA && EA->kind == HAWSER__MAPPING)
+		status = law_of(reader, cable, EA);
 	if (!status && cable->damper > 0.0 && cable->given != HAWSER_NET_LENGTH0)
 		status = hawser__reader_fail(reader, &tree->at, "cable %s has a damper and no length0, on "
 		                             "which its axial damping depends: give length0, or axial",

@@ -305,8 +305,11 @@ static enum hawser_status open_search(struct search *s, const struct hawser_net 
 {
 	struct hawser__equilibrium cables;
 	struct hawser__mesh *mesh = &s->mesh;
-	enum hawser_status status = hawser__mesh_build(mesh, net, report);
+	enum hawser_status status = hawser__mesh_lawless(net, "the search of several equilibria", report);
 	size_t n;
+
+	if (!status)
+		status = hawser__mesh_build(mesh, net, report);
 
 	if (!status)
 		status = hawser__net_supported(mesh, net, report);

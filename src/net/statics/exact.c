@@ -27,6 +27,9 @@ enum hawser_status hawser__exact_open(struct hawser__exact *exact, const struct 
 	enum hawser_status status;
 
 	memset(exact, 0, sizeof *exact);
+	status = hawser__mesh_lawless(net, "the method catenary", report);
+	if (status)
+		return status;
 	for (int c = 0; c < net->cables; c++)
 		if (net->cable[c].given != HAWSER_NET_LENGTH0)
 			return hawser__fail(report, HAWSER_ERR_SCENE, "net",

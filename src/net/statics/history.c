@@ -114,8 +114,10 @@ enum hawser_status hawser__net_history(struct hawser__mesh *mesh, double *T,
 {
 	struct way way = {.mesh = mesh, .net = net, .T = T, .found = found, .options = *options};
 	int steps = net->contact.steps;
-	enum hawser_status status = HAWSER_OK;
+	enum hawser_status status = hawser__mesh_lawless(net, "friction of a way", report);
 
+	if (status)
+		return status;
 	way.q = malloc(((size_t)mesh->nodes + 1)*sizeof *way.q);
 	way.T0 = malloc(((size_t)mesh->elements + 1)*sizeof *way.T0);
 	way.touch = malloc(((size_t)mesh->touches + 1)*sizeof *way.touch);

@@ -72,7 +72,7 @@ static void member(struct hawser_net_statics *st, int c, const struct hawser__te
 		m->T_min = i < n ? fmin(m->T_min, hawser__tension_least(of, c, i)) : m->T_min;
 		m->wet += i < n && mesh->water ? mesh->water->wet[first + i] : 0.0;
 		m->slack += i < n && l < mesh->length0[first + i];
-		m->length0 += i < n ? mesh->length0[first + i] : 0.0;
+		m->length0 += i < n ? hawser__mesh_length(mesh, first + i) : 0.0;
 		m->length += l;
 	}
 }

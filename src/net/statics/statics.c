@@ -415,6 +415,42 @@ static enum hawser_status solve(struct hawser__net_work *work, struct hawser__eq
 	                       method->shown.name, work->iterations, found->residual, found->floor);
 }
 
+enum { PIECES = 200 };
+
+/* Equilibria on pieces of the laws of cables, until each element is on its own (net/law.c). */
+static enum hawser_status by_pieces(struct hawser__net_work *work, struct hawser__equilibrium *found,
+                                    const struct hawser__mesh_options *options,
+                                    struct hawser_report *report)
+{
+	struct hawser__mesh *mesh = work->mesh;
+	enum hawser_status status = solve(work, found, options, report);
+	int others = status ? 0 : hawser__mesh_follow(mesh);
+	size_t size = (size_t)mesh->nodes*sizeof *mesh->q;
+	double (*from)[3] = others ? malloc(2*size) : NULL;
+
+	if (others && !from)
+		return hawser__no_memory(report, "net");
+	for (int i = 0; others && i < PIECES && !status; i++) {
+		memcpy(from, mesh->q, size);
+		clear(work);
+		status = open(work, mesh, report);
+		if (!status)
+			status = solve(work, found, options, report);
+		others = status ? others : hawser__mesh_follow(mesh);
+		if (!status && others) {
+			hawser__mesh_descend(mesh, from, from + mesh->nodes);
+			hawser__mesh_follow(mesh);
+		}
+	}
+	free(from);
+	for (int i = 0; i < mesh->elements; i++)
+		found->energy += mesh->stored[i];
+	return status || !others ? status
+		: hawser__fail(report, HAWSER_ERR_CONVERGENCE, "net", "the laws of the cables were not "
+		               "followed: after %d equilibria %d elements are on other pieces of their tables: "
+		               "give tables with smaller changes of the slope", PIECES, others);
+}
+
 enum hawser_status hawser__mesh_statics(struct hawser__mesh *mesh, double *T,
                                         struct hawser__equilibrium *found,
                                         const struct hawser__mesh_options *options,
@@ -429,7 +465,7 @@ enum hawser_status hawser__mesh_statics(struct hawser__mesh *mesh, double *T,
 	if (!status)
 		status = open(&work, mesh, report);
 	if (!status)
-		status = solve(&work, found, options, report);
+		status = by_pieces(&work, found, options, report);
 	if (!status && T)
 		memcpy(T, work.T, (size_t)mesh->elements*sizeof *T);
 	clear(&work);

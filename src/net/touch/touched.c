@@ -51,7 +51,7 @@ static void contact_of(struct hawser_net_contact *to, const struct hawser__mesh 
 		to->node = touch->node;
 	} else {
 		to->cable = cable;
-		to->S = at*mesh->length0[touch->element];
+		to->S = at*hawser__mesh_length(mesh, touch->element);
 	}
 	memcpy(to->x, mesh->q[touch->node], sizeof to->x);
 	memcpy(to->friction, touch->friction, sizeof to->friction);
@@ -70,7 +70,7 @@ enum hawser_status hawser__touch_list(struct hawser_net_contact **list, int *cou
 	*count = 0;
 	*list = calloc((size_t)(most + nodes) + 1, sizeof **list);
 	for (int e = 0; half && e < 2*mesh->elements; e++)
-		half[mesh->end[e/2][e%2]] += mesh->length0[e/2]/2.0;
+		half[mesh->end[e/2][e%2]] += hawser__mesh_length(mesh, e/2)/2.0;
 	for (int i = 0; half && *list && i < mesh->touches; i++)
 		if (mesh->touch[i].r > 0.0) {
 			contact_of(&(*list)[*count], mesh, &mesh->touch[i], nodes);

@@ -52,7 +52,7 @@ void hawser__water_ends(struct hawser__water_end end[2], const struct hawser__me
 	const struct hawser_water_line *line = water->line[e];
 	const struct hawser_drag drag = {water->of->density, 0.5*line->diameter, line->normal,
 	                                 line->tangential};
-	const double m = drag.density*M_PI*drag.radius*drag.radius, L = mesh->length0[e];
+	const double m = drag.density*M_PI*drag.radius*drag.radius, L = hawser__mesh_length(mesh, e);
 	struct hawser__wet wet = {.part = {0.0}};
 
 	memset(end, 0, 2*sizeof *end);

@@ -216,7 +216,9 @@ enum hawser_status hawser__linear_mesh_open(struct hawser__linear_mesh *linear,
 	enum hawser_status status;
 
 	*linear = (struct hawser__linear_mesh){.net = net};
-	status = hawser__mesh_build(mesh, net, report);
+	status = hawser__mesh_lawless(net, "the linear response", report);
+	if (!status)
+		status = hawser__mesh_build(mesh, net, report);
 	elements = (size_t)mesh->elements + 1;
 	if (!status && !(linear->T = calloc(elements, sizeof *linear->T)))
 		status = hawser__no_memory(report, "net");

@@ -29,7 +29,12 @@ static const double alike = 0.9;  /* least product of two modes of the mass 1 th
 enum hawser_status hawser__net_finer(struct hawser_net *to, const struct hawser_net *net, int half,
                                      struct hawser_report *report)
 {
+	enum hawser_status status = hawser__mesh_lawless(net, "a model", report);
+
 	*to = *net;
+	to->cable = NULL;
+	if (status)
+		return status;
 	to->cable = calloc((size_t)net->cables + 1, sizeof *to->cable);
 	if (!to->cable)
 		return hawser__no_memory(report, "net rom");

@@ -1,0 +1,237 @@
+/* Cables with a table of strains and tensions: a rope of another program's case, ropes across the
+ * pieces of their laws against closed forms, tables of a straight line, and what has no place for
+ * them. SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <hawser/net_equilibria.h>
+#include <hawser/net_modes.h>
+#include <hawser/net_motion.h>
+
+#include "tests/tap.h"
+
+static enum hawser_status opened(struct hawser_net *net, const char *const *set, size_t sets,
+                                 struct hawser_report *report)
+{
+	char path[4096];
+
+	snprintf(path, sizeof path, "%s/notebooks-data/scenes/net-mooring.yaml", getenv("SRCDIR"));
+	return hawser_net_open(net, path, set, sets, report);
+}
+
+/* The rope with this EA and so many elements: force on the support B. */
+static int rope(double force[3], double K[6][6], const char *EA, int elements, const double B[2])
+{
+	char cable[300], nodes[100];
+	const char *const set[] = {
+		cable, nodes, "g=9.81", "water={density: 1025, surface: 900}",
+		"obstacles=[{plane: {point: [0, -900], normal: [0, 1]}}]"};
+	const int node = 1;
+	struct hawser_net net;
+	struct hawser_net_statics st = {0};
+	struct hawser_net_stiffness stiffness;
+	struct hawser_report report = {0};
+	int right;
+
+	snprintf(cable, sizeof cable, "cables=[{name: c, from: A, to: B, EA: %s, rho: 20, diameter: 0.18, "
+	         "length0: 1100, elements: %d}]", EA, elements);
+	snprintf(nodes, sizeof nodes, "nodes={A: [0, 0, 0], B: [%.17g, %.17g, 0]}", B[0], B[1]);
+	right = !opened(&net, set, 5, &report) && !hawser_net_solve(&st, &net, NULL, &report) &&
+	        !hawser_net_stiffness_of(&stiffness, &net, &node, 1, NULL, &report);
+	if (ok(right, "a rope: %s", report.message)) {
+		memcpy(force, st.reaction[0], 3*sizeof *force);
+		memcpy(K, stiffness.K, sizeof stiffness.K);
+	}
+	hawser_net_statics_clear(&st);
+	hawser_net_clear(&net);
+	return right;
+}
+
+#define TABLE "{table: [[0.01, 1e6], [0.02, 1.6e6], [0.04, 4e6], [0.08, 12e6]]}"
+
+static void another_program(void)
+{
+	static const double B[2] = {800.0, 800.0}, h = 0.01;
+	double f[3][3] = {{0.0}}, K[6][6], unused[6][6];
+
+	if (!rope(f[0], K, TABLE, 100, B) || !rope(f[1], unused, TABLE, 50, B))
+		return;
+	close_to(f[0][0], -1855294.6, 1e-7, "pull along x, N");
+	close_to(f[0][1], -1888210.5, 1e-7, "pull upwards, N");
+	close_to(f[0][0] + (f[0][0] - f[1][0])/3.0, -1855294.6, 3e-8, "the same of fine meshes, N");
+	for (int k = 0; k < 2; k++) {
+		double at[2][2] = {{B[0], B[1]}, {B[0], B[1]}};
+
+		at[0][k] -= h;
+		at[1][k] += h;
+		if (rope(f[1], unused, TABLE, 100, at[0]) && rope(f[2], unused, TABLE, 100, at[1]))
+			for (int i = 0; i < 2; i++)
+				close_to(K[i][k], (f[1][i] - f[2][i])/(2.0*h), 1e-6, "stiffness at B, N/m");
+	}
+	if (rope(f[0], K, "1e8", 20, B) &&
+	    rope(f[1], K, "{table: [[0.01, 1e6], [0.03, 3e6], [0.06, 6e6]]}", 20, B))
+		ok(!memcmp(f[0], f[1], sizeof f[0]), "a straight line is EA");
+}
+
+static const double law[][2] = {{0.001, 2e3}, {0.002, 10e3}, {0.01, 30e3}, {0.05, 32e3}, {0.06, 90e3}};
+enum { ROWS = sizeof law/sizeof *law, PARTS = 40 };
+
+/* The law turned around. */
+static double strain_of(double T)
+{
+	int i = 0;
+
+	while (i < ROWS - 1 && T > law[i][1])
+		i++;
+	return i ? law[i - 1][0] + (T - law[i - 1][1])/(law[i][1] - law[i - 1][1])*
+	                           (law[i][0] - law[i - 1][0]) : T*law[0][0]/law[0][1];
+}
+
+struct hanging {
+	struct hawser_net_node node[2];
+	struct hawser_net_cable cable;
+	struct hawser_net net;
+	char name[8];
+};
+
+/* A rope under its end A, with this mass per length and a mass at B. */
+static void hang(struct hanging *h, double rho, double mass, int elements)
+{
+	*h = (struct hanging){
+		.node = {{.name = "A", .placed = 1, .held = {1, 1, 1}, .support = 1},
+		         {.name = "B", .mass = mass}},
+		.cable = {.name = "c", .from = 0, .to = 1, .EA = law[0][1]/law[0][0], .rho = rho,
+		          .rows = ROWS, .value = 100.0, .elements = elements}};
+	memcpy(h->cable.law, law, sizeof law);
+	memcpy(h->name, "rope", sizeof "rope");
+	h->net = (struct hawser_net){.name = h->name, .g = 9.81, .node = h->node, .cable = &h->cable,
+	                             .nodes = 2, .cables = 1};
+}
+
+/* Height of B, and energy. */
+static double hung(double *energy, struct hanging *h)
+{
+	struct hawser_net_statics st = {0};
+	struct hawser_report report = {0};
+	double y = NAN;
+
+	if (ok(!hawser_net_solve(&st, &h->net, NULL, &report), "a rope hangs: %s", report.message)) {
+		ok(st.gap < 1e-12*fabs(st.energy), "gap %.1e of %.1e J", st.gap, st.energy);
+		y = st.x[1][1];
+		*energy = st.energy;
+	}
+	hawser_net_statics_clear(&st);
+	return y;
+}
+
+static void across_pieces(void)
+{
+	static const double rho = 50.0, g = 9.81;
+	struct hanging h;
+	double energy[3], y, want = 0.0, length = 100.0/PARTS;
+
+	for (int i = 0; i < PARTS; i++)
+		want -= length*(1.0 + strain_of(100.0*g + rho*length*g*(i + 0.5)));
+	hang(&h, rho, 100.0, PARTS);
+	y = hung(&energy[0], &h);
+	close_to(y, want, 1e-12, "height, m");
+	hang(&h, rho, 99.0, PARTS);
+	hung(&energy[1], &h);
+	hang(&h, rho, 101.0, PARTS);
+	hung(&energy[2], &h);
+	close_to((energy[2] - energy[1])/(2.0*g), y, 1e-6, "the energy over the weight of the mass, m");
+}
+
+/* Equilibria on the pieces alone would go to and fro. */
+static void steep(void)
+{
+	struct hawser_net net;
+	struct hawser_net_statics st = {0};
+	struct hawser_report report = {0};
+	char path[4096];
+
+	snprintf(path, sizeof path, "%s/tests/reference/net-law.yaml", getenv("SRCDIR"));
+	if (ok(!hawser_net_open(&net, path, NULL, 0, &report) &&
+	       !hawser_net_solve(&st, &net, NULL, &report), "steep laws: %s", report.message))
+		ok(st.residual < 1e-6 && st.gap < 1e-12*st.energy, "balanced to %.1e N, gap %.1e J",
+		   st.residual, st.gap);
+	hawser_net_statics_clear(&st);
+	hawser_net_clear(&net);
+}
+
+/* A mass on a rope without mass: the slope of the law is the stiffness. */
+static void swings(void)
+{
+	static const double mass[] = {100.0, 500.0, 2000.0, 3200.0, 5000.0};
+
+	for (size_t i = 0; i < sizeof mass/sizeof *mass; i++) {
+		struct hanging h;
+		struct hawser_net_modes modes = {0};
+		struct hawser_report report = {0};
+		double slope = i ? (law[i][1] - law[i - 1][1])/(law[i][0] - law[i - 1][0])
+		                 : law[0][1]/law[0][0];
+		double T = mass[i]*9.81, l = 100.0*(1.0 + strain_of(T)), most = 0.0, least = INFINITY;
+
+		hang(&h, 0.0, mass[i], 1);
+		if (ok(!hawser_net_modes_solve(&modes, &h.net, 3, &report), "modes: %s", report.message))
+			for (int k = 0; k < modes.n; k++) {
+				most = fmax(most, modes.omega[k]);
+				least = fmin(least, modes.omega[k]);
+			}
+		close_to(fmax(sqrt(slope/(100.0*mass[i])), sqrt(9.81/l)), most, 1e-11, "largest, rad/s");
+		close_to(fmin(sqrt(slope/(100.0*mass[i])), sqrt(9.81/l)), least, 1e-11, "least, rad/s");
+		hawser_net_modes_clear(&modes);
+	}
+}
+
+static void refused(void)
+{
+	static const char *const bad[][2] = {
+		{"cables.chain.EA={table: [[0.01, 1e6], [0.01, 2e6]]}", "both must rise"},
+		{"cables.chain.EA={table: [[0.01, 1e6], [0.02, 1e6]]}", "both must rise"},
+		{"cables.chain.EA={table: [[0, 0], [0.02, 1e6]]}", "both must rise"},
+		{"cables.chain.EA={table: [[0.01, 1e6], [0.5, 1.1e6]]}", "with a slope above"},
+		{"cables.chain.EA={table: []}", "must be a number or {table"},
+		{"cables.chain.EA={table: [[0.01, 1e6, 2]]}", "a row must be [strain, tension]"},
+		{"cables=[{name: c, from: A, to: B, EA: {table: [[0.01, 1e6]]}, rho: 1, tension: 1e6}]",
+		 "which needs length0 and no damper"},
+	};
+	const struct hawser_net_motion_options motion = {.until = 1.0};
+	const struct hawser_net_options by = {.method = "catenary"};
+	struct hawser_net_equilibria equilibria = {0};
+	struct hawser_net_motion run = {0};
+	struct hawser_net_statics st = {0};
+	struct hawser_report report = {0};
+	struct hanging h;
+
+	for (size_t i = 0; i < sizeof bad/sizeof *bad; i++) {
+		struct hawser_net net = {0};
+
+		ok(opened(&net, bad[i], 1, &report) == HAWSER_ERR_SCENE &&
+		   strstr(report.message, bad[i][1]), "%s: %s", bad[i][0], report.message);
+		hawser_net_clear(&net);
+	}
+	hang(&h, 1.0, 0.0, 4);
+	ok(hawser_net_integrate(&run, &h.net, &motion, &report) == HAWSER_ERR_ARGUMENT &&
+	   strstr(report.message, "time integration cannot use"), "%s", report.message);
+	ok(hawser_net_solve(&st, &h.net, &by, &report) == HAWSER_ERR_ARGUMENT, "%s", report.message);
+	ok(hawser_net_equilibria_find(&equilibria, &h.net, NULL, &report) == HAWSER_ERR_ARGUMENT, "%s",
+	   report.message);
+	hawser_net_motion_clear(&run);
+	hawser_net_statics_clear(&st);
+	hawser_net_equilibria_clear(&equilibria);
+}
+
+CASE(reference_net_law)
+{
+	another_program();
+	across_pieces();
+	steep();
+	swings();
+	refused();
+	return done_testing();
+}
