@@ -43,7 +43,8 @@ static void keep(struct flow *flow, int back)
 
 	memcpy(back ? mesh->q : flow->q, back ? flow->q : mesh->q, nodes);
 	memcpy(back ? flow->work->N : flow->N, back ? flow->N : flow->work->N, N);
-	memcpy(back ? mesh->touch : flow->touch, back ? flow->touch : mesh->touch, touches);
+	if (touches)
+		memcpy(back ? mesh->touch : flow->touch, back ? flow->touch : mesh->touch, touches);
 	if (back && mesh->water)
 		hawser__water_load(mesh);
 }
