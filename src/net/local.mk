@@ -105,8 +105,8 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/touch/touching.c \
 	%D%/water/ends.c \
 	%D%/water/load.c \
-	%D%/water/motion.c \
-	%D%/water/statics.c \
+	%D%/water/water-motion.c \
+	%D%/water/water-statics.c \
 	%D%/waves/linear.c \
 	%D%/waves/linear.h \
 	%D%/waves/response.c \

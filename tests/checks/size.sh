@@ -34,6 +34,10 @@ grep -nE '\b(TODO|FIXME|XXX)\b' $sources /dev/null | nothing "no notes to self"
 awk 'FNR == 1 { if (file && !named) print file ":1: no SPDX line"; file = FILENAME; named = 0 }
 	FNR <= 60 && /SPDX-License-Identifier: GPL-3.0-or-later/ { named = 1 }
 	END { if (!named) print file ":1: no SPDX line" }' $sources | nothing "every source names its licence"
+# In an archive of objects, libtool takes a name once.
+for folder in src/*/; do
+	find "$folder" -name '*.c' | sed 's|.*/||' | sort | uniq -d | sed "s|^|$folder: |"
+done | nothing "the sources of a stage have different names"
 # The first thing included, so that feature macros and sizes hold for the whole file.
 awk 'FNR == 1 { if (file && first != want) print file ":1: config.h is not first"; file = FILENAME; first = "" }
 	/^#include/ && !first { first = $0 }

@@ -154,7 +154,7 @@ struct hawser__motion {
 	int soft;                    /* 1: planes that give way; net/motion/motion-bed.c */
 	double (*bed)[9];            /* [nodes] `block`, if these alone need it; or NULL */
 	double (*other)[9], (*block)[9]; /* of it, or NULL; see struct hawser__blocks_matrix */
-	struct hawser__water_motion *water; /* NULL: none; net/water/motion.c */
+	struct hawser__water_motion *water; /* NULL: none; net/water/water-motion.c */
 	struct hawser__blocks *blocks;
 	struct hawser__cvode *cvode; /* of that scheme, or NULL */
 	struct hawser__motion_contact *contact; /* NULL: no obstacles; see net/motion/motion-contact.h */
@@ -262,7 +262,7 @@ double hawser__bed_residual(struct hawser__motion *motion, const struct hawser__
                             double h, int tangent);
 double hawser__bed_energy(const struct hawser__motion *motion);
 void hawser__bed_account(struct hawser__motion *motion);
-/* net/water/motion.c: in water. The flow of a step, for motion->x as expected; its part of the
+/* net/water/water-motion.c: in water. The flow of a step, for motion->x as expected; its part of the
  * residual and of the matrix, which returns the largest force; of the energies and the ledger; and
  * the loads of the mesh in the state with accelerations a [nodes] or NULL, for tensions, with the
  * kinetic energy. */

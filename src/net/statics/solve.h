@@ -78,7 +78,7 @@ enum hawser_status hawser__net_finish(struct hawser__net_work *work, int *done,
  * left of it for no step. After it is solved: the force N that goes with the step x. */
 void hawser__net_linear(struct hawser__net_work *work, int element);
 double hawser__net_force_after(const struct hawser__net_work *work, int element);
-/* net/water/statics.c: the equilibrium in water, by a method for loads that do not depend on the
+/* net/water/water-statics.c: the equilibrium in water, by a method for loads that do not depend on the
  * places. */
 enum hawser_status hawser__water_statics(struct hawser__net_work *work,
                                          const struct hawser__net_method *method, int *done,

@@ -25,7 +25,7 @@ struct hawser__mesh_water {
 		double load[3], slope[3][3], mass[3][3], spring;
 	} *buoy;                /* [buoys] */
 	int buoys;
-	int follows;            /* 1: mesh->force follows mesh->q (net/water/statics.c) */
+	int follows;            /* 1: mesh->force follows mesh->q (net/water/water-statics.c) */
 	double part;            /* of the current: 1, or less on the way to it */
 	double least;           /* m: least height over which a line or a buoy comes out of the water */
 	double band;            /* m: height over which a line and a buoy come out of the water, if that is

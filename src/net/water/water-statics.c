@@ -1,4 +1,4 @@
-/* net/water/statics.c - equilibrium in water, whose loads depend on the places.
+/* net/water/water-statics.c - equilibrium in water, whose loads depend on the places.
  *
  * 1. loads as at the places so far: the energy is convex, and any method of statics finds its least
  * value

@@ -1,4 +1,4 @@
-/* net/water/motion.c - loads of the water in the time steps of a mesh.
+/* net/water/water-motion.c - loads of the water in the time steps of a mesh.
  *
  * The loads are those at the middle of a step: of the mean places and the mean velocities, with the
  * direction of the elements there, so that drag and added mass are implicit. The flow is that where
