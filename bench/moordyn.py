@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Three mooring lines whose fairleads move as in a storm, by hawser and by MoorDyn: error and processor time.
 
-    bench/moordyn.py build/.libs/hawser libmoordyn.so [SECONDS]     (LD_LIBRARY_PATH=build/.libs)
+    bench/moordyn.py build/.libs/hawser libmoordyn.so [SECONDS]     (LD_LIBRARY_PATH=$PWD/build/.libs)
 
 Chains of 880 m in 200 m of water, 40 elements each, on the bed; no waves at the lines themselves. The fairleads have the surge and
 heave of a JONSWAP sea of 5 m and 11 s (40 components), which MoorDyn is given at each of its steps, and hawser as a table. The reference is

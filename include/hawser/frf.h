@@ -79,10 +79,12 @@ struct hawser_hopf {
 	double omega;   /* frequency, scaled */
 	double l1;      /* first Lyapunov coefficient (Kuznetsov), in the norm of the state (u, u'); of
 	                 * equations of first order, of u: below 0, the cycles are stable where the
-	                 * equilibrium is not (supercritical). NAN: not known */
+	                 * equilibrium is not (supercritical). NAN: not known; 0: round-off, terms of
+	                 * higher order decide */
 	double growth;  /* derivative of the growth rate by the parameter */
-	double swing;   /* derivative of the square of the cycles' amplitude by the parameter, of the */
-	int coordinate; /* coordinate that moves most */
+	double swing;   /* derivative of the square of the cycles' amplitude by the parameter, of the
+	                 * coordinate that moves most; NAN where l1 is 0 */
+	int coordinate; /* that coordinate */
 	int turning;    /* 1: of two pairs together in a model that may be rotated, the cycles that are
 	                 * rotations, while those of the other point swing in one direction */
 };

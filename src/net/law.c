@@ -2,8 +2,8 @@
  *
  * On one piece of the table an element is as one with another EA and unstretched length, whose mass is
  * the same. Statics solves with the pieces as they are, and takes new ones where the strains ask for
- * them. The energy is convex, and that of the pieces touches it: the way to the next equilibrium goes
- * down at its begin, and it is left where it goes up again.
+ * them. The energy is convex, and that of the pieces touches it: on the way to the next equilibrium it
+ * falls at first, and the way ends where it would rise again.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

@@ -15,9 +15,9 @@ enum hawser_status hawser__near_open(struct hawser__near **near, const struct ha
                                      int places, struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser__near_free(struct hawser__near *near);
 
-/* hawser_waves_at at x [3] (m) and t (s) of a place, within some 1e-4 of the standard deviations there
- * (1e-3 above the mean surface where it is extrapolated). A place may be anywhere, but is quick if it
- * moves little. */
+/* hawser_waves_at at x [3] (m) and t (s) of a place. In the seas of bench/waves within 2e-4 of the root
+ * mean square of the velocity and 7e-4 of that of the acceleration (2e-3 and 5e-3 where they are
+ * extrapolated above the mean surface). A place may be anywhere, but is quick if it moves little. */
 void hawser__near_at(struct hawser_wave_flow *flow, struct hawser__near *near, int place,
                      const double x[3], double t);
 

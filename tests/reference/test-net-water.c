@@ -166,6 +166,26 @@ static void wet_dry(void)
 	hawser_net_statics_clear(&st);
 }
 
+/* A line that is towed at 2 m/s, as seen from the towing point; its other end is free. */
+static void wet_towed(void)
+{
+	struct wet_scene scene;
+	struct hawser_net_statics st = {0};
+
+	wet_line_of(&scene, 1, (const double[3]){90.0, -50.0, 0.0}, (const double[3]){0.0, -20.0, 0.0});
+	wet_cable(&scene, 0, 100.0, 1e7, 0.8, 0.02, 20);
+	scene.cable[0].line.tangential = 0.015;
+	memset(scene.node[1].held, 0, 3);
+	wet_flow(&scene, 0.0, 2.0, 0.0);
+	if (wet_solved(&st, &scene, "towed")) {
+		double x = st.x[1][0], y = st.x[1][1] + 20.0;
+
+		close_to(hypot(st.reaction[0][0], st.reaction[0][1]), 317.0023, 1e-6, "its tension");
+		close_to(atan2(-y, x)*180.0/acos(-1.0), 17.54475, 1e-6, "its angle, degrees");
+	}
+	hawser_net_statics_clear(&st);
+}
+
 /* The stiffness at an end in a current, which no energy has, against differences. */
 static void stiff(void)
 {
@@ -231,6 +251,7 @@ CASE(reference_net_water)
 	wet_over_depth();
 	wet_several();
 	wet_dry();
+	wet_towed();
 	stiff();
 	wet_floats();
 	return done_testing();

@@ -105,7 +105,7 @@ static void compare(struct hawser_net_mesh_error *error, double *each,
 
 		if (!error->exact)
 			off /= fmax(fabs((touches ? ratio[c] : ratio[c]*ratio[c]) - 1.0), 0.1);
-		each[c] = fmax(each[c], off > 0.0 ? off/fmax(a->T_max, SMALL*most) : 0.0);
+		each[c] = fmax(each[c], off > 0.0 && most > 0.0 ? off/fmax(a->T_max, SMALL*most) : 0.0);
 		if (each[c] > error->tension) {
 			error->tension = each[c];
 			error->cable = c;
