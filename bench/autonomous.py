@@ -6,7 +6,7 @@
 A model has 1 to 12 coordinates, stiffness and damping that change with a parameter p, gyroscopic and (every second one)
 follower forces, cubic stiffness, cubic damping, quintic damping, and mixed terms. Of its equilibrium u = 0:
 
-- the unstable eigenvalues are counted at 2001 values of p; where the count changes, bisection gives the value. hawser must find
+- the unstable eigenvalues are counted at 2001 values of p; where the count changes, halving gives each value. hawser must find
   these events, no others, at the same values within 1e-7 and of the same kind (two eigenvalues: Hopf), over p up and down;
 - cycles of two branches (--branches 1) are integrated over their period by a Runge-Kutta method: they must close within 1e-5.
 
@@ -22,6 +22,7 @@ import numpy as np
 
 LOW, HIGH = -1.0, 1.5
 GRID = 2001
+NARROW = 1e-12
 SAME = 1e-7
 CLOSED = 1e-5
 
@@ -43,6 +44,13 @@ class Model:
         self.terms += [[pick(), [pick(), pick()], [pick()], float(rng.normal(0.0, 0.5))] for _ in range(3)]
         self.terms += [[j, [j]*3, [], float(rng.uniform(-0.5, 1.0))] for j in range(n)]
 
+        def places(of_u, of_v):
+            found = list(of_u) + [n + i for i in of_v]
+            return found + [2*n]*(5 - len(found))
+        self.row = np.array([term[0] for term in self.terms])
+        self.place = np.array([places(term[1], term[2]) for term in self.terms])  # in the state and a 1 behind it
+        self.value = np.array([term[3] for term in self.terms])
+
     def file(self, path):
         matrix = lambda A, B: [["%r+p*(%r)" % (float(a), float(b)) for a, b in zip(x, y)] for x, y in zip(A, B)]
         with open(path, "w", encoding="utf-8") as to:
@@ -56,25 +64,26 @@ class Model:
 
     def rate(self, x, p):
         u, v = x[:self.n], x[self.n:]
-        a = -(self.K + p*self.F) @ u - (self.D + p*self.S) @ v
-        for j, of_u, of_v, value in self.terms:
-            a[j] -= value*np.prod(u[of_u])*np.prod(v[of_v])
+        product = self.value*np.append(x, 1.0)[self.place].prod(axis=1)
+        a = -(self.K + p*self.F) @ u - (self.D + p*self.S) @ v - np.bincount(self.row, product, self.n)
         return np.concatenate([v, a])
 
+    def between(self, a, b, counts):
+        """[(p, change of the count)] from a to b: halves, until each change is that of one eigenvalue or one pair."""
+        if counts[0] == counts[1]:
+            return []
+        if b - a < NARROW:
+            return [(0.5*(a + b), counts[1] - counts[0])]
+        c = 0.5*(a + b)
+        middle = self.unstable(c)
+        return self.between(a, c, (counts[0], middle)) + self.between(c, b, (middle, counts[1]))
+
     def events(self):
-        """[(p, change of the count)] by bisection."""
+        """[(p, change of the count)]"""
         grid = np.linspace(LOW, HIGH, GRID)
         counts = [self.unstable(p) for p in grid]
-        found = []
-        for i in range(1, GRID):
-            if counts[i] == counts[i - 1]:
-                continue
-            a, b = grid[i - 1], grid[i]
-            for _ in range(50):
-                c = 0.5*(a + b)
-                a, b = (c, b) if self.unstable(c) == counts[i - 1] else (a, c)
-            found.append((0.5*(a + b), counts[i] - counts[i - 1]))
-        return found
+        return [event for i in range(1, GRID)
+                for event in self.between(grid[i - 1], grid[i], counts[i - 1:i + 1])]
 
     def gap(self, point):
         """How far the cycle is from closed, relative, by a Runge-Kutta method."""
