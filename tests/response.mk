@@ -23,6 +23,7 @@ tests_response_SOURCES = tests/cases.c \
 	tests/property/test-drag.c \
 	tests/property/test-event-claims.c \
 	tests/property/test-event-errors.c \
+	tests/property/test-export-own.c \
 	tests/property/test-folds-least.c \
 	tests/property/test-folds.c \
 	tests/property/test-frf-full.c \

@@ -40,7 +40,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/torus/circle.c \
 	%D%/torus/circle.h \
 	%D%/branch/climb.c \
-	%D%/cycle/begin.c %D%/cycle/cycle.c %D%/cycle/cycle.h %D%/cycle/equilibrium.c %D%/cycle/hopf.c %D%/cycle/hopf.h %D%/cycle/settle.c %D%/cycle/switch.c %D%/cycle/turn.c \
+	%D%/cycle/begin.c %D%/cycle/cycle.c %D%/cycle/cycle.h %D%/cycle/equilibrium.c %D%/cycle/export.c %D%/cycle/hopf.c %D%/cycle/hopf.h %D%/cycle/settle.c %D%/cycle/switch.c %D%/cycle/turn.c \
 	%D%/branch/closure.c \
 	%D%/branch/collide.c \
 	%D%/branch/collide.h \

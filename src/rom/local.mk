@@ -128,7 +128,10 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/file/read.h \
 	%D%/file/read_ends.c \
 	%D%/file/read_known.c \
+	%D%/file/auto.h \
 	%D%/file/read_range.c \
+	%D%/file/rows.c \
+	%D%/file/rows.h \
 	%D%/energy/shapes.c \
 	%D%/condense/support.c \
 	%D%/condense/support.h \

@@ -2,9 +2,11 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/curves/frf_over.h"
 #include "cli/frame/view.h"
 #include "cli/model/made.h"
 #include "core/report.h"
@@ -12,7 +14,7 @@
 struct settings {
 	struct cli_common common;
 	const char *export[2]; /* format, stem */
-	const char *from, *to;
+	const char *from, *to, *over;
 	double tolerance;
 	int n, intervals, points;
 };
@@ -24,6 +26,8 @@ static const struct cli_option options[] = {
 	{"from", 0, "FREQUENCY", "start of the range of the export, and of modes: auto (0.6w1)",
 	 CLI_TEXT(from)},
 	{"to", 0, "FREQUENCY", "end of that range (3.3w1)", CLI_TEXT(to)},
+	{"over", 0, "KEY=FROM:TO", "equilibria and limit cycles over a parameter, to auto",
+	 CLI_TEXT(over), .needs = "export", .excludes = "from, to"},
 	{"tolerance", 0, "NUMBER", "EPSL and EPSU of the export, tolerances (1e-9)",
 	 CLI_POSITIVE(tolerance)},
 	{"intervals", 0, "N", "NTST of the export, number of mesh intervals (80)", CLI_COUNT(intervals)},
@@ -244,6 +248,10 @@ static enum hawser_status check(const struct settings *settings, struct hawser_r
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
 		                    "--export %s: the formats are auto, coco, matcont and bifurcationkit",
 		                    settings->export[0]);
+	if (settings->over && strcmp(settings->export[0], "auto") != 0)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+		                    "--over goes with --export auto: the other formats have no equations over "
+		                    "a parameter");
 	if (settings->common.plot)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
 		                    "rom has no picture; hawser modes --plot draws the shapes");
@@ -262,7 +270,31 @@ static enum hawser_status choose(struct cli_model *model, const struct settings 
 	return status ? status : cli_choice_build(model, from, to, report);
 }
 
-static enum hawser_status export(const struct settings *settings, const struct cli_model *model,
+/* Over the parameter, or over the frequency. */
+static enum hawser_status export_auto(struct hawser_auto_options *choice,
+                                      const struct settings *settings, struct cli_model *model,
+                                      struct hawser_report *report)
+{
+	struct cli_over over = {.at = NAN};
+	enum hawser_status status;
+
+	if (!settings->over) {
+		status = cli_range(&choice->from, &choice->to, settings->from, settings->to, "rom", model,
+		                   report);
+		return status ? status : hawser_rom_export_auto(&model->rom, settings->export[1], choice,
+		                                                report);
+	}
+	status = cli_over_open(&over, settings->over, NULL, model, report);
+	choice->from = over.from;
+	choice->to = over.to;
+	if (!status)
+		status = hawser_family_export_auto(&over.family, over.axis.key, over.from, NULL,
+		                                   settings->export[1], choice, report);
+	cli_over_clear(&over);
+	return status;
+}
+
+static enum hawser_status export(const struct settings *settings, struct cli_model *model,
                                  struct hawser_report *report)
 {
 	struct hawser_auto_options choice = {.ntst = 0};
@@ -274,16 +306,13 @@ static enum hawser_status export(const struct settings *settings, const struct c
 			cli_written(settings->export[1]);
 		return status;
 	}
-	status = cli_range(&choice.from, &choice.to, settings->from, settings->to, "rom", model, report);
-	if (status)
-		return status;
 	if (settings->tolerance > 0.0)
 		choice.tolerance = settings->tolerance;
 	if (settings->intervals > 0)
 		choice.ntst = settings->intervals;
 	if (settings->points > 0)
 		choice.nmx = settings->points;
-	status = hawser_rom_export_auto(&model->rom, settings->export[1], &choice, report);
+	status = export_auto(&choice, settings, model, report);
 	if (!status)
 		cli_written(settings->export[1]);
 	return status;
@@ -308,7 +337,7 @@ static enum hawser_status load(struct cli_model *model, const struct settings *s
 
 	return common->json && common->quiet && !common->tsv && !settings->export[0]
 	       ? cli_model_entries(model, common, settings->n, report)
-	       : cli_model_load(model, common, settings->n, report);
+	       : cli_over_load(model, common, settings->n, settings->over, report);
 }
 
 static enum hawser_status run(void *context, struct hawser_report *report)

@@ -8,6 +8,9 @@
  *    U(1..n) u     U(n+1..2n) du/dt     U(2n+1) sin     U(2n+2) cos     PAR(1) Omega     PAR(11) period
  *    PAR(2), PAR(3) factors of the load and of D, 1 for the model
  *
+ * Models of which equilibria and limit cycles are followed have no oscillator, and PAR(1) is a parameter
+ * of theirs: each coefficient is a Chebyshev sum over it.
+ *
  * Entries are stored in DATA statements, and loops run over them: written out term by term, the
  * cubic terms of 20 modes would take the compiler minutes. Both Jacobians are exact. The first
  * orbit is a converged one (cycle.c), since AUTO's first step has no globalisation.
@@ -29,7 +32,7 @@
 #include "core/report.h"
 #include "core/settle.h"
 #include "rom/auto_text.h" /* made of texts/auto.f90 */
-#include "rom/choose/cycle.h"
+#include "rom/file/auto.h"
 #include "rom/terms/drag.h"
 #include "rom/terms/terms.h"
 
@@ -51,166 +54,56 @@ static const char *number(char out[32], double value)
 	return number_in(out, value, 'D');
 }
 
-/* "DATA Ai(1,7),Ai(2,7),A(7)/1,2,3.0D0/": entry `at` (from 1) of list `name`, indices from 0. */
-static void put_entry(FILE *out, const char *name, int at, const int *index, int count, double value)
+static int degree_of(const struct hawser__auto *of)
 {
-	char text[32];
-
-	fprintf(out, "  DATA ");
-	for (int i = 0; i < count; i++)
-		fprintf(out, "%sI(%d,%d),", name, i + 1, at);
-	fprintf(out, "%s(%d)/", name, at);
-	for (int i = 0; i < count; i++)
-		fprintf(out, "%d,", index[i] + 1);
-	fprintf(out, "%s/\n", number(text, value));
+	return of->coefficient ? of->degree : 0;
 }
 
-static void declare(FILE *out, const char *name, int count, int indices)
+/* The rows, as declarations and DATA. */
+static void put_rows(FILE *out, const struct hawser__auto *of)
 {
-	fprintf(out, "  INTEGER, PARAMETER :: N%s = %d\n", name, count);
-	fprintf(out, "  INTEGER, SAVE :: %sI(%d,%d)\n", name, indices, count ? count : 1);
-	fprintf(out, "  DOUBLE PRECISION, SAVE :: %s(%d)\n", name, count ? count : 1);
-}
+	int degree = degree_of(of), n = of->rom->first ? 0 : of->rom->n;
 
-/* Nonzero entries of matrix [n][columns], each with the third index `harmonic` if that is >= 0;
- * written to `out` unless it is NULL. Returns their number. */
-static int entries(FILE *out, const char *name, int at, const double *value, int n, int columns,
-                   int harmonic)
-{
-	int count = 0;
-
-	for (int i = 0; value && i < n*columns; i++) {
-		const int index[3] = {i/columns, columns > 1 ? i%columns : harmonic, harmonic};
-
-		if (value[i] == 0.0)
-			continue;
-		count++;
-		if (out)
-			put_entry(out, name, at + count, index,
-			          1 + (columns > 1) + (harmonic >= 0), value[i]);
-	}
-	return count;
-}
-
-static const double *part_of(const struct hawser_harmonic *h, char part)
-{
-	return part == 'f' ? h->f : part == 'D' ? h->D : h->K;
-}
-
-/* f, D or K of the harmonics. */
-static void put_harmonics(FILE *out, const struct hawser_rom *rom, const char *name, char part)
-{
-	int count = 0, columns = part == 'f' ? 1 : rom->n;
-
-	for (int h = 0; h < rom->harmonics; h++)
-		count += entries(NULL, name, 0, part_of(&rom->harmonic[h], part), rom->n, columns, h);
-	declare(out, name, count, columns > 1 || part != 'f' ? 3 : 2);
-	count = 0;
-	for (int h = 0; h < rom->harmonics; h++) {
-		const double *value = part_of(&rom->harmonic[h], part);
-
-		if (part == 'f' || rom->n > 1) {
-			count += entries(out, name, count, value, rom->n, columns, h);
-		} else if (value && value[0] != 0.0) {
-			const int index[3] = {0, 0, h};
-
-			put_entry(out, name, ++count, index, 3, value[0]);
-		}
-	}
-}
-
-/* Q of the harmonics. */
-static void put_varying(FILE *out, const struct hawser_rom *rom)
-{
-	int count = 0;
-
-	for (int h = 0; h < rom->harmonics; h++)
-		count += rom->harmonic[h].quads;
-	declare(out, "EQ", count, 4);
-	count = 0;
-	for (int h = 0; h < rom->harmonics; h++)
-		for (int i = 0; i < rom->harmonic[h].quads; i++) {
-			const struct hawser_quad *q = &rom->harmonic[h].Q[i];
-
-			put_entry(out, "EQ", ++count, (int[]){q->j, q->k, q->l, h}, 4, q->value);
-		}
-}
-
-/* Terms of the model, h = -1, or of a harmonic: entries from `at` on. Returns the last one. */
-static int put_terms(FILE *out, const struct hawser_term *term, int terms, int h, int at, int n)
-{
-	for (int i = 0; i < terms; i++) {
-		const struct hawser_term *t = &term[i];
+	fprintf(out, "  INTEGER, PARAMETER :: NR = %d, DEG = %d\n"
+	        "  INTEGER, SAVE :: RI(%d,%d)\n  DOUBLE PRECISION, SAVE :: A(0:DEG,%d)\n", of->rows, degree,
+	        4 + HAWSER_TERM_FACTORS, of->rows, of->rows);
+	for (int i = 0; i < of->rows; i++) {
+		const struct hawser__row *row = &of->row[i];
 		char text[32];
 
-		at++; /* a list of all its indices would be too long for a line */
-		fprintf(out, "  DATA T(%d)/%s/\n  DATA TI(:,%d)/%d,%d,%d", at, number(text, t->value), at,
-		        t->j + 1, h + 1, t->factors);
+		/* a list of all the indices would be too long for a line */
+		fprintf(out, "  DATA RI(:,%d)/%d,%d,%d,%d", i + 1, n + row->j + 1, row->h, row->damping,
+		        row->factors);
 		for (int f = 0; f < HAWSER_TERM_FACTORS; f++)
-			fprintf(out, ",%d", f >= t->factors ? 0
-			        : t->factor[f] + 1 + (f >= t->factors - t->rates ? n : 0));
+			fprintf(out, ",%d", f < row->factors ? row->factor[f] + 1 : 0);
 		fputs("/\n", out);
+		for (int k = 0; k <= degree; k++)
+			fprintf(out, "  DATA A(%d,%d)/%s/\n", k, i + 1,
+			        number(text, of->coefficient ? of->coefficient[i*(degree + 1) + k] : row->value));
 	}
-	return at;
 }
 
-static void put_all_terms(FILE *out, const struct hawser_rom *rom)
+/* All numbers of the model. */
+static void put_model(FILE *out, const struct hawser__auto *of)
 {
-	int count = rom->terms;
-
-	for (int h = 0; h < rom->harmonics; h++)
-		count += rom->harmonic[h].terms;
-	declare(out, "T", count, 3 + HAWSER_TERM_FACTORS);
-	count = put_terms(out, rom->term, rom->terms, -1, 0, rom->n);
-	for (int h = 0; h < rom->harmonics; h++)
-		count = put_terms(out, rom->harmonic[h].term, rom->harmonic[h].terms, h, count, rom->n);
-}
-
-static void put_matrix(FILE *out, const char *name, const double *value, int n)
-{
-	const int first[2] = {0, 0};
-
-	declare(out, name, entries(NULL, name, 0, value, n, n, -1), 2);
-	if (n > 1)
-		entries(out, name, 0, value, n, n, -1);
-	else if (value[0] != 0.0)
-		put_entry(out, name, 1, first, 2, value[0]);
-}
-
-/* All numbers of the model, as declarations and DATA. */
-static void put_model(FILE *out, const struct hawser_rom *rom)
-{
+	const struct hawser_rom *rom = of->rom;
 	int highest = 1, many = rom->harmonics ? rom->harmonics : 1;
+	char from[32], to[32];
 
 	for (int h = 0; h < rom->harmonics; h++)
 		highest = rom->harmonic[h].k > highest ? rom->harmonic[h].k : highest;
-	fprintf(out, "  INTEGER, PARAMETER :: N = %d, NH = %d, KH = %d\n", rom->n, rom->harmonics,
-	        highest);
+	fprintf(out, "  INTEGER, PARAMETER :: N = %d, NV = %d, NH = %d, KH = %d\n"
+	        "  LOGICAL, PARAMETER :: OWN = .%s.\n"
+	        "  DOUBLE PRECISION, PARAMETER :: FROM = %s, TO = %s\n", rom->n, rom->first ? 0 : rom->n,
+	        rom->harmonics, highest, of->name ? "TRUE" : "FALSE", number(from, of->options->from),
+	        number(to, of->options->to));
 	fprintf(out, "  INTEGER, SAVE :: HK(%d), HS(%d), HP(%d), HL(%d)\n", many, many, many, many);
 	for (int h = 0; h < rom->harmonics; h++)
 		fprintf(out, "  DATA HK(%d),HS(%d),HP(%d),HL(%d)/%d,%d,%d,%d/\n", h + 1, h + 1, h + 1, h + 1,
 		        rom->harmonic[h].k, rom->harmonic[h].phase == HAWSER_SIN,
 		        rom->harmonic[h].omega_power,
 		        rom->harmonic[h].load_power > 1 ? rom->harmonic[h].load_power : 1);
-	put_matrix(out, "D", rom->D, rom->n);
-	put_matrix(out, "K", rom->K, rom->n);
-	declare(out, "Q", rom->quads, 3);
-	for (int i = 0; i < rom->quads; i++) {
-		const struct hawser_quad *q = &rom->Q[i];
-
-		put_entry(out, "Q", i + 1, (int[]){q->j, q->k, q->l}, 3, q->value);
-	}
-	declare(out, "C", rom->cubics, 4);
-	for (int i = 0; i < rom->cubics; i++) {
-		const struct hawser_cubic *c = &rom->C[i];
-
-		put_entry(out, "C", i + 1, (int[]){c->j, c->k, c->l, c->m}, 4, c->value);
-	}
-	put_harmonics(out, rom, "EF", 'f');
-	put_harmonics(out, rom, "ED", 'D');
-	put_harmonics(out, rom, "EK", 'K');
-	put_varying(out, rom);
-	put_all_terms(out, rom);
+	put_rows(out, of);
 }
 
 static void put_start(FILE *out, const struct hawser__cycle *cycle, double omega)
@@ -234,15 +127,29 @@ static void put_lines(FILE *out, const char *const *line)
 		fputs(*line, out);
 }
 
-static void put_equations(FILE *out, const struct hawser_rom *rom, const struct hawser__cycle *cycle,
-                          double omega)
+/* The first equilibrium. */
+static void put_rest(FILE *out, const struct hawser__auto *of)
+{
+	char text[32];
+
+	fprintf(out, "  PAR(1) = %s\n", number(text, of->begin));
+	for (int j = 0; j < of->rom->n; j++)
+		fprintf(out, "  U(%d) = %s\n", j + 1, number(text, of->rest[j]));
+}
+
+static void put_equations(FILE *out, const struct hawser__auto *of)
 {
 	fprintf(out, "! A reduced model of %d coordinates, written by hawser %s (hawser-rom(5)).\n",
-	        rom->n, hawser_version());
+	        of->rom->n, hawser_version());
+	put_lines(out, of->name ? auto_own : auto_forced);
 	put_lines(out, auto_head);
-	put_model(out, rom);
+	put_model(out, of);
 	put_lines(out, auto_func);
-	put_start(out, cycle, omega);
+	if (!of->name)
+		put_start(out, of->cycle, of->options->from);
+	put_lines(out, of->name ? auto_rest : auto_orbit);
+	if (of->name)
+		put_rest(out, of);
 	put_lines(out, auto_tail);
 }
 
@@ -325,18 +232,21 @@ static void put_weights(FILE *out, const struct hawser_rom *rom, const struct ha
 	fprintf(out, "%d:0.0, %d:0.0}\n", 2*rom->n + 1, 2*rom->n + 2);
 }
 
-static void put_constants(FILE *out, const struct hawser_rom *rom, const struct hawser__cycle *cycle,
-                          const struct hawser_auto_options *o)
+static void put_constants(FILE *out, const struct hawser__auto *of)
 {
+	const struct hawser_auto_options *o = of->options;
 	char a[32], b[32], c[32];
 	double low = fmin(o->from, o->to), high = fmax(o->from, o->to);
 	double sign = o->to > o->from ? 1.0 : -1.0;
+	int n = of->rom->n;
 
-	fprintf(out, "# Forced response of a reduced model, written by hawser %s.\n",
-	        hawser_version());
-	fprintf(out, "NDIM=%d, IPS=2, IRS=0, ILP=1, ISP=2, ISW=1\n", 2*rom->n + 2);
-	fprintf(out, "parnames={1:'Omega', 2:'load', 3:'damping', 11:'period'}\n");
-	fprintf(out, "ICP=[1,11]\n");
+	fprintf(out, "# %s of a reduced model, written by hawser %s.\n",
+	        of->name ? "Equilibria" : "Forced response", hawser_version());
+	fprintf(out, "NDIM=%d, IPS=%d, IRS=0, ILP=1, ISP=2, ISW=1\n",
+	        of->rom->first ? n : of->name ? 2*n : 2*n + 2, of->name ? 1 : 2);
+	fprintf(out, "parnames={1:'%s', 2:'load', 3:'damping', 11:'period'}\n",
+	        of->name ? of->name : "Omega");
+	fprintf(out, "ICP=[1%s]\n", of->name ? "" : ",11");
 	fprintf(out, "NTST=%d, NCOL=%d, IAD=3, JAC=1\n", o->ntst, o->ncol);
 	fprintf(out, "NMX=%d, NPR=%d, MXBF=0, IID=2, ITMX=20, ITNW=4, NWTN=3\n", o->nmx, o->nmx);
 	fprintf(out, "EPSL=%s, EPSU=%s, EPSS=%s\n", number(a, o->tolerance),
@@ -344,30 +254,34 @@ static void put_constants(FILE *out, const struct hawser_rom *rom, const struct 
 	fprintf(out, "DS=%s, DSMIN=%s, DSMAX=%s, IADS=1\n", number(a, sign*o->ds),
 	        number(b, 1e-5*o->ds), number(c, o->dsmax));
 	fprintf(out, "RL0=%s, RL1=%s\n", number(a, low), number(b, high));
-	put_weights(out, rom, cycle, o);
+	if (!of->name)
+		put_weights(out, of->rom, of->cycle, o);
 }
 
 /* --- files --- */
 
-/* The parts of an exported file. */
-struct content {
-	const struct hawser_rom *rom;
-	const struct hawser__cycle *cycle;
-	const struct hawser_auto_options *options;
-	const char *base; /* the stem without its folder */
-};
-
 enum { EQUATIONS, CONSTANTS, SCRIPT, FILES };
 
-static void put_file(FILE *out, int kind, const struct content *c)
+static void put_file(FILE *out, int kind, const struct hawser__auto *of, const char *base)
 {
 	if (kind == EQUATIONS)
-		put_equations(out, c->rom, c->cycle, c->options->from);
+		put_equations(out, of);
 	else if (kind == CONSTANTS)
-		put_constants(out, c->rom, c->cycle, c->options);
+		put_constants(out, of);
+	else if (of->name) /* equilibria, those that begin on them, limit cycles from Hopf points */
+		fprintf(out, "# Run with: auto-07p %s.auto\nall = run('%s')\nfor point in all('BP'):\n"
+		        "    all = all + run(point, ISW=-1)\nfor hopf in all('HB'):\n"
+		        "    all = all + run(hopf, IPS=2, ICP=[1,11])\nsave(all, '%s')\n", base, base, base);
 	else
-		fprintf(out, "# Run with: auto-07p %s.auto\nrun('%s')\nsave('%s')\n", c->base, c->base,
-		        c->base);
+		fprintf(out, "# Run with: auto-07p %s.auto\nrun('%s')\nsave('%s')\n", base, base, base);
+}
+
+/* The last part of the name of files. */
+static const char *base_of(const char *stem)
+{
+	const char *slash = strrchr(stem, '/');
+
+	return slash ? slash + 1 : stem;
 }
 
 static char *path_of(const char *stem, const char *base, int kind)
@@ -382,8 +296,8 @@ static char *path_of(const char *stem, const char *base, int kind)
 	return path;
 }
 
-static enum hawser_status write_file(const char *path, int kind, const struct content *c,
-                                     struct hawser_report *report)
+static enum hawser_status write_file(const char *path, int kind, const struct hawser__auto *of,
+                                     const char *base, struct hawser_report *report)
 {
 	enum hawser_status status;
 	char *text = NULL;
@@ -391,7 +305,7 @@ static enum hawser_status write_file(const char *path, int kind, const struct co
 	FILE *out = open_memstream(&text, &size);
 
 	if (out)
-		put_file(out, kind, c);
+		put_file(out, kind, of, base);
 	/* when memory is short, glibc's fclose returns 0 but sets no text */
 	if (!out || fclose(out) != 0 || !text)
 		status = hawser__no_memory(report, "rom");
@@ -401,23 +315,23 @@ static enum hawser_status write_file(const char *path, int kind, const struct co
 	return status;
 }
 
-/* Write all files; on failure remove those that did not exist before. */
-static enum hawser_status write_files(const char *stem, const struct content *c,
+enum hawser_status hawser__auto_write(const struct hawser__auto *of, const char *stem,
                                       struct hawser_report *report)
 {
+	const char *base = base_of(stem);
 	enum hawser_status status = HAWSER_OK;
 	char *path[FILES] = {NULL};
 	int old[FILES] = {0}, done = 0;
 
 	for (int kind = 0; !status && kind < FILES; kind++) {
-		path[kind] = path_of(stem, c->base, kind);
+		path[kind] = path_of(stem, base, kind);
 		if (!path[kind])
 			status = hawser__no_memory(report, "rom");
 		else
 			old[kind] = access(path[kind], F_OK) == 0;
 	}
 	while (!status && done < FILES) {
-		status = write_file(path[done], done, c, report);
+		status = write_file(path[done], done, of, base, report);
 		done += !status;
 	}
 	for (int kind = 0; kind < FILES; kind++) {
@@ -436,9 +350,27 @@ void hawser_auto_settle(struct hawser_auto_options *options)
 	hawser__settle_count(&options->nmx, 20000);
 }
 
-static enum hawser_status check(const struct hawser_rom *rom, const char *base,
-                                const struct hawser_auto_options *o, struct hawser_report *report)
+/* What a forced response needs besides. */
+static enum hawser_status check_forced(const struct hawser_rom *rom,
+                                       const struct hawser_auto_options *o,
+                                       struct hawser_report *report)
 {
+	if (!(o->from > 0.0) || !(o->to > 0.0))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+		                    "a response from Omega = %g to %g (scaled): two different positive "
+		                    "frequencies are needed", o->from, o->to);
+	return hawser_rom_autonomous(rom)
+	       ? hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+	                      "nothing excites the model, so it has no forced response to export: its "
+	                      "equilibria and limit cycles go with --over KEY=FROM:TO") : HAWSER_OK;
+}
+
+enum hawser_status hawser__auto_check(const struct hawser_rom *rom, const char *stem,
+                                      struct hawser_auto_options *o, struct hawser_report *report)
+{
+	const char *base = base_of(stem);
+
+	hawser_auto_settle(o);
 	if (rom->drag)
 		return hawser__drag_refuse(rom, "an export to AUTO", report);
 	if (rom->plug)
@@ -458,19 +390,19 @@ static enum hawser_status check(const struct hawser_rom *rom, const char *base,
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
 		                    "\"%s\" can't name an AUTO run: use letters, digits, _ and - only",
 		                    base);
-	if (!(o->from > 0.0) || !(o->to > 0.0) || o->from == o->to || !isfinite(o->from + o->to))
+	if (o->from == o->to || !isfinite(o->from + o->to))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
-		                    "a response from Omega = %g to %g (scaled): two different positive "
-		                    "frequencies are needed", o->from, o->to);
+		                    "a range from %g to %g: two different numbers are needed", o->from, o->to);
 	if (!(o->tolerance > 0.0 && o->tolerance < 1.0) || o->ntst < 1 || o->ncol < 2 ||
 	    o->ncol > 7 || o->nmx < 1 || !(o->ds >= 0.0) || !(o->dsmax >= 0.0))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
 		                    "AUTO's constants: tolerance %g (0 to 1), NTST %d (1 or more), "
 		                    "NCOL %d (2 to 7), NMX %d (1 or more), DS %g and DSMAX %g (0 or "
 		                    "more)", o->tolerance, o->ntst, o->ncol, o->nmx, o->ds, o->dsmax);
-	if (rom->harmonics == 0)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
-		                    "the model has no harmonics, so it has no forced response to export");
+	if (o->dsmax == 0.0)
+		o->dsmax = fabs(o->to - o->from)/400.0;
+	if (o->ds == 0.0)
+		o->ds = o->dsmax/10.0;
 	return HAWSER_OK;
 }
 
@@ -478,23 +410,24 @@ enum hawser_status hawser_rom_export_auto(const struct hawser_rom *rom, const ch
                                           const struct hawser_auto_options *options,
                                           struct hawser_report *report)
 {
-	const char *slash = strrchr(stem, '/');
 	struct hawser_auto_options filled = *options;
 	struct hawser__cycle cycle;
-	const struct content content = {rom, &cycle, &filled, slash ? slash + 1 : stem};
-	enum hawser_status status;
+	struct hawser__row *row;
+	struct hawser__auto of = {.rom = rom, .cycle = &cycle, .options = &filled};
+	enum hawser_status status = hawser__auto_check(rom, stem, &filled, report);
 
-	hawser_auto_settle(&filled);
-	status = check(rom, content.base, &filled, report);
+	if (!status)
+		status = check_forced(rom, &filled, report);
 	if (status)
 		return status;
-	if (filled.dsmax == 0.0)
-		filled.dsmax = fabs(filled.to - filled.from)/400.0;
-	if (filled.ds == 0.0)
-		filled.ds = filled.dsmax/10.0;
-	status = hawser__cycle_find(&cycle, rom, filled.from, report);
+	hawser__rows(&row, &of.rows, rom);
+	of.row = row;
+	status = row ? hawser__cycle_find(&cycle, rom, filled.from, report)
+	             : hawser__no_memory(report, "rom");
 	if (!status)
-		status = write_files(stem, &content, report);
-	hawser__cycle_clear(&cycle);
+		status = hawser__auto_write(&of, stem, report);
+	if (row)
+		hawser__cycle_clear(&cycle);
+	free(row);
 	return status;
 }

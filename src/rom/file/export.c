@@ -24,8 +24,9 @@
 
 #include "core/file.h"
 #include "core/report.h"
-#include "rom/terms/drag.h"
 #include "rom/export_text.h" /* made of texts/export.m and export.jl */
+#include "rom/file/rows.h"
+#include "rom/terms/drag.h"
 #include "rom/terms/terms.h"
 
 enum { LONGEST = 60 }; /* of a name of a function in MATLAB, which allows 63 */
@@ -43,12 +44,6 @@ const struct hawser_export_format *hawser_export_format(int index)
 	return index >= 0 && index < FORMATS ? &formats[index] : NULL;
 }
 
-/* Where rows go. */
-struct table {
-	FILE *out; /* NULL: only `widest` is wanted */
-	int format, n, widest;
-};
-
 /* value, with a decimal point in every locale. */
 static void put_number(FILE *out, double value)
 {
@@ -61,79 +56,32 @@ static void put_number(FILE *out, double value)
 	fputs(text, out);
 }
 
-static void put_row(struct table *table, int j, int h, double value, const int *index, int count)
+static void put_row(FILE *out, const struct hawser__row *row, int julia, int widest)
 {
-	int julia = table->format == BIFURCATIONKIT;
-
-	if (value == 0.0)
-		return;
-	table->widest = count > table->widest ? count : table->widest;
-	if (!table->out)
-		return;
-	fprintf(table->out, julia ? "    (%d, %d, " : "    %d %d ", j + 1, h);
-	put_number(table->out, value);
-	fputs(julia ? ", [" : "", table->out);
-	for (int i = 0; i < (julia ? count : table->widest); i++)
-		fprintf(table->out, julia ? "%s%d" : "%s %d", julia && i ? ", " : "", i < count ? index[i] : 0);
-	fputs(julia ? "]),\n" : "\n", table->out);
+	fprintf(out, julia ? "    (%d, %d, " : "    %d %d ", row->j + 1, row->h);
+	put_number(out, row->value);
+	fputs(julia ? ", [" : "", out);
+	for (int i = 0; i < (julia ? row->factors : widest); i++)
+		fprintf(out, julia ? "%s%d" : "%s %d", julia && i ? ", " : "",
+		        i < row->factors ? row->factor[i] + 1 : 0);
+	fputs(julia ? "]),\n" : "\n", out);
 }
 
-/* - matrix x; `from`: 1 for u, n + 1 for v. */
-static void put_matrix(struct table *table, int h, const double *matrix, int from)
-{
-	int n = table->n;
-
-	for (int i = 0; matrix && i < n*n; i++)
-		put_row(table, i/n, h, -matrix[i], (int[]){from + i%n}, 1);
-}
-
-static void put_terms(struct table *table, int h, const struct hawser_term *term, int terms)
-{
-	for (int e = 0; e < terms; e++) {
-		int index[HAWSER_TERM_FACTORS];
-
-		for (int i = 0; i < term[e].factors; i++)
-			index[i] = 1 + term[e].factor[i] +
-			           (i < term[e].factors - term[e].rates ? 0 : table->n);
-		put_row(table, term[e].j, h, -term[e].value, index, term[e].factors);
-	}
-}
-
-static void put_quads(struct table *table, int h, const struct hawser_quad *Q, int quads)
-{
-	for (int e = 0; e < quads; e++)
-		put_row(table, Q[e].j, h, -Q[e].value, (int[]){Q[e].k + 1, Q[e].l + 1}, 2);
-}
-
-static void put_rows(struct table *table, const struct hawser_rom *rom)
-{
-	put_matrix(table, 0, rom->K, 1);
-	put_matrix(table, 0, rom->D, rom->n + 1);
-	put_quads(table, 0, rom->Q, rom->quads);
-	for (int e = 0; e < rom->cubics; e++)
-		put_row(table, rom->C[e].j, 0, -rom->C[e].value,
-		        (int[]){rom->C[e].k + 1, rom->C[e].l + 1, rom->C[e].m + 1}, 3);
-	put_terms(table, 0, rom->term, rom->terms);
-	for (int h = 0; h < rom->harmonics; h++) {
-		const struct hawser_harmonic *harmonic = &rom->harmonic[h];
-
-		for (int j = 0; harmonic->f && j < rom->n; j++)
-			put_row(table, j, h + 1, harmonic->f[j], NULL, 0);
-		put_matrix(table, h + 1, harmonic->K, 1);
-		put_matrix(table, h + 1, harmonic->D, rom->n + 1);
-		put_quads(table, h + 1, harmonic->Q, harmonic->quads);
-		put_terms(table, h + 1, harmonic->term, harmonic->terms);
-	}
-}
+struct exported {
+	const struct hawser_rom *rom;
+	struct hawser__row *row; /* [rows] */
+	int rows, format;
+	const char *name;
+};
 
 /* The function or constants with the numbers of the model. */
-static void put_model(FILE *out, const struct hawser_rom *rom, int format)
+static void put_model(FILE *out, const struct exported *of)
 {
-	struct table table = {.format = format, .n = rom->n};
-	int julia = format == BIFURCATIONKIT;
+	const struct hawser_rom *rom = of->rom;
+	int julia = of->format == BIFURCATIONKIT, widest = 0;
 
-	put_rows(&table, rom);
-	table.out = out;
+	for (int i = 0; i < of->rows; i++)
+		widest = of->row[i].factors > widest ? of->row[i].factors : widest;
 	if (julia)
 		fprintf(out, "const n = %d\n# k, 1 for a sine, power of Omega, power of the load\n"
 		             "const harmonics = NTuple{4,Int}[\n", rom->n);
@@ -151,7 +99,8 @@ static void put_model(FILE *out, const struct hawser_rom *rom, int format)
 	fputs(julia ? "]\n# equation, harmonic or 0, value, factors\n"
 	              "const rows = Tuple{Int,Int,Float64,Vector{Int}}[\n"
 	            : "];\n% equation, harmonic or 0, value, factors\nT = [\n", out);
-	put_rows(&table, rom);
+	for (int i = 0; i < of->rows; i++)
+		put_row(out, &of->row[i], julia, widest);
 	fputs(julia ? "]\n" : "];\nend\n", out);
 }
 
@@ -166,8 +115,11 @@ static void put_text(FILE *out, const char *const *text, const char *name)
 				fputc(*c, out);
 }
 
-static void put_file(FILE *out, const struct hawser_rom *rom, int format, const char *name)
+static void put_file(FILE *out, const struct exported *of)
 {
+	const struct hawser_rom *rom = of->rom;
+	const char *name = of->name;
+	int format = of->format;
 	const char *mark = format == BIFURCATIONKIT ? "#" : "%";
 	static const char *const *const texts[][4] = {{coco_begin, coco_middle, matlab_sums, NULL},
 	                                              {matcont_begin, matcont_middle, matlab_sums, NULL},
@@ -185,7 +137,7 @@ static void put_file(FILE *out, const struct hawser_rom *rom, int format, const 
 		        rom->n, hawser_version());
 	put_text(out, text[1], name);
 	put_text(out, text[2], name);
-	put_model(out, rom, format);
+	put_model(out, of);
 	put_text(out, text[3], name);
 }
 
@@ -218,6 +170,7 @@ enum hawser_status hawser_rom_export(const struct hawser_rom *rom, const char *f
 {
 	const char *slash = strrchr(stem, '/'), *name = slash ? slash + 1 : stem;
 	enum hawser_status status = check(rom, name, report);
+	struct exported content = {.rom = rom, .name = name};
 	char *text = NULL, *path;
 	size_t size = 0;
 	FILE *out;
@@ -232,17 +185,20 @@ enum hawser_status hawser_rom_export(const struct hawser_rom *rom, const char *f
 		                    format);
 	if (status)
 		return status;
+	content.format = k;
+	hawser__rows(&content.row, &content.rows, rom);
 	path = malloc(strlen(stem) + 8);
 	out = open_memstream(&text, &size);
-	if (out)
-		put_file(out, rom, k, name);
+	if (out && content.row)
+		put_file(out, &content);
 	/* when memory is short, glibc's fclose returns 0 but sets no text */
-	if (!out || fclose(out) != 0 || !text || !path) {
+	if (!out || fclose(out) != 0 || !text || !path || !content.row) {
 		status = hawser__no_memory(report, "rom");
 	} else {
 		snprintf(path, strlen(stem) + 8, "%s%s", stem, formats[k].suffix);
 		status = hawser__file_put(path, text, size, report);
 	}
+	free(content.row);
 	free(path);
 	free(text);
 	return status;

@@ -1,18 +1,22 @@
 ! The Fortran code that evaluates the DATA of an exported model. Lines of !@ begin the parts
 ! that auto.c writes; this heading is not written.
 !
-!    W(h)    Omega^power cos|sin(k Omega t) of harmonic h; WS, WC its derivatives by U(2n+1), U(2n+2)
-!    G(:,h)  f - D v - K u - Q u u of harmonic h
+!    W(h)    Omega^power load^power cos|sin(k Omega t) of harmonic h, W(0) = 1; WS, WC its derivatives by
+!            U(2n+1), U(2n+2), WP and WL by Omega and the load
+!    T, S    Chebyshev polynomials of PAR(1) over its range, and their derivatives
 !
 ! With z = cos + i sin, d(z^k) = k z^(k-1) dz gives WS and WC.
 !
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!@ auto_head
+!@ auto_forced
 !   U(1..N) u   U(N+1..2N) du/dt   U(2N+1) sin(Omega t)   U(2N+2) cos(Omega t)
 !   PAR(1) Omega   PAR(11) period; all scaled. PAR(2), PAR(3) factors of load and damping
-! Lists: D, K, Q, C are the model's; EF, ED, EK, EQ the harmonics' f, D, K, Q
-! (last index: harmonic). T: products of U(TI(4,I)), U(TI(5,I)), ..., TI(3,I) of them, in
-! equation TI(1,I), of harmonic TI(2,I) unless that is 0.
+!@ auto_own
+!   U(1..N) u   U(N+1..2N) du/dt, if it has accelerations   PAR(1) the parameter   PAR(11) period
+!   PAR(2), PAR(3) factors of the constant forces and of damping. Units are those at the first value
+!@ auto_head
+! Row I: the Chebyshev sum A(:,I), times the product of U(RI(5,I)), ..., RI(4,I) of them, in equation
+! RI(1,I), of harmonic RI(2,I) unless that is 0; RI(3,I): of damping.
 ! HK, HS, HP, HL: multiple of Omega, sine or not, powers of Omega and of the load.
 SUBROUTINE FUNC(NDIM,U,ICP,PAR,IJAC,F,DFDU,DFDP)
   IMPLICIT NONE
@@ -21,17 +25,26 @@ SUBROUTINE FUNC(NDIM,U,ICP,PAR,IJAC,F,DFDU,DFDP)
   DOUBLE PRECISION, INTENT(OUT) :: F(NDIM)
   DOUBLE PRECISION, INTENT(INOUT) :: DFDU(NDIM,NDIM), DFDP(NDIM,*)
 !@ auto_func
-  DOUBLE PRECISION :: CO(0:KH), SI(0:KH), W(NH), WS(NH), WC(NH), WP(NH), WL(NH), G(N,NH), P, R
-  INTEGER :: I, H, J, L, M, O
+  DOUBLE PRECISION :: CO(0:KH), SI(0:KH), W(0:NH), WS(0:NH), WC(0:NH), WP(0:NH), WL(0:NH)
+  DOUBLE PRECISION :: T(0:DEG), S(0:DEG), X, G, P, Q, R
+  INTEGER :: I, H, J, L, M, O, X1, X2
+  X1 = MERGE(1, 2*N+1, OWN)
+  X2 = MERGE(1, 2*N+2, OWN)
   CO(0) = 1
   SI(0) = 0
   DO I = 1, KH
-    CO(I) = CO(I-1)*U(2*N+2) - SI(I-1)*U(2*N+1)
-    SI(I) = SI(I-1)*U(2*N+2) + CO(I-1)*U(2*N+1)
+    CO(I) = CO(I-1)*U(X2) - SI(I-1)*U(X1)
+    SI(I) = SI(I-1)*U(X2) + CO(I-1)*U(X1)
   END DO
+  W(0) = 1
+  WS(0) = 0
+  WC(0) = 0
+  WP(0) = 0
+  WL(0) = 0
   DO H = 1, NH
     L = HK(H)
-    P = PAR(1)**HP(H)*PAR(2)**HL(H)
+    P = PAR(2)**HL(H)
+    IF (HP(H) > 0) P = P*PAR(1)**HP(H)
     IF (HS(H) == 1) THEN
       W(H) = P*SI(L)
       WS(H) = P*L*CO(MAX(L-1,0))
@@ -41,144 +54,85 @@ SUBROUTINE FUNC(NDIM,U,ICP,PAR,IJAC,F,DFDU,DFDP)
       WS(H) = -P*L*SI(MAX(L-1,0))
       WC(H) = P*L*CO(MAX(L-1,0))
     END IF
-    WP(H) = HP(H)*W(H)/PAR(1)
+    WP(H) = 0
+    IF (HP(H) > 0) WP(H) = HP(H)*W(H)/PAR(1)
     WL(H) = HL(H)*W(H)/PAR(2)
   END DO
-  G = 0
-  DO I = 1, NEF
-    G(EFI(1,I),EFI(2,I)) = EF(I)
-  END DO
-  DO I = 1, NED
-    G(EDI(1,I),EDI(3,I)) = G(EDI(1,I),EDI(3,I)) - ED(I)*U(N+EDI(2,I))
-  END DO
-  DO I = 1, NEK
-    G(EKI(1,I),EKI(3,I)) = G(EKI(1,I),EKI(3,I)) - EK(I)*U(EKI(2,I))
-  END DO
-  DO I = 1, NEQ
-    J = EQI(1,I)
-    H = EQI(4,I)
-    G(J,H) = G(J,H) - EQ(I)*U(EQI(2,I))*U(EQI(3,I))
-  END DO
-  F(1:N) = U(N+1:2*N)
-  F(N+1:2*N) = 0
-  DO I = 1, ND
-    F(N+DI(1,I)) = F(N+DI(1,I)) - PAR(3)*D(I)*U(N+DI(2,I))
-  END DO
-  DO I = 1, NK
-    F(N+KI(1,I)) = F(N+KI(1,I)) - K(I)*U(KI(2,I))
-  END DO
-  DO I = 1, NQ
-    F(N+QI(1,I)) = F(N+QI(1,I)) - Q(I)*U(QI(2,I))*U(QI(3,I))
-  END DO
-  DO I = 1, NC
-    F(N+CI(1,I)) = F(N+CI(1,I)) - C(I)*U(CI(2,I))*U(CI(3,I))*U(CI(4,I))
-  END DO
-  DO I = 1, NT
-    J = TI(1,I)
-    H = TI(2,I)
-    P = T(I)
-    DO M = 1, TI(3,I)
-      P = P*U(TI(3+M,I))
-    END DO
-    IF (H == 0) THEN
-      F(N+J) = F(N+J) - P
-    ELSE
-      G(J,H) = G(J,H) - P
+  X = (2*PAR(1) - FROM - TO)/(TO - FROM)
+  DO I = 0, DEG
+    T(I) = 1
+    S(I) = 0
+    IF (I == 1) THEN
+      T(I) = X
+      S(I) = 2/(TO - FROM)
+    ELSE IF (I > 1) THEN
+      T(I) = 2*X*T(I-1) - T(I-2)
+      S(I) = 4/(TO - FROM)*T(I-1) + 2*X*S(I-1) - S(I-2)
     END IF
   END DO
-  DO H = 1, NH
-    F(N+1:2*N) = F(N+1:2*N) + W(H)*G(:,H)
-  END DO
-  R = 1 - U(2*N+1)**2 - U(2*N+2)**2
-  F(2*N+1) = U(2*N+1)*R + PAR(1)*U(2*N+2)
-  F(2*N+2) = U(2*N+2)*R - PAR(1)*U(2*N+1)
-  IF (IJAC == 0) RETURN
-  DFDU = 0
-  DO I = 1, N
+  F = 0
+  F(1:NV) = U(N+1:N+NV)
+  IF (IJAC > 0) DFDU = 0
+  IF (IJAC > 1) DFDP(1:NDIM,1:3) = 0
+  DO I = 1, MERGE(NV, 0, IJAC > 0)
     DFDU(I,N+I) = 1
   END DO
-  DO I = 1, ND
-    DFDU(N+DI(1,I),N+DI(2,I)) = -PAR(3)*D(I)
-  END DO
-  DO I = 1, NK
-    DFDU(N+KI(1,I),KI(2,I)) = -K(I)
-  END DO
-  DO I = 1, NQ
-    J = N + QI(1,I)
-    L = QI(2,I)
-    M = QI(3,I)
-    DFDU(J,L) = DFDU(J,L) - Q(I)*U(M)
-    DFDU(J,M) = DFDU(J,M) - Q(I)*U(L)
-  END DO
-  DO I = 1, NC
-    J = N + CI(1,I)
-    L = CI(2,I)
-    M = CI(3,I)
-    O = CI(4,I)
-    DFDU(J,L) = DFDU(J,L) - C(I)*U(M)*U(O)
-    DFDU(J,M) = DFDU(J,M) - C(I)*U(L)*U(O)
-    DFDU(J,O) = DFDU(J,O) - C(I)*U(L)*U(M)
-  END DO
-  DO I = 1, NED
-    J = N + EDI(1,I)
-    L = N + EDI(2,I)
-    DFDU(J,L) = DFDU(J,L) - W(EDI(3,I))*ED(I)
-  END DO
-  DO I = 1, NEK
-    J = N + EKI(1,I)
-    L = EKI(2,I)
-    DFDU(J,L) = DFDU(J,L) - W(EKI(3,I))*EK(I)
-  END DO
-  DO I = 1, NEQ
-    J = N + EQI(1,I)
-    L = EQI(2,I)
-    M = EQI(3,I)
-    R = W(EQI(4,I))*EQ(I)
-    DFDU(J,L) = DFDU(J,L) - R*U(M)
-    DFDU(J,M) = DFDU(J,M) - R*U(L)
-  END DO
-  DO I = 1, NT
-    R = T(I)
-    IF (TI(2,I) > 0) R = R*W(TI(2,I))
-    DO M = 1, TI(3,I)
-      P = R
-      DO O = 1, TI(3,I)
-        IF (O /= M) P = P*U(TI(3+O,I))
-      END DO
-      J = N + TI(1,I)
-      L = TI(3+M,I)
-      DFDU(J,L) = DFDU(J,L) - P
+  DO I = 1, NR
+    J = RI(1,I)
+    H = RI(2,I)
+    G = DOT_PRODUCT(A(:,I), T)
+    R = G
+    IF (RI(3,I) == 1) R = G*PAR(3)
+    P = 1
+    DO M = 1, RI(4,I)
+      P = P*U(RI(4+M,I))
     END DO
+    F(J) = F(J) + W(H)*R*P
+    IF (IJAC == 0) CYCLE
+    DO M = 1, RI(4,I)
+      Q = W(H)*R
+      DO O = 1, RI(4,I)
+        IF (O /= M) Q = Q*U(RI(4+O,I))
+      END DO
+      L = RI(4+M,I)
+      DFDU(J,L) = DFDU(J,L) + Q
+    END DO
+    IF (H > 0 .AND. .NOT. OWN) THEN
+      DFDU(J,X1) = DFDU(J,X1) + WS(H)*R*P
+      DFDU(J,X2) = DFDU(J,X2) + WC(H)*R*P
+    END IF
+    IF (IJAC == 1) CYCLE
+    Q = DOT_PRODUCT(A(:,I), S)*P*W(H)
+    IF (RI(3,I) == 1) Q = Q*PAR(3)
+    DFDP(J,1) = DFDP(J,1) + WP(H)*R*P + Q
+    DFDP(J,2) = DFDP(J,2) + WL(H)*R*P
+    IF (RI(3,I) == 1) DFDP(J,3) = DFDP(J,3) + G*P*W(H)
   END DO
-  R = 1 - U(2*N+1)**2 - U(2*N+2)**2
-  DO H = 1, NH
-    DFDU(N+1:2*N,2*N+1) = DFDU(N+1:2*N,2*N+1) + WS(H)*G(:,H)
-    DFDU(N+1:2*N,2*N+2) = DFDU(N+1:2*N,2*N+2) + WC(H)*G(:,H)
-  END DO
-  DFDU(2*N+1,2*N+1) = R - 2*U(2*N+1)**2
-  DFDU(2*N+1,2*N+2) = PAR(1) - 2*U(2*N+1)*U(2*N+2)
-  DFDU(2*N+2,2*N+1) = -PAR(1) - 2*U(2*N+1)*U(2*N+2)
-  DFDU(2*N+2,2*N+2) = R - 2*U(2*N+2)**2
+  IF (OWN) RETURN
+  R = 1 - U(X1)**2 - U(X2)**2
+  F(X1) = U(X1)*R + PAR(1)*U(X2)
+  F(X2) = U(X2)*R - PAR(1)*U(X1)
+  IF (IJAC == 0) RETURN
+  DFDU(X1,X1) = R - 2*U(X1)**2
+  DFDU(X1,X2) = PAR(1) - 2*U(X1)*U(X2)
+  DFDU(X2,X1) = -PAR(1) - 2*U(X1)*U(X2)
+  DFDU(X2,X2) = R - 2*U(X2)**2
   IF (IJAC == 1) RETURN
-  DFDP(1:NDIM,1:3) = 0
-  DO H = 1, NH
-    DFDP(N+1:2*N,1) = DFDP(N+1:2*N,1) + WP(H)*G(:,H)
-    DFDP(N+1:2*N,2) = DFDP(N+1:2*N,2) + WL(H)*G(:,H)
-  END DO
-  DFDP(2*N+1,1) = U(2*N+2)
-  DFDP(2*N+2,1) = -U(2*N+1)
-  DO I = 1, ND
-    DFDP(N+DI(1,I),3) = DFDP(N+DI(1,I),3) - D(I)*U(N+DI(2,I))
-  END DO
+  DFDP(X1,1) = U(X2)
+  DFDP(X2,1) = -U(X1)
 END SUBROUTINE FUNC
 
-! The first orbit, at time T of the period: a Fourier series.
+! The first orbit at time T of the period, a Fourier series; or the first equilibrium.
 SUBROUTINE STPNT(NDIM,U,PAR,T)
   IMPLICIT NONE
   INTEGER, INTENT(IN) :: NDIM
   DOUBLE PRECISION, INTENT(INOUT) :: U(NDIM), PAR(*)
   DOUBLE PRECISION, INTENT(IN) :: T
-!@ auto_tail
+!@ auto_rest
+  U = 0
+  PAR(2) = 1
+  PAR(3) = 1
+!@ auto_orbit
   DOUBLE PRECISION :: TAU
   INTEGER :: I
   TAU = 8*ATAN(1D0)*T
@@ -193,6 +147,7 @@ SUBROUTINE STPNT(NDIM,U,PAR,T)
   END DO
   U(2*N+1) = SIN(TAU)
   U(2*N+2) = COS(TAU)
+!@ auto_tail
 END SUBROUTINE STPNT
 
 SUBROUTINE BCND
