@@ -71,12 +71,12 @@ enum hawser_status hawser_parameter_plane_open(struct hawser_rom_plane *plane,
                                                const char *const name[2], double omega,
                                                struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* Export the equilibria and limit cycles of a family that nothing excites to AUTO-07p: the files of
- * hawser_rom_export_auto follow the equilibria from `begin` over `from` to `to` of the options, then the
- * limit cycles from their Hopf points. PAR(1) is the parameter, `name` in its outputs; coefficients are
- * interpolated in it to round-off. u [n]: near the first equilibrium, or NULL. HAWSER_ERR_ARGUMENT,
- * HAWSER_ERR_CONVERGENCE (no equilibrium; coefficients that are not smooth in the range), HAWSER_ERR_IO,
- * HAWSER_ERR_MEMORY. */
+/* Export the equilibria and limit cycles of a family that nothing excites to AUTO-07p: the files
+ * of hawser_rom_export_auto follow the equilibria from `begin` over `from` to `to` of the options,
+ * then the limit cycles from their Hopf points. PAR(1) is the parameter, `name` in its outputs;
+ * coefficients are interpolated in it to round-off. u [n]: near the first equilibrium, or NULL.
+ * HAWSER_ERR_ARGUMENT, HAWSER_ERR_CONVERGENCE (no equilibrium; coefficients that are not smooth in
+ * the range), HAWSER_ERR_IO, HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_family_export_auto(const struct hawser_rom_family *family, const char *name,
                                              double begin, const double *u, const char *stem,
                                              const struct hawser_auto_options *options,

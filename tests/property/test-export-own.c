@@ -1,6 +1,6 @@
-/* The equilibria and limit cycles of models over a parameter as AUTO-07p equations: their compiled Fortran has the
- * right-hand side of the models within the range, of second order (a wake oscillator, by 1/Ur^2) and of first, with
- * derivatives that differences confirm, and starts at rest.
+/* The equilibria and limit cycles of models over a parameter as AUTO-07p equations: their compiled
+ * Fortran has the right-hand side of the models within the range, of second order (a wake
+ * oscillator, by 1/Ur^2) and of first, with derivatives that differences confirm, and starts at rest.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 

@@ -8,8 +8,8 @@
  *    U(1..n) u     U(n+1..2n) du/dt     U(2n+1) sin     U(2n+2) cos     PAR(1) Omega     PAR(11) period
  *    PAR(2), PAR(3) factors of the load and of D, 1 for the model
  *
- * Models of which equilibria and limit cycles are followed have no oscillator, and PAR(1) is a parameter
- * of theirs: each coefficient is a Chebyshev sum over it.
+ * Models of which equilibria and limit cycles are followed have no oscillator, and PAR(1) is a
+ * parameter of theirs: each coefficient is a Chebyshev sum over it.
  *
  * Entries are stored in DATA statements, and loops run over them: written out term by term, the
  * cubic terms of 20 modes would take the compiler minutes. Both Jacobians are exact. The first
