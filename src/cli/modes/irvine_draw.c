@@ -161,7 +161,8 @@ static void measure(double *low, double *high, double *top, const struct cli_irv
 		const struct hawser_irvine *irvine = &result->sweep[k].irvine;
 
 		for (int i = 0; i < irvine->stations; i++) {
-			double H = cli_irvine_tension(&irvine->station[i]), x = place_of(result, irvine->station + i);
+			double x = place_of(result, irvine->station + i);
+			double H = cli_irvine_tension(irvine->station + i);
 
 			*low = fmin(*low, x);
 			*high = fmax(*high, x);
