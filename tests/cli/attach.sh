@@ -104,6 +104,9 @@ first = [(m["damping_ratio"], m["value"]) for m in size["damped"] if m["plane"] 
 assert len(first) == 11 and abs(max(first)[0]/0.02 - 1) < 0.08, max(first)
 assert abs(first[1][1]/first[0][1] - 100**0.1) < 1e-9
 assert "damped modes over attach.damper.damper[2], 11 values (N.s/m)" in open("size.tsv").read()
+best, = size["best"]
+assert (best["damping_ratio"], best["value"]) == max(first) and best["plane"] == "out-of-plane" and best["modes"] == 1
+assert "best of these values for out-of-plane modes 1 to 1: attach" in open("size.tsv").read()
 place = [m["damping_ratio"] for m in json.load(open("place.json"))["damped"] if m["plane"] == "out-of-plane" and m["number"] == 1]
 assert len(place) == 3 and place[0] < 0.006
 plain = [m["damping_ratio"] for m in json.load(open("ratio.json"))["damped"] if m["plane"] == "in-plane"]

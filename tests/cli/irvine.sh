@@ -71,9 +71,12 @@ END
 run irvine "$scene" --points 5 -n 2
 try "without a file the table is printed" grep -q '^H_N	irvine	irvine_source' "$scratch/out"
 run irvine "$scene" --set tension.H="5 kN" --points 5 -n 2
-grep -v '^# *set:' "$scratch/out" >a
+grep -v '^# *set:\|the scene itself: ' "$scratch/out" >a
 run irvine "$scene" --points 5 -n 2
-try "the scene's own tension does not matter" diff a "$scratch/out"
+try "the scene's own tension does not matter" sh -c 'grep -v "the scene itself: " "$1" | diff a -' - "$scratch/out"
+run irvine "$scene" --set tension="{T0: 5 MN}" --set cable.EA="1 GN" --points 5 -n 2
+try "but the range contains it" awk '/^# the scene itself: H = / {H = $7} /^# sweep: H from / {from = $5}
+	END {exit !(H > 4.8e6 && from/H > 1.25 - 1e-9 && from/H < 1.25 + 1e-9)}' "$scratch/out"
 cp "$scene" "$scratch/in"
 works "a scene on standard input" irvine - --points 5 -n 2
 

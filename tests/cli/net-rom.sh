@@ -131,6 +131,8 @@ denies "a damper of a cable without length" 1 "has a damper and no length0" chec
 	--set cables.c1.length0= --set cables.c1.sag=3
 echo "passing: [{along: [c1, c2], $weights, speed: 13 m/s}]" | net speed "from: J, to: B"
 works "a motion at a speed" integrate speed.yaml --until 0.05 --every 0.05 --json motion.json -q
+rough "a response begins below its frequency, and says which it is" frf speed.yaml -n 2 --max-points 2 --certificate no --tsv slow.tsv -q
+try "  13 m/s at 60 m" awk '/own speed, 13 m.s, is Omega = 1.36135682 / {said = 1} /^[0-9]/ {print $1; exit !(said && $1 < 1.1)}' slow.tsv
 works "a response" frf "$SRCDIR/notebooks-data/scenes/net-crosstie.yaml" --from "4.2 rad/s" --to "4.21 rad/s" -n 4 --certificate no \
 	--plot places.gp --json response.json -q
 try "  at both joints" test "$(grep -c "title 'J[12]'" places.gp)" = 2

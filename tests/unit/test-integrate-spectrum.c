@@ -157,6 +157,36 @@ static void check_refusals(void)
 	   HAWSER_ERR_NAN && strstr(report.message, "sample 5"), "NaN: %s", report.message);
 }
 
+/* 400 samples of a tone of 3.7 and of a small one, `cycles` in all of them, dt 0.05: what is folded. */
+static void check_line_above(double cycles, double small, double at, double times)
+{
+	static double rates[ROWS];
+	double span = 400*0.05, folded, where;
+
+	fill(400, 0.7);
+	tone(400, 3.7, 31.3, 0.4);
+	tone(400, small, cycles, 1.1);
+	for (int i = 0; i < 400; i++)
+		rates[i] = -2.0*M_PI/span*(3.7*31.3*sin(2.0*M_PI*31.3*i/400 + 0.4) +
+		                           small*cycles*sin(2.0*M_PI*cycles*i/400 + 1.1));
+	ok(!hawser_spectrum_folded(&folded, &where, samples, rates, 400, 0.05, NULL), "%g cycles", cycles);
+	if (times > 0.0) {
+		close_to(folded, times*small, 2e-3, "its amplitude");
+		close_to(where*span, at, 1e-12, "and where it appears");
+	} else {
+		ok(folded < 2e-5*3.7, "nothing is folded: %.1e", folded/3.7);
+	}
+}
+
+static void check_lines_above(void)
+{
+	check_line_above(150.0, 0.02, 150.0, 0.0);
+	check_line_above(337.0, 0.02, 63.0, 1.0);
+	check_line_above(369.0, 0.02, 31.0, 1.0); /* under the large line */
+	check_line_above(437.0, 0.02, 37.0, 1.0);
+	check_line_above(763.0, 0.02, 37.0, 2.0);
+}
+
 /* The spectrum of a run of a Duffing oscillator: odd harmonics only. */
 static void check_run(void)
 {
@@ -185,6 +215,7 @@ CASE(unit_integrate_spectrum)
 	check_sum(37);
 	check_sum(48);
 	check_window();
+	check_lines_above();
 	check_refusals();
 	check_run();
 	return done_testing();

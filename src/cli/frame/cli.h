@@ -176,6 +176,8 @@ int cli_known_lacks(char *text, size_t size, const struct cli_model *model, doub
 double cli_tolerance(double given, const struct cli_model *model);
 /* known.c: up to where a response of a ropeway is that of its modes, scaled; of others INFINITY. */
 double cli_modes_end(const struct cli_model *model);
+/* known.c: the frequency at which carriers pass at the speed of the scene, scaled; 0: not said. */
+double cli_passing(const struct cli_model *model);
 void cli_known_warn(const struct cli_model *model, double omega);
 
 /* basis.c. Checks the natural frequencies of a full-order model up to twice `omega` (scaled), at least

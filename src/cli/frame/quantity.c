@@ -131,6 +131,8 @@ enum hawser_status cli_range(double *from, double *to, const char *from_text, co
                              const char *command, const struct cli_model *model,
                              struct hawser_report *report)
 {
+	const double beside = 1.25; /* ratio of an end that nobody gave to the scene's own frequency */
+	double own = cli_passing(model);
 	enum hawser_status status = cli_frequency(from, from_text ? from_text : "0.6w1", "from", model,
 	                                          report);
 
@@ -138,6 +140,10 @@ enum hawser_status cli_range(double *from, double *to, const char *from_text, co
 		status = cli_frequency(to, to_text ? to_text : "3.3w1", "to", model, report);
 	if (!status && !to_text && *from < cli_modes_end(model))
 		*to = fmin(*to, cli_modes_end(model));
+	if (!status && own > 0.0 && !from_text)
+		*from = fmin(*from, own/beside);
+	if (!status && own > 0.0 && !to_text)
+		*to = fmax(*to, own*beside);
 	if (!status && *from == *to)
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, command,
 		                      "--from %s and --to %s are the same frequency",

@@ -101,6 +101,11 @@ double cli_modes_end(const struct cli_model *model)
 	                                           : model->natural[model->naturals - 1]);
 }
 
+double cli_passing(const struct cli_model *model)
+{
+	return model->made ? model->made->passing/cli_per_omega(model) : 0.0;
+}
+
 void cli_known_warn(const struct cli_model *model, double omega)
 {
 	char text[CLI_WARNING_SIZE];

@@ -47,6 +47,7 @@ struct cli_made {
 	const struct cli_maker *by;
 	struct cli_made_modes modes;
 	int chosen;                  /* candidates of a choice of modes; 0: none was made */
+	double passing;              /* rad/s, at which carriers of a net pass by its scene; 0: not said */
 	int joints;                  /* shape points that come first and are joints of a net */
 };
 void cli_made_free(struct cli_made *made);

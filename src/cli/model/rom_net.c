@@ -46,6 +46,21 @@ static int count_joints(const struct hawser_rom_shapes *shapes, const struct haw
 	return count;
 }
 
+/* The first harmonic of loads that run along a rope; NULL: there are none. */
+static const struct hawser_net_load *running(const struct hawser_net *net)
+{
+	const struct hawser_net_load *first = NULL;
+
+	for (int i = 0; i < net->loads; i++) {
+		const struct hawser_net_load *load = &net->load[i];
+
+		if (load->harmonic && load->wavelength != 0.0 &&
+		    (!first || fabs(load->wavelength) > fabs(first->wavelength)))
+			first = load;
+	}
+	return first;
+}
+
 static enum hawser_status load(struct cli_model *model, const struct cli_common *common, int n,
                                struct hawser_report *report)
 {
@@ -65,6 +80,8 @@ static enum hawser_status load(struct cli_model *model, const struct cli_common 
 	if (!status)
 		status = build(&model->rom, &of->made.modes, &of->made, n, of->count ? of->kept : NULL,
 		               of->count, 0, report);
+	if (!status && running(&of->net))
+		of->made.passing = running(&of->net)->Omega;
 	if (!status)
 		of->made.joints = count_joints(&model->rom.shapes, &of->net);
 	return status;
@@ -135,12 +152,21 @@ static void comments(struct hawser__table *table, const struct cli_model *model)
 {
 	const struct cli_rom_net *of = (const struct cli_rom_net *)model->made;
 	const struct hawser_modes *modes = &of->made.modes.modes;
+	const struct hawser_net_load *wave = running(&of->net);
+	double distance = wave ? fabs(wave->wavelength) : NAN;
 	long elements = 0;
 
 	for (int c = 0; c < of->net.cables; c++)
 		elements += of->net.cable[c].elements;
 	hawser__table_comment(table, "a net of %d cables with %ld elements", of->net.cables, elements);
 	cli_made_chosen(table, model);
+	if (wave)
+		hawser__table_comment(table, "loads run along the rope at the speed Omega*%.9g m/(2 pi): 1 "
+		                      "rad/s is %.6g m/s", distance, distance/(2.0*M_PI));
+	if (wave && wave->Omega > 0.0)
+		hawser__table_comment(table, "the scene's own speed, %.9g m/s, is Omega = %.9g rad/s; "
+		                      "responses are over Omega, whatever it is",
+		                      wave->Omega*distance/(2.0*M_PI), wave->Omega);
 	cli_made_inertia(table, &model->rom);
 	for (int k = 0; k < modes->n; k++)
 		hawser__table_comment(table, "u_%d: mode %d: %.9g rad/s%s", k + 1, modes->mode[k].place,

@@ -187,6 +187,9 @@ static enum hawser_status trace(struct cli_irvine_result *result,
 	choice->attach = scene->attach;
 	choice->attachments = scene->attachments;
 	choice->gravity = -equal.gravity[1];
+	if (hawser_statics_scene(&result->own, scene, NULL))
+		result->own.H = 0.0;
+	choice->contained = result->own.H;
 	choice->held = hawser_statics_held(held, scene) ? held : NULL;
 	if (scene->cable.EI > 0.0)
 		choice->bending = (struct hawser_bending){scene->cable.EI, {scene->ends[0], scene->ends[1]}};

@@ -146,10 +146,10 @@ static struct hawser__axis ordinate(const struct cli_irvine_result *result)
 }
 
 /* Abscissa of a station. */
-static double place_of(const struct cli_irvine_result *result, const struct hawser_irvine *irvine,
-                       int i)
+static double place_of(const struct cli_irvine_result *result,
+                       const struct hawser_irvine_station *station)
 {
-	return result->over_value ? irvine->station[i].value : irvine->station[i].statics.irvine_source;
+	return result->over_value ? station->value : station->statics.irvine_source;
 }
 
 /* The largest of the frequencies shown, and the range of the abscissa, of all panels. */
@@ -161,7 +161,8 @@ static void measure(double *low, double *high, double *top, const struct cli_irv
 		const struct hawser_irvine *irvine = &result->sweep[k].irvine;
 
 		for (int i = 0; i < irvine->stations; i++) {
-			double H = cli_irvine_tension(&irvine->station[i]), x = place_of(result, irvine, i);
+			double x = place_of(result, irvine->station + i);
+			double H = cli_irvine_tension(irvine->station + i);
 
 			*low = fmin(*low, x);
 			*high = fmax(*high, x);
@@ -176,8 +177,24 @@ static void put_branch(struct hawser__figure *figure, const struct cli_irvine_re
                        const struct hawser_irvine *irvine, const double *omega, int stride)
 {
 	for (int i = 0; i < irvine->stations; i++)
-		hawser__figure_put(figure, place_of(result, irvine, i), cli_irvine_in_unit(
+		hawser__figure_put(figure, place_of(result, irvine->station + i), cli_irvine_in_unit(
 			result, omega[i*stride], cli_irvine_tension(&irvine->station[i])));
+}
+
+/* The place of the scene itself, where it is within the range. */
+static void draw_own(struct hawser__figure *figure, const struct cli_irvine_result *result,
+                     const struct hawser_irvine *irvine, double top)
+{
+	const struct hawser_irvine_station own = {
+		.statics = result->own, .value = hawser_irvine_value(&result->own, irvine->sweep)};
+	double x = place_of(result, &own), a = place_of(result, irvine->station);
+	double b = place_of(result, irvine->station + irvine->stations - 1);
+
+	if (!(result->own.H > 0.0) || (x - a)*(x - b) > 0.0)
+		return;
+	hawser__figure_put(figure, x, 0.0);
+	hawser__figure_put(figure, x, top);
+	hawser__figure_draw(figure, "the scene", "with lines lt 7 lw 1.2");
 }
 
 /* A point on each of the two branches where they are closest. */
@@ -200,10 +217,11 @@ static void put_crossovers(struct hawser__figure *figure, const struct cli_irvin
 
 /* Branches of the two planes often coincide: a thin line is drawn on a thick one. */
 static void draw_panel(struct hawser__figure *figure, const struct cli_irvine_result *result,
-                       const struct cli_irvine_sweep *sweep)
+                       const struct cli_irvine_sweep *sweep, double top)
 {
 	const struct hawser_irvine *irvine = &sweep->irvine;
 
+	draw_own(figure, result, irvine, top);
 	put_crossovers(figure, result, irvine, 1);
 	hawser__figure_draw(figure, NULL, "with lines lt 7 lw 0.8 dt (2,3)");
 	hawser__legend_once(&figure->legend, "in plane", "with lines lt 1 lw 2.2");
@@ -260,7 +278,7 @@ enum hawser_status cli_irvine_draw(const char *path, const void *context,
 			fprintf(figure.out.script,
 			        "set label '{/:Italic v} = %.6g %s' at graph 0.97,0.06 right front\n",
 			        result->sweep[k].irvine.speed/speed.per, speed.unit);
-		draw_panel(&figure, result, &result->sweep[k]);
+		draw_panel(&figure, result, &result->sweep[k], 1.04*top);
 	}
 	return hawser__figure_finish(&figure, report);
 }

@@ -109,6 +109,13 @@ static void comments(struct hawser__table *table, const void *of)
 {
 	const struct cli_irvine_result *result = of;
 
+	const struct hawser_irvine *irvine = &result->sweep[0].irvine;
+
+	if (result->own.H > 0.0)
+		hawser__table_comment(table, "the scene itself: %s = %.10g %s, irvine_source = %.10g",
+		                      hawser_given_name(irvine->sweep),
+		                      hawser_irvine_value(&result->own, irvine->sweep),
+		                      cli_irvine_si(irvine->sweep), result->own.irvine_source);
 	for (int k = 0; k < result->sweeps; k++)
 		sweep_comments(table, result, &result->sweep[k]);
 }

@@ -24,6 +24,7 @@ struct cli_irvine_result {
 	int moving;             /* 1: the cable travels in one of them, or --speeds is given */
 	struct cli_irvine_sweep sweep[CLI_IRVINE_SPEEDS]; /* [sweeps] */
 	enum cli_irvine_unit unit;
+	struct hawser_statics own; /* of the scene itself; H = 0: it has none */
 	int over_value;         /* abscissa of the picture: 1: the swept quantity, 0: lambda */
 };
 

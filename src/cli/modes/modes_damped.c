@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -10,6 +11,8 @@
 #include "cli/modes/modes_damped.h"
 #include "core/report.h"
 #include "output/drawing/figure.h"
+
+static const double least_gain = 1e-3; /* of a best value over the worst, relative; chosen */
 
 /* The values of --over, in SI. */
 static enum hawser_status read_over(struct cli_damped_result *result, const char *over,
@@ -50,6 +53,59 @@ static enum hawser_status solve_one(struct cli_damped_result *result, int n,
 	return hawser_damped_solve(result->sweep.state, &statics, &result->scene, &options, report);
 }
 
+/* Mode `number` of a plane, or NULL. */
+static const struct hawser_damped_mode *mode_of(const struct hawser_damped *state, int plane,
+                                                int number)
+{
+	for (int k = 0; k < state->n; k++)
+		if ((int)state->mode[k].plane == plane && state->mode[k].number == number)
+			return &state->mode[k];
+	return NULL;
+}
+
+/* Modes 1 to n of a plane at one value: the smallest damping ratio; *number: of that mode. */
+static double least_damping(int *number, const struct hawser_damped *state, int plane, int n)
+{
+	double least = INFINITY;
+
+	for (int k = 1; k <= n; k++)
+		if (mode_of(state, plane, k)->ratio < least) {
+			least = mode_of(state, plane, k)->ratio;
+			*number = k;
+		}
+	return least;
+}
+
+/* Of the modes that a plane has at all values. Without a difference there is nothing to choose. */
+static void find_best(struct cli_damped_result *result, int plane)
+{
+	const struct hawser_damped_sweep *sweep = &result->sweep;
+	struct cli_damped_best best = {.plane = plane, .modes = INT_MAX, .ratio = -INFINITY};
+	double worst = INFINITY;
+
+	for (int i = 0; i < sweep->points; i++) {
+		int count = 0;
+
+		while (mode_of(&sweep->state[i], plane, count + 1))
+			count++;
+		best.modes = count < best.modes ? count : best.modes;
+	}
+	for (int i = 0; i < sweep->points && best.modes > 0; i++) {
+		int number = 0;
+		double ratio = least_damping(&number, &sweep->state[i], plane, best.modes);
+
+		worst = fmin(worst, ratio);
+		if (ratio > best.ratio) {
+			best.ratio = ratio;
+			best.value = sweep->value[i];
+			best.number = number;
+			best.end = i == 0 || i == sweep->points - 1;
+		}
+	}
+	if (best.ratio > 0.0 && best.ratio - worst > least_gain*best.ratio)
+		result->best[result->bests++] = best;
+}
+
 enum hawser_status cli_damped_solve(struct cli_damped_result *result, const char *over, int n,
                                     struct hawser_report *report)
 {
@@ -62,7 +118,11 @@ enum hawser_status cli_damped_solve(struct cli_damped_result *result, const char
 	options.key = result->key;
 	options.value = result->range.value;
 	options.points = result->range.points;
-	return status ? status : hawser_damped_trace(&result->sweep, &result->scene, &options, report);
+	if (!status)
+		status = hawser_damped_trace(&result->sweep, &result->scene, &options, report);
+	for (int plane = 0; plane < 2 && !status && !result->scene.wind.present; plane++)
+		find_best(result, plane);
+	return status;
 }
 
 void cli_damped_free(struct cli_damped_result *result)
@@ -195,10 +255,24 @@ static const void *event_at(void *to, const void *parent, size_t index)
 static const struct hawser__list event_list = {
 	.field = event_field, .size = HAWSER__MADE_SIZE(struct event_row), .count = count_events,
 	.row = event_at};
+HAWSER__LABELS(best_plane, hawser_plane_name, enum hawser_plane)
+#define OF(member) HAWSER__AT(struct cli_damped_best, member)
+static const struct hawser__field best_field[] = {
+	{"plane", NULL, "in-plane or out-of-plane",
+	 HAWSER__LABEL_AT(struct cli_damped_best, plane, best_plane)},
+	{"modes", NULL, "looked at, from 1", OF(modes)},
+	{"value", NULL, "of the key, in SI: there the least damped of them is damped most", OF(value)},
+	{"damping_ratio", NULL, "of that mode", OF(ratio)},
+	{"number", NULL, "its number", OF(number)},
+	HAWSER__END,
+};
+#undef OF
 const struct hawser__field cli_damped_member[] = {
 	{"over", NULL, "with --over: the key", HAWSER__AT(struct cli_damped_result, key),
 	 .flags = HAWSER__OMIT},
 	{"damped", NULL, "with --damped or --over: damped modes", HAWSER__OBJECTS_OF(row_list)},
+	{"best", NULL, "with --over, without wind: for each plane the value of the largest least damping",
+	 HAWSER__STORED_WITHIN(struct cli_damped_result, best, bests, best_field), .flags = HAWSER__OMIT},
 	{"events", NULL, "with --over, in a wind: where modes begin or cease to grow",
 	 HAWSER__OBJECTS_OF(event_list), .flags = HAWSER__OMIT},
 	HAWSER__END,
@@ -213,26 +287,40 @@ static struct cli_head head(const void *of)
 		{.scale = hawser__si, .context = result, .options = result->key ? SWEPT : SINGLE}, NULL, NULL};
 }
 
+static void over_comments(struct hawser__table *table, const struct cli_damped_result *result)
+{
+	const char *unit = unit_of(result), *blank = strcmp(unit, "1") ? " " : "";
+	const struct hawser__shown_unit shown = hawser__shown_unit(unit);
+
+	unit = *blank ? unit : "";
+	hawser__table_comment(table, "damped modes over %s, %d values (%s)", result->key,
+	                      result->sweep.points, *blank ? shown.name : "-");
+	for (int i = 0; i < result->sweep.events; i++) {
+		const struct hawser_damped_event *event = &result->sweep.event[i];
+
+		hawser__table_comment(table, "event: %s of growth at %s = %.10g%s%s, %s %d, %.6g Hz",
+		                      event->onset ? "onset" : "end", result->key, event->value, blank, unit,
+		                      hawser_plane_name(event->plane), event->number, event->frequency);
+	}
+	for (int i = 0; i < result->bests; i++) {
+		const struct cli_damped_best *best = &result->best[i];
+
+		hawser__table_comment(table, "best of these values for %s modes 1 to %d: %s = %.6g%s%s; the "
+		                      "least damped, mode %d, has %.4g %% there%s",
+		                      hawser_plane_name((enum hawser_plane)best->plane), best->modes,
+		                      result->key, best->value, blank, unit, best->number,
+		                      100.0*best->ratio,
+		                      best->end ? " (an end of the range: widen it)" : "");
+	}
+}
+
 static void comments(struct hawser__table *table, const void *of)
 {
 	const struct cli_damped_result *result = of;
 	const struct hawser_damped *state = result->sweep.state;
 
 	if (result->key) {
-		const struct hawser__shown_unit shown = hawser__shown_unit(unit_of(result));
-
-		hawser__table_comment(table, "damped modes over %s, %d values (%s)", result->key,
-		                      result->sweep.points,
-		                      strcmp(unit_of(result), "1") ? shown.name : "-");
-		for (int i = 0; i < result->sweep.events; i++) {
-			const struct hawser_damped_event *event = &result->sweep.event[i];
-			const char *unit = unit_of(result);
-
-			hawser__table_comment(table, "event: %s of growth at %s = %.10g%s%s, %s %d, %.6g Hz",
-			                      event->onset ? "onset" : "end", result->key, event->value,
-			                      strcmp(unit, "1") ? " " : "", strcmp(unit, "1") ? unit : "",
-			                      hawser_plane_name(event->plane), event->number, event->frequency);
-		}
+		over_comments(table, result);
 		return;
 	}
 	hawser__table_comment(table, "%d functions a component, time unit %.12g s", state->basis,
@@ -249,18 +337,17 @@ static void comments(struct hawser__table *table, const void *of)
 /* In per cent, or the frequency in Hz. */
 static double drawn_of(const struct hawser_damped *state, int plane, int number, int frequency)
 {
-	for (int k = 0; k < state->n; k++)
-		if ((int)state->mode[k].plane == plane && state->mode[k].number == number)
-			return frequency ? state->mode[k].omega/state->time_unit/(2.0*M_PI)
-			                 : 100.0*state->mode[k].ratio;
-	return NAN;
+	const struct hawser_damped_mode *mode = mode_of(state, plane, number);
+
+	return !mode ? NAN : frequency ? mode->omega/state->time_unit/(2.0*M_PI) : 100.0*mode->ratio;
 }
 
 /* Modes of the plane: solid; those out of it: dashed, in the same colours. */
-static void draw_curves(struct hawser__figure *figure, const struct hawser_damped_sweep *sweep,
+static void draw_curves(struct hawser__figure *figure, const struct cli_damped_result *result,
                         int frequency)
 {
 	enum { CURVES = 8 };
+	const struct hawser_damped_sweep *sweep = &result->sweep;
 	char title[40];
 
 	for (int number = 1, curves = 0; number <= sweep->state->n; number++)
@@ -278,6 +365,10 @@ static void draw_curves(struct hawser__figure *figure, const struct hawser_dampe
 			hawser__figure_draw(figure, title, "with lines lt %d%s", ++curves,
 			                    plane ? " dt (9,5)" : "");
 		}
+	for (int i = 0; i < result->bests && !frequency; i++)
+		hawser__figure_put(figure, result->best[i].value, 100.0*result->best[i].ratio);
+	if (result->bests > 0 && !frequency)
+		hawser__figure_draw(figure, "largest least damping of a plane", HAWSER__CROSSING);
 	for (int i = 0; i < sweep->events; i++)
 		hawser__figure_put(figure, sweep->event[i].value, frequency ? sweep->event[i].frequency : 0.0);
 	if (sweep->events > 0)
@@ -317,7 +408,7 @@ static enum hawser_status draw(const char *path, const void *of, struct hawser_r
 			.x = {&axis, ends[0], ends[1], .tics = 8, .logarithmic = result->range.logarithmic,
 			      .untitled = p < panels - 1},
 			.y = {&shown[p], .zero = panels == 1, .tics = 7, .room = 0.06}});
-		draw_curves(&figure, sweep, p);
+		draw_curves(&figure, result, p);
 	}
 	return hawser__figure_finish(&figure, report);
 }

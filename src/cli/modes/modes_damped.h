@@ -6,11 +6,21 @@
 #include "cli/frame/view.h"
 #include "cli/model/key_sweep.h"
 
+/* Where the least damped of modes 1 to `modes` of a plane is damped most. */
+struct cli_damped_best {
+	double value, ratio; /* of the key, in SI; of critical */
+	int plane, modes;
+	int number;          /* the least damped mode */
+	int end;             /* 1: the value is an end of the range */
+};
+
 struct cli_damped_result {
 	const struct cli_common *common;
 	struct hawser_scene scene;
 	struct hawser_damped_sweep sweep; /* without key: one point */
 	const char *key; /* NULL: none */
+	struct cli_damped_best best[2]; /* [bests] */
+	int bests;
 	struct cli_key_sweep range; /* its values, in SI; .logarithmic: of --log */
 };
 /* `over`: as key_sweep.h says, or NULL. The scene is loaded. */

@@ -19,7 +19,7 @@
 #include "output/drawing/style.h"
 #include "output/report/vtk.h"
 
-enum { PATH = 4096, DRAWN = 3 };
+enum { PATH = 4096, DRAWN = 3, TOLD = 8 }; /* probes drawn, and told in comments */
 enum { ROWS = 200 }; /* of a run without --every, as hawser_net_integrate has (net_motion.h) */
 
 struct result {
@@ -154,6 +154,29 @@ static void gather(struct result *result)
 		result->contacts.apart = fmax(result->contacts.apart, motion->apart[i]);
 }
 
+/* The range of `rows` values, `stride` apart. */
+static void range(double *low, double *high, const double *value, int rows, int stride)
+{
+	*low = INFINITY;
+	*high = -INFINITY;
+	for (int i = 0; i < rows; i++) {
+		*low = fmin(*low, value[(size_t)i*(size_t)stride]);
+		*high = fmax(*high, value[(size_t)i*(size_t)stride]);
+	}
+}
+
+static void probe_comment(struct hawser__table *table, const struct result *result, int p)
+{
+	const struct hawser_net_motion *motion = &result->motion;
+	double y[2], T[2];
+
+	range(&y[0], &y[1], &motion->x[p][1], motion->rows, 3*motion->probes);
+	range(&T[0], &T[1], &motion->T[p], motion->rows, motion->probes);
+	T[0] = T[0] > 1e-12*T[1] ? T[0] : 0.0; /* round-off of no tension */
+	hawser__table_comment(table, "%s: largest tension there %.9g to %.9g N, y %.9g to %.9g m",
+	                      result->probed.name[p], T[0], T[1], y[0], y[1]);
+}
+
 static void comments(struct hawser__table *table, const void *of)
 {
 	const struct result *result = of;
@@ -175,6 +198,8 @@ static void comments(struct hawser__table *table, const void *of)
 		hawser__table_comment(table, "fronts behind which the cable is slack: with damping.axial = "
 		                      "%.3g s, positions differ by up to %.1e m; without, their energy "
 		                      "stays in the mesh", motion->shock_axial, motion->shock);
+	for (int p = 0; p < motion->probes && p < TOLD; p++)
+		probe_comment(table, result, p);
 	cli_mesh_comment(table, &result->mesh);
 	if (result->mesh.net.surfaces)
 		hawser__table_comment(table, "contacts: penetration, and gap of what touches, at most %.1e m; "
@@ -286,42 +311,64 @@ static struct cli_head head(const void *of)
 	                   (result->motion.winches ? CLI_WINCHES : 0u));
 }
 
-/* Heights of the first probes over time, and the energies; in water the largest tensions at the probes
- * between them. */
+static const double round_off = 1e-9; /* of a value that does not change, relative; chosen */
+
+/* Probe p as a curve of a panel, if its value changes. */
+static int add_probe(struct hawser__motion_panel *panel, const char *label, int colour,
+                     const double *value, int rows)
+{
+	double low, high;
+
+	range(&low, &high, value, rows, panel->stride);
+	if (!(high - low > round_off*fmax(fabs(low), fabs(high))))
+		return 0;
+	panel->curve[panel->curves++] = (struct hawser__motion_curve){label, colour, value};
+	return 1;
+}
+
+/* Heights and largest tensions of the first probes in which they change, and the energies. */
 static enum hawser_status draw(const char *path, const void *of, struct hawser_report *report)
 {
 	const struct result *result = of;
 	const struct hawser_net_motion *motion = &result->motion;
-	const struct hawser__axis y = hawser__axis_of("Height {/:Italic y}", "m", 0.0);
-	const struct hawser__axis energy = hawser__axis_of("Energy", "J", 0.0);
-	const int wet = result->mesh.net.water.density > 0.0;
+	const int rows = motion->rows;
+	struct hawser__motion_panel height = {.axis = hawser__axis_of("Height {/:Italic y}", "m", 0.0),
+	                                      .stride = 3*motion->probes};
+	struct hawser__motion_panel tension = {.stride = motion->probes};
 	struct hawser__motions shown = {
-		motion->rows, 2 + wet, motion->time, hawser__axis_of("Time {/:Italic t}", "s", 0.0), {
-		{y, 3*motion->probes, 0, {{0}}}}};
+		.rows = rows, .time = motion->time, .axis = hawser__axis_of("Time {/:Italic t}", "s", 0.0)};
 	char label[DRAWN][3*CLI_PROBE_NAME] = {""};
-	double *sum = malloc(((size_t)motion->rows + 1)*sizeof *sum), most = 0.0;
+	double *sum = malloc(((size_t)rows + 1)*sizeof *sum), most = 0.0, low, high;
 	enum hawser_status status;
 
-	for (int p = 0; p < motion->probes && p < DRAWN && sum; p++) {
-		FILE *to = fmemopen(label[p], sizeof label[p], "w");
+	for (int p = 0, drawn = 0; p < motion->probes && drawn < DRAWN; p++) {
+		FILE *to = fmemopen(label[drawn], sizeof label[drawn], "w");
+		int any;
 
 		if (to) {
 			hawser__picture_literal(to, result->probed.name[p], 0);
 			fclose(to);
 		}
-		shown.panel[0].curve[shown.panel[0].curves++] = (struct hawser__motion_curve){
-			label[p], p + 1, &motion->x[p][1]};
-		shown.panel[1].curve[shown.panel[1].curves++] = (struct hawser__motion_curve){
-			"", p + 1, &motion->T[p]};
+		any = add_probe(&height, label[drawn], drawn + 1, &motion->x[p][1], rows);
+		any |= add_probe(&tension, label[drawn], drawn + 1, &motion->T[p], rows);
+		drawn += any;
 	}
-	for (int i = 0; i < motion->rows*motion->probes; i++)
+	for (int i = 0; i < rows*motion->probes; i++)
 		most = fmax(most, motion->T[i]);
-	shown.panel[1].axis = hawser__axis_of("Tension {/:Italic T}", "N", most);
-	shown.panel[1].stride = motion->probes;
-	shown.panel[1 + wet] = (struct hawser__motion_panel){
-		energy, 1, 3, {{"kinetic", 4, motion->kinetic}, {"potential", 5, motion->potential},
-		               {"sum", 6, sum}}};
-	for (int i = 0; i < motion->rows && sum; i++)
+	tension.axis = hawser__axis_of("Tension {/:Italic T}", "N", most);
+	if (height.curves + tension.curves == 0) /* nothing moves */
+		height.curve[height.curves++] = (struct hawser__motion_curve){
+			"the first probe, which does not move", 1, motion->x[0] + 1};
+	if (height.curves > 0)
+		shown.panel[shown.panels++] = height;
+	if (tension.curves > 0)
+		shown.panel[shown.panels++] = tension;
+	range(&low, &high, motion->kinetic, rows, 1);
+	if (high > round_off*most) /* J over N: of a motion by a nanometre */
+		shown.panel[shown.panels++] = (struct hawser__motion_panel){
+			hawser__axis_of("Energy", "J", high), 1, 3,
+			{{"kinetic", 4, motion->kinetic}, {"potential", 5, motion->potential}, {"sum", 6, sum}}};
+	for (int i = 0; i < rows && sum; i++)
 		sum[i] = motion->kinetic[i] + motion->potential[i];
 	status = sum ? hawser__plot_motions(path, &shown, report) : hawser__no_memory(report, "picture");
 	free(sum);
@@ -333,27 +380,6 @@ static const struct cli_showing showing = {.head = head, .comments = comments, .
                                            .draw = draw};
 
 /* --- the run --- */
-
-enum hawser_status cli_integrate_times(double *until, double *every, double *step,
-                                       const struct cli_integrate_net *settings, const char *kind,
-                                       struct hawser_report *report)
-{
-	const int by_error = settings->step && strcmp(settings->step, "auto") == 0;
-	enum hawser_status status;
-
-	if (!settings->until)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate", "the scene is a %s: give the "
-		                    "end of its motion, such as --until \"10 s\"", kind);
-	status = cli_quantity(until, settings->until, "s", CLI_ABOVE_ZERO, "integrate", "until", report);
-	if (!status)
-		status = cli_quantity(every, settings->every, "s", CLI_ABOVE_ZERO, "integrate", "every",
-		                      report);
-	if (by_error)
-		*step = -1.0;
-	else if (!status)
-		status = cli_quantity(step, settings->step, "s", CLI_ABOVE_ZERO, "integrate", "step", report);
-	return status;
-}
 
 static enum hawser_status options_of(struct hawser_net_motion_options *options,
                                      const struct result *result, struct hawser_report *report)

@@ -18,6 +18,8 @@
 #include "core/report.h"
 
 enum { fewest_rows = 16 };
+/* Of the largest line, a folded line that is told: as pictures show, above what leaks. Chosen. */
+static const double part_folded = 2e-4;
 
 static const char axis[] = "xyz";
 
@@ -92,6 +94,27 @@ static int equidistant(const struct cli_integrate_result *result)
 	return rows;
 }
 
+/* Look for lines of signal k above its spectrum, whose samples begin at row `first`. */
+static enum hawser_status fold(struct cli_integrate_result *result, int k, int first, double dt,
+                               struct hawser_report *report)
+{
+	const double *amplitude = result->amplitude + (size_t)k*(size_t)result->bins;
+	size_t at = (size_t)k*rows_of(result) + (size_t)first;
+	double folded, frequency, peak = 0.0;
+	enum hawser_status status = hawser_spectrum_folded(&folded, &frequency, result->value + at,
+	                                                   result->rate + at, result->window.rows, dt,
+	                                                   report);
+
+	for (int i = 1; i < result->bins; i++)
+		peak = fmax(peak, amplitude[i]);
+	if (!status && folded > part_folded*peak && folded > result->folded[1]) {
+		result->folded[0] = frequency;
+		result->folded[1] = folded;
+		result->folds = k;
+	}
+	return status;
+}
+
 static enum hawser_status spectra(struct cli_integrate_result *result,
                                   struct hawser_report *report)
 {
@@ -111,11 +134,14 @@ static enum hawser_status spectra(struct cli_integrate_result *result,
 	result->amplitude = calloc((size_t)bins*(size_t)result->signals, sizeof *result->amplitude);
 	if (!result->frequency || !result->amplitude)
 		return hawser__no_memory(report, "integrate");
-	for (k = 0; k < result->signals && !status; k++)
+	for (k = 0; k < result->signals && !status; k++) {
 		status = hawser_spectrum(result->frequency, result->amplitude + (size_t)k*(size_t)bins,
 		                         &result->bins,
 		                         result->value + (size_t)k*rows_of(result) + (all - rows),
 		                         rows, dt, report);
+		if (!status)
+			status = fold(result, k, all - rows, dt, report);
+	}
 	return status;
 }
 
@@ -277,11 +303,8 @@ static void window_comments(struct hawser__table *table, const struct cli_integr
 {
 	const struct hawser_spectrum_window *window = &result->window;
 	const char *what = result->omega > 0.0 ? "the forcing" : "the first natural frequency";
-	const struct hawser_rom *rom = &result->model->rom;
-	int k = 0;
-
-	for (int h = 0; h < rom->harmonics; h++)
-		k = rom->harmonic[h].k > k ? rom->harmonic[h].k : k;
+	const double *folded = result->folded;
+	char name[CLI_NAME_SIZE];
 
 	hawser__table_comment(table, "amplitude spectrum of the last %d rows at equal intervals, %.9g "
 	                      "periods; Hann window", window->rows, window->periods);
@@ -293,10 +316,16 @@ static void window_comments(struct hawser__table *table, const struct cli_integr
 		                      "amplitude is shown %.1e (relative) too low: give an --every of "
 		                      "which a whole number makes a period", what, fabs(window->off),
 		                      window->loss);
-	if (2.0*k*result->every > result->period)
-		hawser__table_comment(table, "harmonic %d of the forcing is above the highest frequency of the "
-		                      "spectrum, and shown at a lower one (aliasing): give an --every below "
-		                      "%.4gT", k, 0.5/k);
+	if (folded[1] > 0.0) {
+		cli_signal_name(name, result, result->folds);
+		hawser__table_comment(table, "the line of %.2g%s at %.6g%s in %s is one of a frequency "
+		                      "above the highest of the spectrum, folded down (aliasing; %.6g%s, "
+		                      "if folded once): give a smaller --every", folded[1],
+		                      cli_unit(result->model, " m"), folded[0],
+		                      cli_unit(result->model, " Hz"), name,
+		                      cli_per_omega(result->model)/result->every - folded[0],
+		                      cli_unit(result->model, " Hz"));
+	}
 }
 
 void cli_integrate_comments(struct hawser__table *table, const void *of)

@@ -46,6 +46,8 @@ struct cli_integrate_result {
 	int bins;            /* 0: not computed */
 	double *frequency;   /* [bins] Hz */
 	double *amplitude;   /* [signals][bins] m */
+	double folded[2];    /* Hz, m: where the largest line appears that is above the spectrum; 0: none */
+	int folds;           /* the signal that has it */
 };
 /* The error of the model, from the last period of the forcing, unless it is stated already. */
 enum hawser_status cli_integrate_judge(struct cli_integrate_result *result,

@@ -1,12 +1,35 @@
-/* cli/motion/probes_mesh.c - places, tensions and moments of probes in time, of nets and rods.
+/* cli/motion/probes_mesh.c - times, and places, tensions and moments of probes in time, of nets and
+ * rods.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <stdio.h>
 #include <string.h>
 
+#include "cli/frame/cli.h"
 #include "cli/motion/integrate_net.h"
 #include "core/report.h"
+
+enum hawser_status cli_integrate_times(double *until, double *every, double *step,
+                                       const struct cli_integrate_net *settings, const char *kind,
+                                       struct hawser_report *report)
+{
+	const int by_error = settings->step && strcmp(settings->step, "auto") == 0;
+	enum hawser_status status;
+
+	if (!settings->until)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate", "the scene is a %s: give the "
+		                    "end of its motion, such as --until \"10 s\"", kind);
+	status = cli_quantity(until, settings->until, "s", CLI_ABOVE_ZERO, "integrate", "until", report);
+	if (!status)
+		status = cli_quantity(every, settings->every, "s", CLI_ABOVE_ZERO, "integrate", "every",
+		                      report);
+	if (by_error)
+		*step = -1.0;
+	else if (!status)
+		status = cli_quantity(step, settings->step, "s", CLI_ABOVE_ZERO, "integrate", "step", report);
+	return status;
+}
 
 enum hawser_status cli_probes_add(const struct cli_probe_adder *by, const char *text,
                                   struct hawser_report *report)

@@ -15,6 +15,7 @@
 
 static const double lambda_taut = 0.1*M_PI, lambda_slack = 10.0*M_PI; /* B, figures 4.4 and 4.5 */
 static const double strain_most = 0.1, delta_most = 4.0;
+static const double beside = 1.25; /* ratio of the end of the range to a tension that it contains */
 enum { BISECTIONS = 60, SAMPLES = 256 };
 
 static const char *const given_names[] = {"none", "H", "T0", "T1", "length0", "sag"};
@@ -125,6 +126,7 @@ static enum hawser_status find_range(double *taut, double *slack, const struct s
 {
 	const struct hawser_span *span = sweep->span;
 	double low = log(span->rho*span->g*span->d/delta_most), high = log(strain_most*span->EA);
+	double contained = log(sweep->options->contained);
 	enum hawser_status status;
 
 	if (isinf(span->EA))
@@ -139,6 +141,10 @@ static enum hawser_status find_range(double *taut, double *slack, const struct s
 	status = find(taut, sweep, lambda_taut, low, high, report);
 	if (!status)
 		status = find(slack, sweep, lambda_slack, low, high, report);
+	if (!status && isfinite(contained)) {
+		*taut = fmax(*taut, contained + log(beside));
+		*slack = fmin(*slack, contained - log(beside));
+	}
 	if (!status && (sweep->given == HAWSER_GIVEN_T0 || sweep->given == HAWSER_GIVEN_T1))
 		status = cut_turn(slack, sweep, *taut, report);
 	if (!status && !(*slack < *taut - 0.01))

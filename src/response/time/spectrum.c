@@ -56,13 +56,19 @@ static double hann(int i, int rows)
 	return s*s;
 }
 
-static void apply_window(double *windowed, const double *samples, int rows)
+static double mean_of(const double *samples, int rows)
 {
 	double mean = 0.0;
 
 	for (int i = 0; i < rows; i++)
 		mean += hann(i, rows)*samples[i];
-	mean /= rows/2.0;
+	return mean/(rows/2.0);
+}
+
+static void apply_window(double *windowed, const double *samples, int rows)
+{
+	double mean = mean_of(samples, rows);
+
 	for (int i = 0; i < rows; i++)
 		windowed[i] = hann(i, rows)*(samples[i] - mean);
 }
@@ -101,44 +107,101 @@ struct hawser_spectrum_window hawser_spectrum_window(int most, double period)
 	return best;
 }
 
+/* Of an array of hawser__planner_array, which is freed: its transform, *line [rows/2 + 1]. */
+static enum hawser_status transform_windowed(fftw_complex **line, double *windowed, int rows,
+                                             struct hawser_report *report)
+{
+	fftw_plan plan = NULL;
+
+	*line = hawser__planner_array((size_t)rows/2 + 1, sizeof **line);
+	if (windowed && *line && !hawser__planner_begin()) {
+		plan = fftw_plan_dft_r2c_1d(rows, windowed, *line, FFTW_ESTIMATE);
+		hawser__planner_unlock();
+	}
+	if (plan) {
+		fftw_execute(plan);
+		hawser__planner_lock();
+		fftw_destroy_plan(plan);
+		hawser__planner_unlock();
+	}
+	free(windowed);
+	return plan ? HAWSER_OK : hawser__no_memory(report, WHERE);
+}
+
 enum hawser_status hawser_spectrum(double *frequency, double *amplitude, int *bins,
                                    const double *samples, int rows, double dt,
                                    struct hawser_report *report)
 {
 	enum hawser_status status = check(samples, rows, dt, report);
-	double *windowed = NULL;
 	fftw_complex *line = NULL;
-	fftw_plan plan = NULL;
+	double *windowed;
 
 	if (status)
 		return status;
-	*bins = rows/2 + 1;
 	windowed = hawser__planner_array((size_t)rows, sizeof *windowed);
-	line = hawser__planner_array((size_t)*bins, sizeof *line);
-	if (windowed && line && !hawser__planner_begin()) {
-		plan = fftw_plan_dft_r2c_1d(rows, windowed, line, FFTW_ESTIMATE);
-		hawser__planner_unlock();
-	}
-	if (!plan) {
-		status = hawser__no_memory(report, WHERE);
-		goto done;
-	}
-	apply_window(windowed, samples, rows);
-	fftw_execute(plan);
-	for (int b = 0; b < *bins; b++) {
+	if (windowed)
+		apply_window(windowed, samples, rows);
+	status = transform_windowed(&line, windowed, rows, report);
+	*bins = rows/2 + 1;
+	for (int b = 0; b < *bins && !status; b++) {
 		int alone = b == 0 || 2*b == rows; /* bins without a mirror image, bin 0 and the Nyquist
 		                                    * bin */
 
 		frequency[b] = b/(rows*dt);
 		amplitude[b] = cabs(line[b])*(alone ? 2.0 : 4.0)/rows;
 	}
-done:
-	if (plan) {
-		hawser__planner_lock();
-		fftw_destroy_plan(plan);
-		hawser__planner_unlock();
+	free(line);
+	return status;
+}
+
+/* The derivative of the windowed samples. */
+static void apply_slope(double *windowed, const double *samples, const double *rates, int rows,
+                        double dt)
+{
+	double mean = mean_of(samples, rows);
+
+	for (int i = 0; i < rows; i++)
+		windowed[i] = hann(i, rows)*rates[i] +
+		              M_PI/(rows*dt)*sin(2.0*M_PI*i/rows)*(samples[i] - mean);
+}
+
+/* A line at f above the Nyquist frequency appears at f_b = m f_s - f or f - m f_s, and its rate as
+ * that of f: the transform of the rates, less i omega_b that of the samples, is m omega_s times the
+ * line. Lines at their own frequency fall out. */
+enum hawser_status hawser_spectrum_folded(double *amplitude, double *frequency,
+                                          const double *samples, const double *rates, int rows,
+                                          double dt, struct hawser_report *report)
+{
+	enum hawser_status status = check(samples, rows, dt, report);
+	fftw_complex *line = NULL, *slope = NULL;
+	double *windowed[2];
+
+	*amplitude = *frequency = 0.0;
+	if (!status)
+		status = check(rates, rows, dt, report);
+	if (status)
+		return status;
+	windowed[0] = hawser__planner_array((size_t)rows, sizeof *windowed[0]);
+	windowed[1] = hawser__planner_array((size_t)rows, sizeof *windowed[1]);
+	if (windowed[0] && windowed[1]) {
+		apply_window(windowed[0], samples, rows);
+		apply_slope(windowed[1], samples, rates, rows, dt);
+	}
+	status = transform_windowed(&line, windowed[0], rows, report);
+	if (!status)
+		status = transform_windowed(&slope, windowed[1], rows, report);
+	else
+		free(windowed[1]);
+	for (int b = 1; 2*b < rows && !status; b++) {
+		double f = b/(rows*dt);
+		double folded = cabs(slope[b] - I*2.0*M_PI*f*line[b])*4.0/rows*dt/(2.0*M_PI);
+
+		if (folded > *amplitude) {
+			*amplitude = folded;
+			*frequency = f;
+		}
 	}
 	free(line);
-	free(windowed);
+	free(slope);
 	return status;
 }
