@@ -23,13 +23,10 @@ static double curvature(const struct hawser__lexpand *t, const struct hawser_lin
 void hawser__lexpand_arc(double derivative[2], const struct hawser__lexpand *t,
                          const struct hawser__lmode_segment *s, int i)
 {
-	const struct hawser__lmode_piece *piece = s->piece;
-	double angle, kappa = curvature(t, sheave_of(t, piece->lane, piece->sheave));
+	double kappa = curvature(t, sheave_of(t, s->piece->lane, s->piece->sheave));
 
-	hawser_line_at(t->rope->lane[piece->lane], NULL, &angle, NULL, NULL, NULL,
-	               (piece->s0 + s->grid.s[i])*t->rope->length);
-	derivative[0] = -piece->delta*sin(angle)*kappa*kappa;
-	derivative[1] = -piece->delta*cos(angle)*kappa*kappa*kappa;
+	derivative[0] = -s->piece->delta*s->sine[i]*kappa*kappa;
+	derivative[1] = -s->k[i]*kappa*kappa;
 }
 
 /* --- points of the free rope --- */

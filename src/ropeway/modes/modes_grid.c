@@ -192,13 +192,15 @@ static enum hawser_status arc_fields(struct hawser__lmode_segment *segment,
 	double **field = plane == HAWSER_IN_PLANE ? &segment->k : &segment->sb, nu2 = rope->nu*rope->nu;
 
 	*field = array(grid->points);
-	if (!*field)
+	segment->sine = array(grid->points);
+	if (!*field || !segment->sine)
 		return hawser__no_memory(report, "line modes");
 	for (int i = 0; i < grid->points; i++) {
 		double angle, T, g, curvature;
 
 		hawser_line_at(st, NULL, &angle, &T, &g, &curvature, (piece->s0 + grid->s[i])*rope->length);
 		T = T/rope->force - nu2*g; /* apparent */
+		segment->sine[i] = sin(angle);
 		if (plane == HAWSER_OUT_OF_PLANE)
 			(*field)[i] = sqrt(g/T);
 		else if (rope->options.printed)
