@@ -192,8 +192,8 @@ static enum hawser_status locate_peaks(struct hawser_landmark **peak, struct cli
 	return status;
 }
 
-/* The motion of another result with which the curve begins: FILE#LABEL, or with --over FILE of which the
- * last point goes on. NULL: none. */
+/* The motion of another result with which the curve begins: FILE#LABEL, or with --over FILE, of
+ * which the last point goes on. NULL: none. */
 static const char *given_label(const struct settings *settings)
 {
 	return settings->label ? settings->label : settings->over && settings->resume ? settings->resume

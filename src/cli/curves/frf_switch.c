@@ -379,7 +379,8 @@ enum hawser_status cli_switch_trace(struct hawser_frf *frf, const struct cli_frf
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
 		                    "--switch %s: that event is at %s = %.9g%s, which is not in the range: "
 		                    "give a range that has it", text, own ? label->over : "Omega",
-		                    at*(own ? 1.0 : cli_per_omega(model)), own ? "" : cli_unit(model, " rad/s"));
+		                    at*(own ? 1.0 : cli_per_omega(model)),
+		                    own ? "" : cli_unit(model, " rad/s"));
 	status = hawser_branch_switch(frf, &model->rom, &from, 0, options, report);
 	frf->parent = 0;
 	frf->branch = 1;

@@ -342,10 +342,11 @@ enum hawser_status cli_label_begin(struct hawser_frf_options *choice, double *al
 	int own = over && hawser_rom_autonomous(&model->rom);
 
 	if (strcmp(label->kind, "branch-point") == 0)
-		return refuse(label, text, "at a branch point two curves cross: take a label beside it, or follow "
-		              "both with --branches", report);
+		return refuse(label, text, "at a branch point two curves cross: take a label beside it, or "
+		              "follow both with --branches", report);
 	if (choice->end_at_slack && label->least <= 0.0)
-		return refuse(label, text, "there the cable is slack: take a label before, or --slack follow", report);
+		return refuse(label, text, "there the cable is slack: take a label before, or --slack follow",
+		              report);
 	if (over && (fold || label->period > 1))
 		return refuse(label, text, fold
 		              ? "at a fold the motion can't be followed in another parameter: take a label "
@@ -388,7 +389,7 @@ enum hawser_status cli_label_kept(const struct cli_label *label, const struct ha
 	if (sqrt(off) <= OFF*sqrt(size))
 		return HAWSER_OK;
 	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "label",
-	                    "--%s %s: this model has no such motion; the nearest is off by %.2g of its size: "
-	                    "its modes may have another order or sign", label->option, text,
+	                    "--%s %s: this model has no such motion; the nearest is off by %.2g of its "
+	                    "size: its modes may have another order or sign", label->option, text,
 	                    sqrt(off)/fmax(sqrt(size), 1e-300));
 }
