@@ -265,6 +265,29 @@ works "a run from such a label" frf pair.json --from 0.5 --to 2 --from-label thi
 works "a part of it" frf pair.json --from 0.5 --to 2 --label-every 0 --max-points 25 --json part.json -q
 works "goes on" frf pair.json --from 0.5 --to 2 --continue part.json --json on.json -q
 refuses 1 "--label-every -1: must be at least 0" frf pair.json --from 0.5 --to 2 --label-every -1
+# equilibria and limit cycles over a parameter
+own="$SRCDIR/tests/reference/autonomous/adaptx.json"
+works "a part of equilibria" frf "$own" --over a=1.5:0.6 --label-every 0 --max-points 30 --json own-part.json -q
+works "goes on to its end" frf "$own" --over a=1.5:0.6 --label-every 0 --continue own-part.json --json own-rest.json -q
+works "cycles from its Hopf point" frf "$own" --over a=1.5:0.6 --switch own-rest.json#1 --max-points 40 --json own-cycles.json -q
+works "go on, too" frf "$own" --over a=1.5:0.6 --continue own-cycles.json --json own-more.json -q
+works "or from a label, the other way" frf "$own" --over a=0.6:1.5 --from-label own-cycles.json#3 --json own-back.json -q
+python "the same events as in one run" <<'END'
+import sys; sys.path.insert(0, ".")
+from lib import *
+rest, cycles, more, back = map(load, ("own-rest", "own-cycles", "own-more", "own-back"))
+assert rest["points"][0]["parameter"] < 1.5 and [e["kind"] for e in rest["events"]] == ["hopf"], rest["events"]
+assert more["points"][0]["parameter"] == cycles["points"][-1]["parameter"] and more["end"] == "end of the range"
+assert [e["kind"] for e in more["events"]] == ["period-doubling"]
+assert abs(more["events"][0]["parameter"] - 0.630302006158) < 1e-9
+assert back["end"] == "hopf" and abs(back["events"][-1]["parameter"] - 1) < 1e-9
+END
+refuses 1 "--continue own-more.json: that curve is complete (end of the range): begin another one" \
+	frf "$own" --over a=1.5:0.6 --continue own-more.json
+refuses 1 "--continue own-cycles.json: that curve is over a: continue it over the same key" \
+	frf "$own" --over b=0.5:2 --continue own-cycles.json
+refuses_like 1 "no branch begins there: .* also of a Hopf point over the same parameter" \
+	frf "$own" --over a=1.5:0.6 --switch own-cycles.json#1
 works "the labels of --switch are those of the result" frf cascade.json --from 1.6 --to 0.7 --step 0.01 --label-every 0 \
 	--switch 1 --json switched.json -q
 done_testing

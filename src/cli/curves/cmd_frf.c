@@ -65,7 +65,7 @@ static const struct cli_option options[] = {
 	{"tori", 0, "", "follow quasi-periodic motions from torus points too", CLI_FLAG(tori)},
 	{"over", 0, "KEY=FROM:TO", "follow the motion in a parameter instead, at the frequency --Omega",
 	 CLI_TEXT(over),
-	 .excludes = "from, to, at, sweep, continue, backbone, beside, period, tori"},
+	 .excludes = "from, to, at, sweep, backbone, beside, period, tori"},
 	{"Omega", 0, "FREQUENCY", "frequency of the load with --over; of a limit cycle, about",
 	 CLI_TEXT(omega),
 	 .needs = "over"},
@@ -137,7 +137,7 @@ static enum hawser_status choose_start(struct hawser_frf_options *choice, struct
                                        const struct settings *settings,
                                        const struct cli_model *model, struct hawser_report *report)
 {
-	const char *path = settings->start ? settings->start : settings->resume;
+	const char *path = settings->start ? settings->start : settings->over ? NULL : settings->resume;
 	enum hawser_status status = HAWSER_OK;
 
 	if (settings->at)
@@ -192,6 +192,14 @@ static enum hawser_status locate_peaks(struct hawser_landmark **peak, struct cli
 	return status;
 }
 
+/* The motion of another result with which the curve begins: FILE#LABEL, or with --over FILE, of
+ * which the last point goes on. NULL: none. */
+static const char *given_label(const struct settings *settings)
+{
+	return settings->label ? settings->label : settings->over && settings->resume ? settings->resume
+	       : cli_switch_elsewhere(settings->switched) ? settings->switched : NULL;
+}
+
 /* The curve, from the label if there is one. */
 static enum hawser_status trace_curve(struct hawser_frf *frf, struct hawser_frf_options *choice,
                                       const struct cli_frf_result *result,
@@ -199,22 +207,23 @@ static enum hawser_status trace_curve(struct hawser_frf *frf, struct hawser_frf_
                                       struct hawser_report *report)
 {
 	const struct hawser_rom *rom = &result->model->rom;
-	double *along = settings->label ? calloc(2*(size_t)rom->n, sizeof *along) : NULL;
+	const char *from = cli_switch_elsewhere(settings->switched) ? NULL : given_label(settings);
+	double *along = from ? calloc(2*(size_t)rom->n, sizeof *along) : NULL;
 	enum hawser_status status = HAWSER_OK;
 
-	if (settings->label && !along)
+	if (from && !along)
 		return hawser__no_memory(report, "frf");
-	if (settings->label)
-		status = cli_label_begin(choice, along, label, result->over, result->model, settings->label,
+	if (from)
+		status = cli_label_begin(choice, along, label, result->over, result->model, from,
 		                         report);
 	if (!status && cli_switch_elsewhere(settings->switched))
-		status = cli_switch_trace(frf, result->model, label, choice, settings->switched, report);
+		status = cli_switch_trace(frf, result, label, choice, settings->switched, report);
 	else if (!status && label->period > 1)
 		status = hawser_branch_trace(frf, rom, label->period, choice, report);
 	else if (!status)
 		status = hawser_frf_trace(frf, rom, choice, report);
-	if (!status && settings->label)
-		status = cli_label_kept(label, frf, settings->label, report);
+	if (!status && from)
+		status = cli_label_kept(label, frf, from, report);
 	choice->along = NULL;
 	free(along);
 	return status;
@@ -279,7 +288,7 @@ static enum hawser_status trace(struct hawser_frf *frf, struct hawser_landmark *
 	else if (!automatic && !model->rom.exact)
 		choice.most_work = result->allowed;
 	status = choose_start(&choice, &last, settings, model, report);
-	if (choice.start && result->over && result->over->omega == 0.0)
+	if (settings->start && result->over && result->over->omega == 0.0)
 		choice.omega = result->over->guess > 0.0 ? result->over->guess/cli_per_omega(model)
 		                                         : HAWSER_NONE;
 	choice.progress = (struct hawser_progress){cli_watch, &watch};
@@ -356,17 +365,18 @@ static enum hawser_status open_label(struct cli_label *label, struct cli_over *o
                                      struct hawser_report *report)
 {
 	const char *text = settings->over;
+	const char *option = settings->label ? "from-label" : settings->resume ? "continue" : "switch";
 	char key[128] = "";
 	enum hawser_status status;
 
 	if (text)
 		snprintf(key, sizeof key, "%.*s", (int)strcspn(text, "="), text);
-	status = cli_label_open(label, settings->label ? "from-label" : "switch",
-	                        settings->label ? settings->label : settings->switched, text ? key : NULL,
-	                        model, &settings->common, report);
+	status = cli_label_open(label, option, given_label(settings), text ? key : NULL, model,
+	                        &settings->common, report);
 	if (status || !text)
 		return status;
-	over->omega = label->omega*cli_per_omega(model);
+	if (!hawser_rom_autonomous(&model->rom))
+		over->omega = label->omega*cli_per_omega(model);
 	if (strcmp(key, label->over) == 0)
 		over->at = label->anchor;
 	else if (model->has_scene && cli_over_needs_scene(key))
@@ -408,7 +418,7 @@ static enum hawser_status curves(const struct settings *settings, struct hawser_
 		status = cli_exact_as(&model, settings->label ? settings->label
 		                      : cli_switch_elsewhere(settings->switched) ? settings->switched
 		                      : settings->resume ? settings->resume : settings->start, report);
-	if (!status && (settings->label || cli_switch_elsewhere(settings->switched)))
+	if (!status && given_label(settings))
 		status = open_label(&label, &over, settings, &model, report);
 	if (!status)
 		status = cli_switch_period(&label, settings->period, settings->label, &model, report);

@@ -278,6 +278,10 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		                        &settings->common, report);
 	if (!status)
 		status = cli_known(&model, label.omega, report);
+	if (!status && (label.omega == 0.0 || strcmp(label.kind, "hopf") == 0))
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "orbit",
+		                      "%s is an equilibrium, which has no period: take a label of a limit "
+		                      "cycle, on a branch (hawser frf --branches 1)", settings->label);
 	orbit.k = calloc(HARMONICS, sizeof *orbit.k);
 	orbit.amplitude = calloc(HARMONICS*((size_t)model.rom.n + 1), sizeof *orbit.amplitude);
 	if (!status && (!orbit.k || !orbit.amplitude))

@@ -55,7 +55,7 @@ void cli_cover_clear(struct cli_cover *cover);
 int cli_switch_elsewhere(const char *text);
 enum hawser_status cli_switch_check(const char *text, const char *other,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
-enum hawser_status cli_switch_trace(struct hawser_frf *frf, const struct cli_model *model,
+enum hawser_status cli_switch_trace(struct hawser_frf *frf, const struct cli_frf_result *result,
                                     const struct cli_label *label,
                                     const struct hawser_frf_options *options, const char *text,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;

@@ -347,29 +347,40 @@ enum hawser_status cli_switch_period(struct cli_label *label, int period, const 
 }
 
 /* The label is a branch of one point, which is the event. */
-enum hawser_status cli_switch_trace(struct hawser_frf *frf, const struct cli_model *model,
+enum hawser_status cli_switch_trace(struct hawser_frf *frf, const struct cli_frf_result *result,
                                     const struct cli_label *label,
                                     const struct hawser_frf_options *options, const char *text,
                                     struct hawser_report *report)
 {
-	struct hawser_frf_event event = {.omega = label->omega, .located = 1,
-		.kind = strcmp(label->kind, "period-doubling") == 0 ? HAWSER_PERIOD_DOUBLING
-		                                                    : HAWSER_BRANCH_POINT};
-	struct hawser_frf_point point = {.omega = label->omega};
+	static const enum hawser_event_kind kinds[] = {HAWSER_BRANCH_POINT, HAWSER_PERIOD_DOUBLING,
+		HAWSER_HOPF};
+	const struct cli_model *model = result->model;
+	int own = result->over && hawser_rom_autonomous(&model->rom), k = 0;
+	double at = own ? label->parameter : label->omega;
+	struct hawser_frf_event event = {.omega = label->omega, .parameter = at, .located = 1,
+		.hopf.omega = label->omega};
+	struct hawser_frf_point point = {.omega = label->omega, .parameter = at};
 	const struct hawser_frf from = {.n = model->rom.n, .points = 1, .point = &point,
-		.state = label->state, .period = label->period, .branch = 1, .events = 1, .event = &event};
+		.state = label->state, .period = label->period, .branch = 1, .events = 1, .event = &event,
+		.event_state = label->state};
 	enum hawser_status status;
 
-	if (strcmp(label->kind, hawser_event_name(event.kind)) != 0 || *label->over)
+	while (k < 2 + own && strcmp(label->kind, hawser_event_name(kinds[k])) != 0)
+		k++;
+	if (k == 2 + own || strcmp(label->over, own ? result->over->axis.key : "") != 0)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
 		                    "--switch %s: no branch begins there: give the label of a period doubling "
-		                    "or a branch point of a response over the frequency", text);
-	if (!(label->omega >= fmin(options->from, options->to) &&
-	      label->omega <= fmax(options->from, options->to)))
+		                    "or a branch point of a response over the frequency, or, of a model that "
+		                    "nothing excites, also of a Hopf point over the same parameter", text);
+	event.kind = kinds[k];
+	if (event.kind == HAWSER_HOPF)
+		point.omega = 0.0;
+	if (!(at >= fmin(options->from, options->to) && at <= fmax(options->from, options->to)))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
-		                    "--switch %s: that event is at Omega = %.9g%s, which is not in the range: "
-		                    "give a range that has it", text, label->omega*cli_per_omega(model),
-		                    cli_unit(model, " rad/s"));
+		                    "--switch %s: that event is at %s = %.9g%s, which is not in the range: "
+		                    "give a range that has it", text, own ? label->over : "Omega",
+		                    at*(own ? 1.0 : cli_per_omega(model)),
+		                    own ? "" : cli_unit(model, " rad/s"));
 	status = hawser_branch_switch(frf, &model->rom, &from, 0, options, report);
 	frf->parent = 0;
 	frf->branch = 1;

@@ -7,6 +7,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -71,10 +72,14 @@ static json_t *find_in(const json_t *branch, int label, int *most)
 /* *branch: that of the label. */
 static json_t *find(const json_t *root, const json_t **branch, int label, int *most)
 {
-	json_t *found = find_in(root, label, most), *other, *one;
+	json_t *found = find_in(root, label, most), *other, *one, *points;
 	size_t i;
 
 	*branch = root;
+	if (label == CLI_LABEL_LAST) {
+		points = json_object_get(root, "points");
+		return json_array_get(points, json_array_size(points) - 1);
+	}
 	json_array_foreach(json_object_get(root, "branches"), i, other) {
 		one = find_in(other, label, most);
 		if (one) {
@@ -107,7 +112,7 @@ static enum hawser_status read_label(struct cli_label *label, const json_t *root
 	int most = 0, n = model->rom.n;
 
 	row = find(root, &branch, label->number, &most);
-	if (!row && most == 0)
+	if (!row && (most == 0 || label->number == CLI_LABEL_LAST))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "label",
 		                    "--%s %s: that is no result of hawser frf with labels, as --json writes it",
 		                    option, text);
@@ -129,7 +134,8 @@ static enum hawser_status read_label(struct cli_label *label, const json_t *root
 	label->least = strcmp(label->kind, "slack") == 0 ? 0.0 : number(tension, "min");
 	label->period = json_is_integer(json_object_get(branch, "period"))
 	                ? (int)json_integer_value(json_object_get(branch, "period")) : 1;
-	if (!(label->omega > 0.0) || label->period < 1 || (*label->over && !isfinite(label->parameter)))
+	if (!(label->omega > 0.0 || (label->omega == 0.0 && hawser_rom_autonomous(&model->rom))) ||
+	    label->period < 1 || (*label->over && !isfinite(label->parameter)))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "label",
 		                    "--%s %s: that result is damaged: this label has no frequency, period or "
 		                    "parameter", option, text);
@@ -214,6 +220,28 @@ static enum hawser_status check(const struct cli_label *label, const json_t *roo
 	                      text, model->has_scene ? "scene" : "model", found);
 }
 
+/* A curve that can be continued: over the same key, and not complete. */
+static enum hawser_status check_last(struct cli_label *label, const json_t *root, const char *text,
+                                     const char *over, struct hawser_report *report)
+{
+	static const enum hawser_frf_end cut[] = {HAWSER_END_MAX_POINTS, HAWSER_END_INTERRUPTED,
+		HAWSER_END_FAILED, HAWSER_END_WORK, HAWSER_END_LOST, HAWSER_END_UNSTABLE};
+	char end[64];
+	int goes_on = 0;
+
+	text_of(end, sizeof end, root, "end");
+	label->direction = number(root, "direction") < 0.0 ? -1 : 1;
+	for (size_t i = 0; i < sizeof cut/sizeof *cut; i++)
+		goes_on |= strcmp(end, hawser_frf_end_name(cut[i])) == 0;
+	if (!over || strcmp(over, label->over) != 0)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "label",
+		                    "--continue %s: that curve is over %s: continue it over the same key", text,
+		                    *label->over ? label->over : "Omega");
+	return goes_on ? HAWSER_OK
+	       : hawser__fail(report, HAWSER_ERR_ARGUMENT, "label",
+	                      "--continue %s: that curve is complete (%s): begin another one", text, end);
+}
+
 enum hawser_status cli_label_open(struct cli_label *label, const char *option, const char *text,
                                   const char *over, const struct cli_model *model,
                                   const struct cli_common *common, struct hawser_report *report)
@@ -222,7 +250,12 @@ enum hawser_status cli_label_open(struct cli_label *label, const char *option, c
 	json_t *root = NULL;
 	enum hawser_status status;
 
-	*label = (struct cli_label){.number = cli_label_split(path, sizeof path, text)};
+	*label = (struct cli_label){.number = cli_label_split(path, sizeof path, text),
+		.option = option};
+	if (strcmp(option, "continue") == 0) {
+		snprintf(path, sizeof path, "%s", text);
+		label->number = CLI_LABEL_LAST;
+	}
 	if (label->number == 0)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "label",
 		                    "--%s %s: write FILE#LABEL, with a label of that result", option, text);
@@ -236,6 +269,8 @@ enum hawser_status cli_label_open(struct cli_label *label, const char *option, c
 		status = hawser__no_memory(report, "label");
 	if (!status)
 		status = read_label(label, root, option, text, model, report);
+	if (!status && label->number == CLI_LABEL_LAST)
+		status = check_last(label, root, text, over, report);
 	if (!status)
 		status = check(label, root, option, text, over, model, common, report);
 	json_decref(root);
@@ -292,9 +327,10 @@ void cli_label_clear(struct cli_label *label)
 
 /* --- begin there --- */
 
-static enum hawser_status refuse(const char *text, const char *why, struct hawser_report *report)
+static enum hawser_status refuse(const struct cli_label *label, const char *text, const char *why,
+                                 struct hawser_report *report)
 {
-	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "label", "--from-label %s: %s", text, why);
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "label", "--%s %s: %s", label->option, text, why);
 }
 
 enum hawser_status cli_label_begin(struct hawser_frf_options *choice, double *along,
@@ -303,27 +339,34 @@ enum hawser_status cli_label_begin(struct hawser_frf_options *choice, double *al
                                    struct hawser_report *report)
 {
 	int fold = strcmp(label->kind, "fold") == 0, up = choice->to > choice->from;
+	int own = over && hawser_rom_autonomous(&model->rom);
 
 	if (strcmp(label->kind, "branch-point") == 0)
-		return refuse(text, "at a branch point two curves cross: take a label beside it, or follow "
-		              "both with --branches", report);
+		return refuse(label, text, "at a branch point two curves cross: take a label beside it, or "
+		              "follow both with --branches", report);
 	if (choice->end_at_slack && label->least <= 0.0)
-		return refuse(text, "there the cable is slack: take a label before, or --slack follow", report);
+		return refuse(label, text, "there the cable is slack: take a label before, or --slack follow",
+		              report);
 	if (over && (fold || label->period > 1))
-		return refuse(text, fold
+		return refuse(label, text, fold
 		              ? "at a fold the motion can't be followed in another parameter: take a label "
 		                "beside it"
 		              : "a motion of several periods of the load is followed over the frequency only",
 		              report);
 	choice->start = label->state;
+	choice->direction = label->direction;
+	if (own && strcmp(label->kind, "hopf") != 0) /* there it is the equilibrium */
+		choice->omega = label->omega;
 	choice->begin = !over ? label->omega : strcmp(over->axis.key, label->over) == 0 ? label->parameter
 	                : present(over->axis.key, model);
 	if (!(choice->begin >= fmin(choice->from, choice->to) &&
 	      choice->begin <= fmax(choice->from, choice->to)))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "label",
-		                    "--from-label %s: that motion is at %s = %.9g, which is not in the range: "
-		                    "give a range that has it", text, over ? over->axis.key : "Omega",
+		                    "--%s %s: that motion is at %s = %.9g, which is not in the range: give a "
+		                    "range that has it", label->option, text, over ? over->axis.key : "Omega",
 		                    choice->begin*(over ? 1.0 : cli_per_omega(model)));
+	if (own && choice->begin == 0.0) /* which would be the end of the range */
+		choice->begin = DBL_MIN;
 	for (int i = 0; fold && i < 2*model->rom.n; i++)
 		along[i] = (up ? ASIDE : -ASIDE)*label->state[i];
 	choice->along = fold ? along : NULL;
@@ -338,7 +381,7 @@ enum hawser_status cli_label_kept(const struct cli_label *label, const struct ha
 	if (frf->points < 1 || strcmp(frf->method, "multiple-scales") == 0)
 		return HAWSER_OK;
 	for (int i = 0; i < 2*frf->n; i++) {
-		double weight = i < frf->n ? 1.0 : 1.0/label->omega;
+		double weight = i < frf->n || label->omega == 0.0 ? 1.0 : 1.0/label->omega;
 
 		off += pow(weight*(frf->state[i] - label->state[i]), 2.0);
 		size += pow(weight*label->state[i], 2.0);
@@ -346,7 +389,7 @@ enum hawser_status cli_label_kept(const struct cli_label *label, const struct ha
 	if (sqrt(off) <= OFF*sqrt(size))
 		return HAWSER_OK;
 	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "label",
-	                    "--from-label %s: this model has no such motion; the nearest is off by %.2g of "
-	                    "its size: its modes may have another order or sign", text,
+	                    "--%s %s: this model has no such motion; the nearest is off by %.2g of its "
+	                    "size: its modes may have another order or sign", label->option, text,
 	                    sqrt(off)/fmax(sqrt(size), 1e-300));
 }

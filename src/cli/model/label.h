@@ -6,14 +6,18 @@
 #include "cli/curves/frf_over.h"
 #include "cli/frame/cli.h"
 
+enum { CLI_LABEL_LAST = -1 };
+
 /* A motion of an earlier result, in the present model's scale. */
 struct cli_label {
 	double *state;  /* [2n] u then u' at the start of a period */
-	double omega;   /* frequency of the load */
+	double omega;   /* frequency of the load, or of a cycle; 0: an equilibrium */
 	double parameter, anchor; /* of a result with --over: its value there; at the start of that curve */
-	int number, period; /* label; periods of the load in one of the motion */
+	int number, period; /* label, or CLI_LABEL_LAST; periods of the load in one of the motion */
+	int direction;  /* of the last point of a curve: 1: the parameter increases, -1; else 0 */
 	char kind[24];  /* of an event; "" of a point */
 	char over[96];  /* key of that result's --over, or "" */
+	const char *option; /* by which it was given */
 	double least;   /* least tension, N; NAN: not known */
 };
 
@@ -29,7 +33,7 @@ int cli_label_plain(const struct hawser_frf *frf, const struct cli_model *model)
 /* Split FILE#LABEL, into path [size]. Returns the label, or 0 if the text has none. */
 int cli_label_split(char *path, size_t size, const char *text);
 
-/* Read text, which is FILE#LABEL, given with `option`; the result must be of this model, but for the
+/* Read text, which is FILE#LABEL, given with `option`, or FILE for its last point (option continue); the result must be of this model, but for the
  * value of the key `over` (or NULL). Release by cli_label_clear. HAWSER_ERR_ARGUMENT. */
 enum hawser_status cli_label_open(struct cli_label *label, const char *option, const char *text,
                                   const char *over, const struct cli_model *model,
