@@ -10,9 +10,10 @@ from __future__ import annotations
 import ctypes
 import signal
 import subprocess
+import sys
 import threading
 from contextlib import contextmanager
-from typing import Any, Callable, Iterator, List, Optional
+from typing import Any, Callable, Iterator, List, Optional, Union
 
 from ._library import call, struct
 
@@ -76,9 +77,51 @@ def call_apart(name: str, *arguments: Any) -> None:
         raise failures[0]
 
 
-def communicate(process: "subprocess.Popen[str]", timeout: Optional[float]) -> "tuple[str, str, Optional[BaseException]]":
-    """The output of the program, and KeyboardInterrupt if Ctrl-C was pressed. The program is then asked to end with what it
-    has, which takes it less than a second."""
+Progress = Union[bool, Callable[[str], Any], None]
+_MARK = "\x1b[K"  # before a line of progress
+
+
+class _Follower(threading.Thread):
+    """Reads what the program writes to standard error: lines of progress are shown, others kept."""
+
+    def __init__(self, stream: Any, progress: Progress) -> None:
+        super().__init__(daemon=True)
+        self.stream, self.progress, self.said, self.shown = stream, progress, "", 0
+
+    def run(self) -> None:
+        for line in self.stream:
+            if not line.startswith(_MARK):
+                self.said += line.lstrip("\n")
+            elif callable(self.progress):
+                self.progress(line[len(_MARK):].rstrip())
+            else:
+                self.show(line[len(_MARK):].rstrip())
+        if self.shown:
+            self.show("")
+        self.stream.close()
+
+    def show(self, text: str) -> None:
+        """On the line of the last one: in a terminal, and below a cell of a notebook."""
+        sys.stderr.write("\r" + text.ljust(self.shown) + ("" if text else "\r"))
+        sys.stderr.flush()
+        self.shown = len(text)
+
+
+def communicate(process: "subprocess.Popen[str]", timeout: Optional[float],
+                progress: Progress) -> "tuple[str, str, Optional[BaseException]]":
+    """The output of the program, and KeyboardInterrupt if Ctrl-C was pressed."""
+    if not progress:
+        return _communicate(process, timeout)
+    follower = _Follower(process.stderr, progress)
+    process.stderr = None
+    follower.start()
+    out, _, stop = _communicate(process, timeout)
+    follower.join()
+    return out, follower.said, stop
+
+
+def _communicate(process: "subprocess.Popen[str]", timeout: Optional[float]) -> "tuple[str, str, Optional[BaseException]]":
+    """The program is asked to end with what it has if Ctrl-C is pressed, which takes it less than a second."""
     try:
         return (*process.communicate(timeout=timeout), None)
     except KeyboardInterrupt as stop:

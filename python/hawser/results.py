@@ -16,7 +16,7 @@ from typing import Any, Dict, List, Mapping, Optional, Union
 import numpy as np
 
 from . import scenes
-from ._interrupts import communicate
+from ._interrupts import Progress, communicate
 from ._library import program
 from .errors import Status, error, exit_error
 
@@ -228,16 +228,18 @@ class Result:
 
 
 def run(command: str, scene: Union[scenes.SceneLike, None] = None, *more: str,
-        set: Optional[Mapping[str, Any]] = None, timeout: Optional[float] = None, **options: Any) -> Result:
+        set: Optional[Mapping[str, Any]] = None, timeout: Optional[float] = None, progress: Progress = None,
+        **options: Any) -> Result:
     """Run `hawser COMMAND SCENE`. The scene is a file or a nested dict; `set` overrides keys ({"tension.T0": "90 kN"}).
     Options are those of the program, with _ for - and a _ behind Python's own words: run("frf", scene,
-    from_="0.9w1", to="1.1w1", n=5). A failure is a hawser.Error with the program's message; Ctrl-C raises KeyboardInterrupt,
+    from_="0.9w1", to="1.1w1", n=5). With `progress` a line says how far a long computation is, rewritten in a terminal or below
+    the cell of a notebook; a function is called with its text. A failure is a hawser.Error with the program's message; Ctrl-C raises KeyboardInterrupt,
     whose attribute `partial` is the result so far of commands that have one (frf, folds, integrate, map ...)."""
-    return _run(command, scene, list(more), set, timeout, options, [])
+    return _run(command, scene, list(more), set, timeout, options, [], progress)
 
 
 def _run(command: str, scene: Optional[scenes.SceneLike], more: List[str], set: Optional[Mapping[str, Any]],
-         timeout: Optional[float], options: Mapping[str, Any], last: List[str]) -> Result:
+         timeout: Optional[float], options: Mapping[str, Any], last: List[str], progress: Progress = None) -> Result:
     words = command.split()
     with tempfile.TemporaryDirectory(prefix="hawser-") as folder, scenes.as_file(scene or "") as path:
         data, table = (pathlib.Path(folder) / name for name in ("result.json", "result.tsv"))
@@ -246,7 +248,7 @@ def _run(command: str, scene: Optional[scenes.SceneLike], more: List[str], set: 
             arguments += ["--set", change]
         if command not in _TEXT:
             arguments += ["--quiet", "--json", str(data), "--tsv", str(table)]
-        code, text, said, stop = _start(arguments + last, timeout)
+        code, text, said, stop = _start(arguments + last, timeout, progress)
         if code and not data.is_file():
             raise stop or _failure(code, said or text)
         whole = data.read_text(encoding="utf-8") if data.is_file() else text if command == "schema" else ""
@@ -261,12 +263,13 @@ def _run(command: str, scene: Optional[scenes.SceneLike], more: List[str], set: 
     return result
 
 
-def _start(arguments: List[str], timeout: Optional[float]) -> "tuple[int, str, str, Optional[BaseException]]":
+def _start(arguments: List[str], timeout: Optional[float],
+           progress: Progress) -> "tuple[int, str, str, Optional[BaseException]]":
     """Exit status and output of the program, and KeyboardInterrupt if Ctrl-C ended it."""
     process = subprocess.Popen([program()] + arguments, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                               text=True, encoding="utf-8", errors="replace", env={**os.environ, "NO_COLOR": "1"},
+                               text=True, encoding="utf-8", errors="replace", env={**os.environ, "NO_COLOR": "1", **({"HAWSER_PROGRESS": "lines"} if progress else {})},
                                start_new_session=True)  # for a second signal, from the terminal, would end it without a result
-    out, said, stop = communicate(process, timeout)
+    out, said, stop = communicate(process, timeout, progress)
     return process.returncode, out, said, stop
 
 

@@ -8,6 +8,7 @@ import warnings
 from typing import Any, List, Mapping, Optional, Sequence
 
 from . import scenes
+from ._interrupts import Progress
 from .errors import Status, error
 from .results import Result, _options, _run
 
@@ -24,12 +25,12 @@ def _values(key: str, values: Any) -> str:
 
 def sweep(scene: scenes.SceneLike, over: Mapping[str, Any], command: str = "statics", keep: Optional[Sequence[str]] = None,
           rows: Optional[str] = None, grid: bool = False, set: Optional[Mapping[str, Any]] = None,
-          threads: Optional[int] = None, **options: Any) -> Any:
+          threads: Optional[int] = None, progress: Progress = None, **options: Any) -> Any:
     """Run a command for each combination of values, {"tension.T0": "60 kN:100 kN:9", "cable.rho": [5, 6]}, and return a pandas
     frame of the varied keys, the exit status and the results that are kept; its `attrs` have the units of the columns and the
     failures, each with its message, of which a warning tells. `rows` chooses the rows of a variation ("values", "table", "peaks" ...), as hawser-sweep(1)
-    says. With `grid` an xarray dataset whose dimensions are the keys. Further options are those of the command."""
-    result = run_sweep(scene, over, command, keep, rows, set, threads, options)
+    says. With `grid` an xarray dataset whose dimensions are the keys; `progress` as in hawser.run. Further options are those of the command."""
+    result = run_sweep(scene, over, command, keep, rows, set, threads, options, progress)
     frame = result.frame()
     frame.attrs = {"units": {name: result.unit(name) for name in result.names}, "failures": result.json["failures"]}
     if frame.attrs["failures"]:
@@ -39,12 +40,12 @@ def sweep(scene: scenes.SceneLike, over: Mapping[str, Any], command: str = "stat
 
 def run_sweep(scene: scenes.SceneLike, over: Mapping[str, Any], command: str, keep: Optional[Sequence[str]],
               rows: Optional[str], set: Optional[Mapping[str, Any]], threads: Optional[int],
-              options: Mapping[str, Any]) -> Result:
+              options: Mapping[str, Any], progress: Progress = None) -> Result:
     """The same as a Result, which has a picture."""
     kept = [keep] if isinstance(keep, str) else keep
     own = {"over": [_values(key, values) for key, values in over.items()], "keep": ",".join(kept) if kept else None,
            "rows": rows, "j": threads}
-    return _run("sweep", scene, [], set, None, own, ["--"] + command.split() + _options(options))
+    return _run("sweep", scene, [], set, None, own, ["--"] + command.split() + _options(options), progress)
 
 
 def _grid(result: Result, frame: Any) -> Any:

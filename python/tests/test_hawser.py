@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 """
 import gc
 import os
+import re
 
 import numpy as np
 import pytest
@@ -146,7 +147,9 @@ def test_commands_that_write_text(tmp_path, scenes):
 def test_sweeps_are_frames_and_grids(scenes):
     pytest.importorskip("pandas")
     over = {"tension.T0": "60 kN:100 kN:3", "cable.rho": ["5 kg/m", "6 kg/m"]}
-    frame = hawser.sweep(SPAN, over, "statics", keep=["sag", "H"])
+    lines = []
+    frame = hawser.sweep(SPAN, over, "statics", keep=["sag", "H"], progress=lines.append)
+    assert lines and re.fullmatch(r"sweep: \d+ %, \d+ of about 6 variations.*", lines[0])
     assert list(frame.columns) == ["tension.T0_kN", "cable.rho_kg_m", "status", "sag_m", "H_N"] and len(frame) == 6
     assert frame.attrs["units"]["sag_m"] == "m" and frame.attrs["failures"] == []
     alone = hawser.run("statics", SPAN, set={"tension.T0": "80 kN"}).json["sag"]

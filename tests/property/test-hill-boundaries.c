@@ -191,6 +191,30 @@ static void close_chart(struct chart *chart)
 	hawser_rom_clear(&chart->rom);
 }
 
+/* Of a search: calls until it ends. */
+static int end_later(void *left, const struct hawser_progress_state *state)
+{
+	(void)state;
+	return --*(int *)left <= 0;
+}
+
+/* Ended early: no failure, what was found so far, and not much more work. */
+static void check_end(const struct chart *chart)
+{
+	struct hawser_hill_options options = chart->options;
+	for (int calls = 1; calls < 200; calls *= 12) {
+		struct hawser_hill_chart ended;
+		int left = calls, failed;
+
+		options.progress = (struct hawser_progress){end_later, &left};
+		failed = hawser_hill_trace(&ended, &chart->field, &options, NULL) != HAWSER_OK;
+		ok(!failed && ended.interrupted && ended.boundaries <= chart->own.boundaries &&
+		   ended.evaluations < chart->own.evaluations, "ended by call %d: %d boundaries, %ld "
+		   "evaluations", calls, ended.boundaries, ended.evaluations);
+		hawser_hill_clear(&ended);
+	}
+}
+
 static void compare(enum kind kind, int n)
 {
 	/* multipliers that coincide at +-1 or on the circle move with the square root of a distance */
@@ -200,6 +224,8 @@ static void compare(enum kind kind, int n)
 	struct chart chart;
 	int failed = open_chart(&chart, kind, n, 1.0, 5.3, 2, 60, 0.02);
 
+	if (!failed)
+		check_end(&chart);
 	plain = chart.field;
 	plain.model = NULL;
 	plain.prepare = NULL;

@@ -4,6 +4,7 @@
 
 #include <signal.h>
 #include <stdarg.h>
+#include <stdlib.h>
 #include <string.h>
 #include <time.h>
 #include <unistd.h>
@@ -12,7 +13,7 @@
 #include "cli/frame/progress.h"
 
 enum { LINE_SIZE = 200 };
-static const double interval_secs = 0.1;
+static const double interval_secs = 0.1, line_secs = 0.5; /* of a line that is rewritten, or kept */
 static volatile sig_atomic_t asked;
 
 static void ask(int number)
@@ -49,6 +50,15 @@ double cli_processor_seconds(void)
 	return seconds(CLOCK_THREAD_CPUTIME_ID);
 }
 
+/* Whether another program reads the lines: each is kept, and the mark of one that is rewritten tells it
+ * from messages. */
+static int in_lines(void)
+{
+	const char *how = getenv("HAWSER_PROGRESS");
+
+	return how && strcmp(how, "lines") == 0;
+}
+
 /* Whether a line is due, and its end: a line requested by a signal is kept. */
 static int due(struct cli_progress *progress, const char **end)
 {
@@ -60,18 +70,19 @@ static int due(struct cli_progress *progress, const char **end)
 		*end = "\n";
 		return 1;
 	}
-	if (progress->quiet || !isatty(STDERR_FILENO))
+	if (!in_lines() && (progress->quiet || !isatty(STDERR_FILENO)))
 		return 0;
 	now = cli_seconds();
-	if (now - progress->last < interval_secs)
+	if (now - progress->last < (in_lines() ? line_secs : interval_secs))
 		return 0;
+	*end = in_lines() ? "\n" : "";
 	progress->last = now;
 	return 1;
 }
 
 static void show(struct cli_progress *progress, const char *text, const char *end)
 {
-	if (progress->shown || !*end)
+	if (progress->shown || !*end || in_lines())
 		fputs("\r\033[K", stderr);
 	progress->shown = !*end;
 	fputs(text, stderr);

@@ -6,12 +6,15 @@
 #include <math.h>
 
 #include "cli/modes/campbell_result.h"
+#include "core/append.h"
 #include "core/report.h"
 #include "output/drawing/figure.h"
 
 #define EXCITATION "with lines lt 7 lw 0.7 dt (3,4)"
 #define LIMIT "lc rgb '#909090' lw 1.2 dt (8,5)"
 enum { COLOURS = 6 };
+/* Of the largest imaginary part: where the numbers of the excitation are, and where the panel ends. */
+static const double numbers = 1.05, roof = 1.12;
 
 /* One plane: branches first..end-1. */
 struct column {
@@ -48,6 +51,8 @@ static void measure(struct drawing *of)
 	of->real = of->low < 0.0 || of->high > 0.0;
 	of->from = campbell->station[0].speed;
 	of->to = campbell->criticals ? campbell->limit : campbell->station[campbell->stations - 1].speed;
+	if (!of->real)
+		hawser__append(of->im.title, sizeof of->im.title, "; ", "all real parts 0");
 	of->tics = campbell->in_plane > 0 && campbell->in_plane < campbell->branches &&
 	           of->to - of->from < 0.05*of->to ? 4 : 8;
 }
@@ -79,7 +84,7 @@ static void draw_excitation(struct drawing *of)
 
 	for (int n = 1; n <= of->result->harmonics; n++) {
 		double slope = cli_campbell_in_unit(of->result, n*2.0*M_PI/of->result->spacing);
-		double speed = fmin(0.97*last, 0.94*1.04*of->top/slope);
+		double speed = fmin(0.97*last, numbers*of->top/slope);
 
 		hawser__figure_label(&of->figure, speed, slope*speed, "right offset -0.5,0.3 font ',9'",
 		                     "%d", n);
@@ -116,9 +121,8 @@ static void draw_column(struct drawing *of, const struct column *column)
 
 	hawser__figure_panel(&of->figure, &(struct hawser__panel_frame){column->left, column->right,
 		of->real ? 0.44 : 0.31, 0.94, .x = speed,
-		.y = {&of->im, 0.0, 1.04*of->top, .tics = 9, .untitled = beside}});
-	fprintf(of->figure.out.script, "set label '%s%s' at graph 0.5,1.04 center\n", column->title,
-	        of->real ? "" : ", no damping: all real parts 0");
+		.y = {&of->im, 0.0, roof*of->top, .tics = 9, .untitled = beside}});
+	fprintf(of->figure.out.script, "set label '%s' at graph 0.5,1.04 center\n", column->title);
 	draw_branches(of, column, of->result->campbell.im);
 	draw_excitation(of);
 	for (int veers = 0; veers < 2 && !beside; veers++)

@@ -90,7 +90,8 @@ static void search(struct hawser__hill *hill, const struct hawser__hill_line *li
 			         sign*next > fabs(*g))
 				hawser__hill_between(hill, kind, line, (i - 1)*ds, (i + 1)*ds, sign);
 		}
-	hawser__hill_ridges(hill, line);
+	if (!hill->chart->interrupted)
+		hawser__hill_ridges(hill, line);
 }
 
 static void all_lines(struct hawser__hill *hill, double *g)
@@ -105,7 +106,7 @@ static void all_lines(struct hawser__hill *hill, double *g)
 		                                     hill->options->samples, g};
 
 		search(hill, &across);
-		if (!hill->status)
+		if (!hill->status && !hill->chart->interrupted)
 			search(hill, &up);
 	}
 }

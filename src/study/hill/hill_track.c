@@ -74,6 +74,17 @@ static enum hawser_status passed(struct hawser__hill *hill, struct hawser__hill_
 	return status;
 }
 
+/* Whether the caller has ended the search, which the first thread asks at each point. */
+static int interrupted(struct hawser__hill *hill, const struct hawser__hill_worker *worker)
+{
+	struct hawser_hill_chart *chart = hill->chart;
+
+	if (worker->number != 0 || !chart)
+		return 0;
+	chart->interrupted |= hawser__hill_told_to_stop(hill->options, chart->boundaries, 0, hill->began);
+	return chart->interrupted;
+}
+
 enum hawser_status hawser__hill_multipliers(struct hawser__hill *hill,
                                             struct hawser__hill_worker *worker,
                                             const double at[2], int rough)
@@ -83,8 +94,8 @@ enum hawser_status hawser__hill_multipliers(struct hawser__hill *hill,
 	double xy[2], omega;
 	enum hawser_status status;
 
-	if (worker->status)
-		return worker->status;
+	if (worker->status || interrupted(hill, worker))
+		return worker->status ? worker->status : HAWSER_ERR_CONVERGENCE;
 	worker->evaluations++;
 	worker->m = field->m;
 	if (rough && worker->linear) {
@@ -109,8 +120,8 @@ enum hawser_status hawser__hill_exponents(struct hawser__hill *hill,
 	double omega;
 	int m;
 
-	if (worker->status)
-		return worker->status;
+	if (worker->status || interrupted(hill, worker))
+		return worker->status ? worker->status : HAWSER_ERR_CONVERGENCE;
 	worker->evaluations++;
 	worker->m = hill->field->m;
 	status = passed(hill, worker, model_of(&rom, &omega, hill, worker, at));
