@@ -34,6 +34,7 @@ struct hawser_net_node {
 	unsigned char held[3]; /* 1 if a support holds this direction */
 	int support;        /* 1 if the scene names it in `supports` */
 	double mass;        /* kg */
+	double hung, hanger; /* kg, m: of the scene, which is read as a node and a cable of their own */
 	struct hawser_water_buoy buoy; /* its mass is in `mass` too */
 	double damper[3];   /* N s/m, to the ground, along x, y, z */
 	double spring[3];   /* N/m, to the ground, without force in the equilibrium */

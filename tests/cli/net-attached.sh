@@ -83,6 +83,33 @@ omega = sorted(rom["K"][i][i]**0.5/rom["scale"]["time"] for i in range(8))
 span = [q["omega"] for q in json.load(open("span.json"))["modes"]]
 assert max(abs(a/b - 1) for a, b in zip(omega[:3], span)) < 2e-8, (omega, span)
 END
+# A carrier as a pendulum beside a mass on the rope, by its key, and as a node on a short stiff cable.
+sed '/^springs/,$d' net.yaml >bare.yaml
+{ cat bare.yaml; echo 'masses: {J: {mass: 320 kg, hanger: 1.7 m}}'; } >hangs.yaml
+sed 's/J: {}/J: {}, M: {}/; s/^supports/  - {name: h, from: J, to: M, EA: 4 GN, rho: 0, length0: 1.7 m, elements: 1}\n&/' bare.yaml >cable.yaml
+echo 'masses: {M: 320 kg}' >>cable.yaml
+works "a pendulum" modes hangs.yaml -n 6 --json hangs.json -q
+works "  on a cable" modes cable.yaml -n 6 --json cable.json -q
+works "  between strings" modes two.yaml -n 2 --set g=9.81 --set "masses={J: {mass: 11 kg, hanger: 2.385 m}}" --json strings.json -q \
+	--set absorbers= --set springs= --set dampers=
+python "is one" <<'END'
+import json
+key, cable = ([q["omega"] for q in json.load(open(n + ".json"))["modes"]] for n in ("hangs", "cable"))
+assert max(abs(a/b - 1) for a, b in zip(key, cable)) < 1e-6, (key, cable)
+# a rope's point without mass: the springs 2 T/l and m g/L behind each other; T by bisection on the sag
+low, high = 0.0, 10.0
+for _ in range(100):
+    sag = (low + high)/2
+    l = (40**2 + sag**2)**0.5
+    T = 1e6*(l/39.2 - 1)
+    low, high = (sag, high) if 2*T*sag/l < 11*9.81 else (low, sag)
+aside = (1/(1/(2*T/l) + 1/(11*9.81/2.385))/11)**0.5
+omega = json.load(open("strings.json"))["modes"][0]["omega"]
+assert abs(omega/aside - 1) < 1e-6, (omega, aside)
+END
+denies "a pendulum without weight" 1 "g is 0, and a mass on a hanger is a pendulum by its weight" check hangs.yaml --set g=0
+denies "with a name that is taken" 1 "its hanger makes the node J_load and the cable J_hanger, whose names are taken" check hangs.yaml \
+	--set cables.c1.name=J_hanger
 denies "an absorber without a spring" 1 "absorbers\[0\] needs stiffness or frequency, and not both" check net.yaml \
 	--set 'absorbers=[{at: J, mass: 3}]'
 denies "without a direction" 1 "absorbers\[0\].direction has no length" check net.yaml --set 'absorbers[0].direction=[0, 0, 0]'

@@ -1,15 +1,22 @@
-/* net/read/absorbed.c - absorbers at nodes of a net's scene.
+/* net/read/absorbed.c - absorbers and pendulums at nodes of a net's scene.
+ *
+ * A pendulum is a mass on a cable of one element without mass, so that its large motions, its tension
+ * and the weight on its node are those of any mesh.
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include "core/report.h"
 #include "core/vec3.h"
 #include "net/read/read.h"
 
 enum { CALLED = HAWSER__TEXT_ROOM + 64 };
+static const double stiff = 1e6; /* EA of a hanger over the weight on it: 1e-6 longer */
 
 static enum hawser_status check(struct hawser__reader *reader,
                                 const struct hawser__net_absorber_given *given,
@@ -77,4 +84,57 @@ enum hawser_status hawser__net_absorbers(struct hawser__reader *reader, struct h
 	for (const struct hawser__tree *one = status ? NULL : tree->child; one && !status; one = one->next)
 		status = absorber(reader, net, one);
 	return status;
+}
+
+/* The mass of a node with a hanger becomes a node NAME_load on a cable NAME_hanger. */
+static enum hawser_status hang(struct hawser__reader *reader, struct hawser_net *net, int node)
+{
+	struct hawser_net_node *from = &net->node[node], *to = &net->node[net->nodes];
+	struct hawser_net_cable *cable = &net->cable[net->cables];
+	char name[HAWSER_NET_NAME];
+
+	*to = (struct hawser_net_node){.placed = from->placed, .mass = from->hung};
+	*cable = (struct hawser_net_cable){.from = node, .to = net->nodes, .EA = stiff*from->hung*net->g,
+		.value = from->hanger/(1.0 + 1.0/stiff), .elements = 1, .elements_given = 1};
+	for (int k = 0; k < 3; k++)
+		to->x[k] = from->x[k] - (k == 1 ? from->hanger : 0.0);
+	memcpy(name, from->name, sizeof name);
+	if (snprintf(to->name, sizeof to->name, "%s_load", name) >= (int)sizeof to->name ||
+	    snprintf(cable->name, sizeof cable->name, "%s_hanger", name) >= (int)sizeof cable->name ||
+	    hawser__net_node_of(net, to->name) >= 0 || hawser__net_cable_of(net, cable->name) >= 0)
+		return hawser__reader_fail(reader, &(struct hawser__mark){.pass = 1}, "masses.%s: its hanger "
+		                           "makes the node %s and the cable %s, whose names are taken or too "
+		                           "long: give the node another name", name, to->name, cable->name);
+	net->nodes++;
+	net->cables++;
+	return HAWSER_OK;
+}
+
+enum hawser_status hawser__net_hangers(struct hawser__reader *reader, struct hawser_net *net)
+{
+	int nodes = net->nodes, count = 0;
+	struct hawser_net_node *node;
+	struct hawser_net_cable *cable;
+	enum hawser_status status = HAWSER_OK;
+
+	for (int i = 0; i < nodes; i++) {
+		net->node[i].mass += net->node[i].hanger > 0.0 ? 0.0 : net->node[i].hung;
+		count += net->node[i].hanger > 0.0;
+	}
+	if (count == 0)
+		return HAWSER_OK;
+	if (!(net->g > 0.0))
+		return hawser__reader_fail(reader, &(struct hawser__mark){.pass = 1}, "masses: g is 0, and a "
+		                           "mass on a hanger is a pendulum by its weight: leave the hanger "
+		                           "out");
+	if ((node = realloc(net->node, (size_t)(nodes + count)*sizeof *node)))
+		net->node = node;
+	if ((cable = realloc(net->cable, (size_t)(net->cables + count)*sizeof *cable)))
+		net->cable = cable;
+	if (!node || !cable)
+		return hawser__no_memory(reader->report, "scene");
+	for (int i = 0; i < nodes && !status; i++)
+		if (net->node[i].hanger > 0.0)
+			status = hang(reader, net, i);
+	return status ? status : hawser__net_index(reader, net);
 }

@@ -101,6 +101,9 @@ static const struct hawser__tree_key net_rows[] = {
 	     "file with lines of t, x, y, z (s, m): motion by a table")
 	MAPPING("net.masses", OPTIONAL, "masses of nodes")
 	NUMBER("net.masses.*", OPTIONAL, "kg", NOT_NEGATIVE, NODE_AT(mass), NULL, "mass of this node")
+	SECTION("net.masses.*", OPTIONAL, "one that hangs, as a pendulum")
+	NUMBER("net.masses.*.mass", REQUIRED, "kg", POSITIVE, NODE_AT(hung), NULL, "mass of the load")
+	HANGER("net.masses.*.hanger", NODE_AT(hanger))
 	MAPPING("net.buoys", OPTIONAL, "bodies at nodes in water; spheres, where the surface cuts them")
 	SECTION("net.buoys.*", OPTIONAL, "a body")
 	NUMBER("net.buoys.*.mass", OPTIONAL, "kg", NOT_NEGATIVE, NODE_AT(buoy.mass), "0",

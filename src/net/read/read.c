@@ -389,7 +389,9 @@ static enum hawser_status interpret(struct hawser__reader *reader, void *scene,
 		status = common(reader, net, root, 0);
 	if (!status)
 		status = hawser__net_bed(reader, net, hawser__tree_find(root, "nodes"));
-	return status ? status : rules(reader, net, hawser__tree_find(root, "cables"));
+	if (!status)
+		status = rules(reader, net, hawser__tree_find(root, "cables"));
+	return status ? status : hawser__net_hangers(reader, net);
 }
 
 HAWSER__TREE_SCENES(net, "net",

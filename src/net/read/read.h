@@ -28,6 +28,9 @@ struct hawser__net_absorber_given {
 };
 enum hawser_status hawser__net_absorbers(struct hawser__reader *reader, struct hawser_net *net,
                                          const struct hawser__tree *tree) HAWSER_MUST_CHECK;
+/* Masses with hangers become nodes and cables, after all others are known. */
+enum hawser_status hawser__net_hangers(struct hawser__reader *reader, struct hawser_net *net)
+	HAWSER_MUST_CHECK;
 /* water.c: `water` and `buoys` of the scene, and whether a cable has what it needs in it. */
 enum hawser_status hawser__net_water(struct hawser__reader *reader, struct hawser_net *net,
                                      const struct hawser__tree *tree) HAWSER_MUST_CHECK;
