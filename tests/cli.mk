@@ -35,6 +35,7 @@ CLI_TESTS = \
 	%D%/cli/net-motion.sh \
 	%D%/cli/fe.sh \
 	%D%/cli/net-plan.sh \
+	%D%/cli/net-attached.sh \
 	%D%/cli/net-rom.sh \
 	%D%/cli/section.sh \
 	%D%/cli/map.sh \

@@ -34,8 +34,10 @@ struct hawser_net_node {
 	unsigned char held[3]; /* 1 if a support holds this direction */
 	int support;        /* 1 if the scene names it in `supports` */
 	double mass;        /* kg */
+	double hung, hanger; /* kg, m: of the scene, which is read as a node and a cable of their own */
 	struct hawser_water_buoy buoy; /* its mass is in `mass` too */
-	double damper[3];   /* N s/m, to the ground, along x, y, z: of models alone */
+	double damper[3];   /* N s/m, to the ground, along x, y, z */
+	double spring[3];   /* N/m, to the ground, without force in the equilibrium */
 	char *table;        /* file with the motion of the support, or NULL */
 };
 
@@ -130,6 +132,15 @@ struct hawser_net_winch {
 };
 #define HAWSER_NET_WINCH_BAND 0.05
 
+/* A mass that moves along a fixed direction relative to a node, on a spring and a damper between
+ * both. Across this direction it moves with the node, whose `mass` has its mass too. */
+struct hawser_net_absorber {
+	char name[HAWSER_NET_NAME];
+	int node;
+	double mass, stiffness, damping; /* kg, N/m, N s/m */
+	double direction[3]; /* a unit vector */
+};
+
 struct hawser_net {
 	char *name;         /* of the file */
 	double g;
@@ -153,6 +164,8 @@ struct hawser_net {
 	struct hawser_net_failure *failure; /* [failures] */
 	struct hawser_net_winch *winch; /* [winches] */
 	int failures, winches;
+	struct hawser_net_absorber *absorber; /* [absorbers] */
+	int absorbers;
 	struct hawser_water water;
 };
 

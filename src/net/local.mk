@@ -29,6 +29,7 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/statics/form-tension.c \
 	%D%/statics/interior.c \
 	%D%/modes/lanczos.c \
+	%D%/read/absorbed.c \
 	%D%/read/events.c \
 	%D%/read/loads.c \
 	%D%/read/passing.c \
@@ -36,6 +37,7 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/read/water.c \
 	%D%/statics/history.c \
 	%D%/motion/integrate.c \
+	%D%/absorbers.c \
 	%D%/law.c \
 	%D%/mesh.c \
 	%D%/statics/mesh-error.c \
@@ -43,6 +45,7 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/modes/modes-label.c \
 	%D%/motion/motion.c \
 	%D%/motion/motion.h \
+	%D%/motion/motion-attached.c \
 	%D%/motion/motion-bed.c \
 	%D%/motion/motion-chain.c \
 	%D%/motion/motion-contact.c \

@@ -50,7 +50,7 @@ static enum hawser_status count(struct hawser__mesh *mesh, const struct hawser_n
 		                    need/1073741824.0, have/1073741824.0);
 	mesh->cables = net->cables;
 	mesh->elements = (int)elements;
-	mesh->nodes = net->nodes + mesh->elements - net->cables;
+	mesh->nodes = net->nodes + mesh->elements - net->cables + net->absorbers;
 	return HAWSER_OK;
 }
 
@@ -82,6 +82,8 @@ static enum hawser_status allocate(struct hawser__mesh *mesh, const struct hawse
 	mesh->unknown = hawser__hold(&mesh->hold, nodes, sizeof *mesh->unknown);
 	mesh->mass = hawser__hold(&mesh->hold, nodes, sizeof *mesh->mass);
 	mesh->damper = hawser__hold(&mesh->hold, nodes, sizeof *mesh->damper);
+	mesh->spring = hawser__hold(&mesh->hold, nodes, sizeof *mesh->spring);
+	mesh->absorber = hawser__hold(&mesh->hold, (size_t)net->absorbers + 1, sizeof *mesh->absorber);
 	mesh->force = hawser__hold(&mesh->hold, nodes, sizeof *mesh->force);
 	mesh->wave = hawser__hold(&mesh->hold, waves, sizeof *mesh->wave);
 	mesh->motion = hawser__hold(&mesh->hold, (size_t)net->motions + 1, sizeof *mesh->motion);
@@ -193,6 +195,7 @@ enum hawser_status hawser__mesh_build(struct hawser__mesh *mesh, const struct ha
 		memcpy(mesh->q[i], net->node[i].x, sizeof mesh->q[i]);
 		mesh->mass[i] = net->node[i].mass;
 		memcpy(mesh->damper[i], net->node[i].damper, sizeof mesh->damper[i]);
+		memcpy(mesh->spring[i], net->node[i].spring, sizeof mesh->spring[i]);
 		for (int k = 0; k < 3; k++)
 			mesh->unknown[i][k] = net->node[i].held[k] ? -1 : 0;
 	}
@@ -201,6 +204,7 @@ enum hawser_status hawser__mesh_build(struct hawser__mesh *mesh, const struct ha
 		node += net->cable[i].elements - 1;
 		mesh->first[i + 1] = mesh->first[i] + net->cable[i].elements;
 	}
+	hawser__absorbers_open(mesh, net, node);
 	hawser__mesh_number(mesh);
 	status = hawser__water_open(mesh, net, report);
 	if (status) {

@@ -29,6 +29,7 @@ void hawser_net_clear(struct hawser_net *net)
 	free(net->contact.path);
 	free(net->failure);
 	free(net->winch);
+	free(net->absorber);
 	free(net->water.current);
 	hawser_waves_clear(&net->water.waves);
 	memset(net, 0, sizeof *net);

@@ -36,7 +36,7 @@ struct hawser__mesh {
 	double (*frame)[3][3]; /* [nodes] rows: these directions, unit vectors at right angles to each
 	                        * other; NULL: the axes. Set for modes alone (hawser__touch_hold) */
 	double *mass;          /* [nodes] point masses, kg, without the cables */
-	double (*damper)[3];   /* [nodes] N s/m, to the ground */
+	double (*damper)[3], (*spring)[3]; /* [nodes] N s/m, N/m: to the ground */
 	double (*force)[3];    /* [nodes] weight (of cables, half to each end, and point masses) and
 	                        * constant loads, N */
 	struct hawser__mesh_wave *wave; /* [waves] harmonic loads, at mesh nodes */
@@ -57,6 +57,12 @@ struct hawser__mesh {
 	} *edge;               /* [edges] an element that leaves a curved obstacle, with the touch of
 	                        * the end that is on it. Set for modes alone (hawser__touch_hold) */
 	int edges;
+	struct hawser__mesh_absorber {
+		int node, at, axis; /* of the mesh: its node, and the one whose direction `axis`, the nearest
+		                     * to its own, is its stroke, with that spring and damper */
+		double mass, e[3];  /* kg; unit vector */
+	} *absorber;           /* [absorbers] */
+	int absorbers;
 	struct hawser__mesh_water *water; /* NULL: none; net/water/water.h */
 	const struct hawser_net *net; /* it is of; used for the laws of its cables alone */
 	int around;            /* 1: an obstacle has cables around it: they begin straight between the
@@ -117,6 +123,17 @@ void hawser__mesh_along(struct hawser__mesh *mesh, unsigned along);
 void hawser__mesh_number(struct hawser__mesh *mesh);
 /* The direction k of a node: a row of its frame. */
 void hawser__mesh_axis(double axis[3], const struct hawser__mesh *mesh, int node, int k);
+/* absorbers.c: list the absorbers of the net, whose strokes are held: statics has none; and release
+ * those along directions (bit k: direction k). */
+void hawser__absorbers_open(struct hawser__mesh *mesh, const struct hawser_net *net, int first);
+void hawser__absorbers_release(struct hawser__mesh *mesh, unsigned along);
+/* What their motion adds to the mass matrix beside the masses of their nodes: entry j of direction
+ * `axis` of a node and `other_axis` of another, kg; 0: there are no more. */
+struct hawser__mesh_pair {
+	int node, axis, other, other_axis;
+	double mass;
+};
+int hawser__absorbers_mass(struct hawser__mesh_pair *pair, const struct hawser__mesh *mesh, int j);
 /* Hold all nodes along axis k, at one place (m). */
 void hawser__mesh_flatten(struct hawser__mesh *mesh, int k, double place);
 void hawser__mesh_clear(struct hawser__mesh *mesh);
@@ -162,6 +179,8 @@ void hawser__sparse_ends(struct hawser__sparse *sparse, int element, const doubl
 /* Add a symmetric block at the node that is end 0 or 1 of an element. */
 void hawser__sparse_node(struct hawser__sparse *sparse, int element, int end, const double block[3][3]);
 void hawser__sparse_diagonal(struct hawser__sparse *sparse, int unknown, double value);
+/* Add to two unknowns, of an absorber and its node. */
+void hawser__sparse_pair(struct hawser__sparse *sparse, int unknown, int other, double value);
 /* Factor; *definite is 0 if the matrix is not positive definite (then the factors are not usable). */
 enum hawser_status hawser__sparse_factor(struct hawser__sparse *sparse, int *definite,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;

@@ -82,6 +82,9 @@
 	SHAPE(path, need, pick, "a circle, which extends along z") \
 	VECTOR(path ".centre", 2, REQUIRED, "m", ANY, centre, NULL, "[x, y] of its centre") \
 	NUMBER(path ".radius", REQUIRED, "m", NOT_NEGATIVE, radius, NULL, "its radius; 0: a point")
+#define HANGER(path, at) \
+	NUMBER(path, OPTIONAL, "m", NOT_NEGATIVE, at, "0", \
+	       "length at which the mass hangs below the rope, as a pendulum")
 #define WINCH(path, WINCH_AT) \
 	MAPPING(path, OPTIONAL, "the first segment is paid out or hauled in, in motions") \
 	NUMBER(path ".speed", ONE_OF, "m/s", ANY, WINCH_AT(speed), NULL, \

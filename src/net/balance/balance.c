@@ -249,6 +249,7 @@ static void add_motion(struct hawser__mesh_balance *balance, const double *x, do
 	const struct hawser__mesh *mesh = balance->mesh;
 	int width = balance->width;
 	double ratio = 2.0*balance->ratio*inertia;
+	struct hawser__mesh_pair pair;
 
 	for (int i = 0; i < 3*mesh->nodes; i++)
 		add_linear(balance->out + i*width, x + i*width, width, inertia*mesh->mass[i/3],
@@ -262,7 +263,22 @@ static void add_motion(struct hawser__mesh_balance *balance, const double *x, do
 		           damping*share*(balance->mass_rate*mass + mesh->alpha*mesh->length0[e]),
 		           ratio*share*mass);
 	}
+	for (int j = 0; hawser__absorbers_mass(&pair, mesh, j); j++)
+		add_linear(balance->out + (3*pair.node + pair.axis)*width,
+		           x + (3*pair.other + pair.other_axis)*width, width, inertia*pair.mass,
+		           damping*balance->mass_rate*pair.mass, ratio*pair.mass);
 	add_modal(balance, x, inertia, damping);
+}
+
+/* out += what the springs to the ground do. */
+static void add_springs(struct hawser__mesh_balance *balance, const double *x)
+{
+	const struct hawser__mesh *mesh = balance->mesh;
+
+	for (int i = 0; i < 3*mesh->nodes; i++)
+		if (mesh->spring[i/3][i%3] > 0.0)
+			cblas_daxpy(balance->width, mesh->spring[i/3][i%3], x + i*balance->width, 1,
+			            balance->out + i*balance->width, 1);
 }
 
 /* --- residual and derivative --- */
@@ -288,6 +304,7 @@ void hawser__mesh_balance_residual(struct hawser__mesh_balance *balance, double 
 				balance->force[(3*e + k)*rows + t] = s.T*s.e[k];
 		}
 	put_forces(balance);
+	add_springs(balance, balance->x);
 	add_motion(balance, balance->x, Omega*Omega, Omega);
 	cblas_daxpy((int)all, -1.0, balance->load, 1, balance->out, 1);
 	gather(residual, balance, balance->out);
@@ -336,6 +353,7 @@ void hawser__mesh_balance_product(struct hawser__mesh_balance *balance, double *
 				balance->force[(3*e + k)*rows + t] = force[k];
 		}
 	put_forces(balance);
+	add_springs(balance, balance->other);
 	add_motion(balance, balance->other, Omega*Omega, Omega);
 	add_motion(balance, balance->x, 2.0*Omega*more, more);
 	gather(product, balance, balance->out);

@@ -68,24 +68,44 @@ static void add_element(struct hawser__mesh_balance *balance, int e)
 		put(balance, e, i/2, i%2, balance->G);
 }
 
-/* Inertia and damping between two nodes along an axis, kg and kg/s. */
-static void add_mass(struct hawser__mesh_balance *balance, int to, int from, int axis, double mass,
+/* Inertia and damping between directions of two nodes: kg, and kg/s of its damping. */
+static void add_mass(struct hawser__mesh_balance *balance, const struct hawser__mesh_pair *pair,
                      double damping)
 {
 	const struct hawser__mesh *mesh = balance->mesh;
 	int width = balance->width;
-	double *block, Omega = balance->Omega;
+	double *block, Omega = balance->Omega, mass = pair->mass;
 
-	if (mesh->unknown[to][axis] < 0 || mesh->unknown[from][axis] < 0)
+	if (mesh->unknown[pair->node][pair->axis] < 0 || mesh->unknown[pair->other][pair->other_axis] < 0)
 		return;
-	block = hawser__nodal_at(&balance->blocks, balance->blocks.row[to], balance->blocks.row[from]);
+	block = hawser__nodal_at(&balance->blocks, balance->blocks.row[pair->node],
+	                         balance->blocks.row[pair->other]);
 	for (int c = 1; c < width; c++) {
-		int i = axis*width + c, k = (c + 1)/2, pair = c%2 ? i + 1 : i - 1;
+		int row = pair->axis*width + c, column = pair->other_axis*width + c, k = (c + 1)/2;
+		int turned = c%2 ? column + 1 : column - 1;
 		double speed = Omega*k*(damping + 2.0*balance->ratio*Omega*k*mass);
 
-		block[i*3*width + i] -= Omega*Omega*k*k*mass;
-		block[pair*3*width + i] += c%2 ? speed : -speed;
+		block[column*3*width + row] -= Omega*Omega*k*k*mass;
+		block[turned*3*width + row] += c%2 ? speed : -speed;
 	}
+}
+
+/* Masses, dampers and springs of nodes. */
+static void add_nodes(struct hawser__mesh_balance *balance)
+{
+	const struct hawser__mesh *mesh = balance->mesh;
+	struct hawser__mesh_pair pair;
+
+	for (int i = 0; i < 3*mesh->nodes; i++) {
+		int row = balance->blocks.row[i/3], width = balance->width;
+
+		pair = (struct hawser__mesh_pair){i/3, i%3, i/3, i%3, mesh->mass[i/3]};
+		add_mass(balance, &pair, balance->mass_rate*pair.mass + mesh->damper[i/3][i%3]);
+		for (int c = i%3*width; c < (i%3 + 1)*width && mesh->unknown[i/3][i%3] >= 0; c++)
+			hawser__nodal_at(&balance->blocks, row, row)[c*(3*width + 1)] += mesh->spring[i/3][i%3];
+	}
+	for (int j = 0; hawser__absorbers_mass(&pair, mesh, j); j++)
+		add_mass(balance, &pair, balance->mass_rate*pair.mass);
 }
 
 /* 1 where a direction is held. */
@@ -117,12 +137,13 @@ int hawser__mesh_balance_factor(struct hawser__mesh_balance *balance, const doub
 			int to = i/2%2, from = i%2;
 			double share = to == from ? 5.0/12.0 : 1.0/12.0;
 
-			add_mass(balance, mesh->end[e][to], mesh->end[e][from], i/4, share*mass, share*damping);
+			const struct hawser__mesh_pair pair = {mesh->end[e][to], i/4, mesh->end[e][from], i/4,
+			                                       share*mass};
+
+			add_mass(balance, &pair, share*damping);
 		}
 	}
-	for (int i = 0; i < 3*mesh->nodes; i++)
-		add_mass(balance, i/3, i/3, i%3, mesh->mass[i/3],
-		         balance->mass_rate*mesh->mass[i/3] + mesh->damper[i/3][i%3]);
+	add_nodes(balance);
 	hold_rest(balance);
 	balance->factored = hawser__nodal_factor(&balance->blocks);
 	if (!balance->factored)

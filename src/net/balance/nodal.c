@@ -85,8 +85,10 @@ static int is_held(const struct hawser__mesh *mesh, int node)
 
 static void connect(struct graph *graph, const struct hawser__mesh *mesh)
 {
-	for (int e = 0; e < mesh->elements; e++) {
-		int a = mesh->end[e][0], b = mesh->end[e][1];
+	for (int e = 0; e < mesh->elements + mesh->absorbers; e++) {
+		int own = e < mesh->elements, i = e - mesh->elements;
+		int a = own ? mesh->end[e][0] : mesh->absorber[i].node;
+		int b = own ? mesh->end[e][1] : mesh->absorber[i].at;
 
 		if (is_held(mesh, a) || is_held(mesh, b) || a == b)
 			continue;

@@ -242,10 +242,24 @@ static void fill_columns(double left[COLUMNS], double right[COLUMNS], const stru
 	right[6] = aa;
 }
 
+/* The stiffness of spring i of the mesh, and its unknown; 0: there is none. What follows does work on
+ * springs too, a part of K that no element has. */
+static double spring_of(int *unknown, const struct hawser__nexpand *t, int i)
+{
+	*unknown = t->mesh->unknown[i/3][i%3];
+	return *unknown < 0 ? 0.0 : t->mesh->spring[i/3][i%3]/t->energy;
+}
+
 double hawser__nexpand_own(const struct hawser__nexpand *t, int j)
 {
+	const double *row = t->second + (size_t)hawser__pair(j, j)*(size_t)t->mesh->unknowns;
 	double left[COLUMNS], right[COLUMNS], sum = 0.0;
 
+	for (int i = 0, unknown; i < 3*t->mesh->nodes; i++) {
+		double stiffness = spring_of(&unknown, t, i);
+
+		sum += stiffness > 0.0 ? 3.0*stiffness*row[unknown]*row[unknown] : 0.0;
+	}
 	for (int e = 0; e < t->mesh->elements; e++) {
 		fill_columns(left, right, t, e, j, j);
 		for (int c = 0; c < COLUMNS; c++)
@@ -273,6 +287,13 @@ enum hawser_status hawser__nexpand_pairs(struct hawser__nexpand *t, struct hawse
 			}
 		cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, t->pairs, t->pairs, COLUMNS*count, 1.0,
 		            left, (int)width, right, (int)width, 1.0, t->pairing, t->pairs);
+	}
+	for (int i = 0, unknown; good && i < 3*t->mesh->nodes; i++) {
+		double stiffness = spring_of(&unknown, t, i);
+
+		if (stiffness > 0.0)
+			cblas_dger(CblasRowMajor, t->pairs, t->pairs, stiffness, t->second + unknown,
+			           t->mesh->unknowns, t->second + unknown, t->mesh->unknowns, t->pairing, t->pairs);
 	}
 	free(left);
 	free(right);

@@ -44,6 +44,26 @@ static void added(double *y, const double *x, const struct hawser__mesh *mesh, u
 	}
 }
 
+/* y += what the strokes of absorbers add to the masses of their nodes, times x. */
+static void strokes(double *y, const double *x, const struct hawser__mesh *mesh, unsigned along)
+{
+	for (int i = 0; i < mesh->absorbers; i++) {
+		const struct hawser__mesh_absorber *of = &mesh->absorber[i];
+		double u[3], stroke[3], force[3], own[3] = {0.0};
+
+		hawser__eigen_place(u, x, mesh, of->node);
+		hawser__eigen_place(stroke, x, mesh, of->at);
+		for (int k = 0; k < 3; k++) {
+			double e = along & (1U << k) ? of->mass*of->e[k] : 0.0;
+
+			force[k] = e*stroke[of->axis];
+			own[of->axis] += e*(u[k] + of->e[k]*stroke[of->axis]);
+		}
+		scatter(y, mesh, of->node, force);
+		scatter(y, mesh, of->at, own);
+	}
+}
+
 void hawser__eigen_mass(double *y, const double *x, const struct hawser__mesh *mesh, unsigned along)
 {
 	double a[3], b[3], to[3], from[3];
@@ -72,6 +92,7 @@ void hawser__eigen_mass(double *y, const double *x, const struct hawser__mesh *m
 		scatter(y, mesh, mesh->end[e][1], to);
 	}
 	added(y, x, mesh, along);
+	strokes(y, x, mesh, along);
 	for (int i = 0; i < mesh->rotors && along == 7U; i++) /* turns along no axis */
 		y[mesh->rotor[i].unknown] += mesh->rotor[i].mass*x[mesh->rotor[i].unknown];
 }
@@ -89,6 +110,19 @@ void hawser__eigen_place(double x[3], const double *phi, const struct hawser__me
 	for (int k = 0; k < 3; k++)
 		for (int i = 0; i < 3 && unknown[k] >= 0; i++)
 			x[i] += phi[unknown[k]]*mesh->frame[node][k][i];
+}
+
+/* y += the springs to the ground times x. */
+static void springs(double *y, const double *x, const struct hawser__mesh *mesh)
+{
+	for (int i = 0; i < mesh->nodes; i++) {
+		double at[3];
+
+		hawser__eigen_place(at, x, mesh, i);
+		for (int k = 0; k < 3; k++)
+			at[k] *= mesh->spring[i][k];
+		scatter(y, mesh, i, at);
+	}
 }
 
 /* y -= r*H*x of what touches. */
@@ -156,6 +190,7 @@ void hawser__eigen_stiffness(double *y, const double *x, const struct hawser__ei
 			force[i] = -force[i];
 		scatter(y, mesh, mesh->end[e][0], force);
 	}
+	springs(y, x, mesh);
 	curvature(y, x, mesh);
 	buoyancy(y, x, mesh);
 	lift(y, x, eigen);
@@ -242,6 +277,24 @@ static void add_water(struct hawser__sparse *sparse, const struct hawser__mesh *
 	}
 }
 
+/* The springs, and -shift times the masses of absorbers beside those of their nodes. A spring along an
+ * axis stays one where the node is free or held along the axes. */
+static void add_attached(struct hawser__sparse *sparse, const struct hawser__mesh *mesh, double shift)
+{
+	struct hawser__mesh_pair pair;
+
+	for (int i = 0; i < 3*mesh->nodes; i++)
+		if (mesh->unknown[i/3][i%3] >= 0 && mesh->spring[i/3][i%3] > 0.0)
+			hawser__sparse_diagonal(sparse, mesh->unknown[i/3][i%3], mesh->spring[i/3][i%3]);
+	for (int j = 0; hawser__absorbers_mass(&pair, mesh, j); j++) {
+		int own = mesh->unknown[pair.node][pair.axis];
+		int other = mesh->unknown[pair.other][pair.other_axis];
+
+		if (own >= other && other >= 0)
+			hawser__sparse_pair(sparse, own, other, -shift*pair.mass);
+	}
+}
+
 /* The matrix K + (lift - shift)*M. The block of an element in M is m/2*I at both ends, minus
  * m/12*[I, -I; -I, I]. */
 void hawser__eigen_assemble(struct hawser__sparse *sparse, const struct hawser__eigen *eigen,
@@ -268,6 +321,7 @@ void hawser__eigen_assemble(struct hawser__sparse *sparse, const struct hawser__
 			hawser__sparse_diagonal(sparse, mesh->unknown[i/3][i%3], -shift*mesh->mass[i/3]);
 	for (int i = 0; i < mesh->rotors && shift != 0.0; i++)
 		hawser__sparse_diagonal(sparse, mesh->rotor[i].unknown, -shift*mesh->rotor[i].mass);
+	add_attached(sparse, mesh, shift);
 	add_curvature(sparse, mesh);
 	add_water(sparse, mesh, -shift);
 	add_buoyancy(sparse, mesh);

@@ -104,6 +104,8 @@ static enum hawser_status count_massive(struct hawser__eigen *eigen, struct haws
 	}
 	for (int i = 0; i < mesh->nodes; i++)
 		heavy[i] = mesh->mass[i];
+	for (int i = 0; i < mesh->absorbers; i++)
+		heavy[mesh->absorber[i].at] = mesh->absorber[i].mass;
 	for (int e = 0; e < mesh->elements; e++)
 		for (int end = 0; end < 2; end++)
 			heavy[mesh->end[e][end]] += mesh->rho[e]*mesh->length0[e];

@@ -285,6 +285,7 @@ enum hawser_status hawser__net_modal_open(struct hawser__net_modal *modal, const
 		status = hawser__net_equilibrium(mesh, modal->T, net, report);
 	if (!status && axes != HAWSER__NET_SPACE)
 		hawser__mesh_along(mesh, axes);
+	hawser__absorbers_release(mesh, status ? 0 : axes);
 	if (!status && mesh->touches)
 		status = contacts(modes, mesh, modal->T, net, report);
 	modes->unknowns = mesh->unknowns;

@@ -132,6 +132,21 @@ static int moves_alike(const struct hawser__mesh *mesh, const double map[3][3], 
 	return free_i == free_j;
 }
 
+/* The same of springs to the ground. */
+static int pushes_alike(const struct hawser__mesh *mesh, const double map[3][3], int i, int j)
+{
+	int alike = 1;
+
+	for (int k = 0; k < 3; k++) {
+		double image = 0.0;
+
+		for (int l = 0; l < 3; l++)
+			image += map[k][l]*map[k][l]*mesh->spring[i][l];
+		alike &= differs(image, mesh->spring[j][k], 0.0) <= same_matter;
+	}
+	return alike;
+}
+
 /* The node of the scene nearest to the image of node i; -1: none there. */
 static int partner_of(const struct hawser__map_try *try, const double map[3][3], int i, double *places)
 {
@@ -157,10 +172,31 @@ static int partner_of(const struct hawser__map_try *try, const double map[3][3],
 		}
 	}
 	if (found >= 0 && (!moves_alike(try->mesh, map, i, found) ||
+	                   !pushes_alike(try->mesh, map, i, found) ||
 	                   differs(try->mesh->mass[i], try->mesh->mass[found], 0.0) > same_matter))
 		return -1;
 	*places = fmax(*places, found >= 0 ? least : 0.0);
 	return found;
+}
+
+/* The absorber whose stroke is the image of that of absorber i; -1: there is none. */
+static int stroke_of(const struct hawser__map_try *try, const double map[3][3], int i)
+{
+	const struct hawser__mesh *mesh = try->mesh;
+	const struct hawser__mesh_absorber *own = &mesh->absorber[i], *other = mesh->absorber;
+
+	for (; other < mesh->absorber + mesh->absorbers; other++) {
+		double sign = map[other->axis][own->axis], image[3];
+
+		for (int k = 0; k < 3; k++)
+			image[k] = sign*(map[k][0]*own->e[0] + map[k][1]*own->e[1] + map[k][2]*own->e[2]);
+		if (other->node == try->partner[own->node] && distance(image, other->e) < held &&
+		    differs(own->mass, other->mass, 0.0) <= same_matter &&
+		    differs(mesh->spring[own->at][own->axis], mesh->spring[other->at][other->axis], 0.0) <=
+		    same_matter)
+			return other->at;
+	}
+	return -1;
 }
 
 static int nodes_hold(struct hawser__map_try *try, const double map[3][3], double *places,
@@ -176,6 +212,12 @@ static int nodes_hold(struct hawser__map_try *try, const double map[3][3], doubl
 		try->partner[i] = j;
 		*elements = good ? fmax(*elements, differs(try->mesh->mass[i], try->mesh->mass[j], 0.0))
 			: *elements;
+	}
+	for (int i = 0; i < try->mesh->absorbers && good; i++) {
+		int at = try->mesh->absorber[i].at;
+
+		try->partner[at] = stroke_of(try, map, i);
+		good = try->partner[at] >= 0;
 	}
 	return good;
 }

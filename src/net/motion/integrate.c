@@ -155,6 +155,8 @@ static void flatten(struct run *run)
 		                !(run->state && hawser__motion_moves(run->state, run->mesh.nodes, k));
 		if (run->still[k])
 			hawser__mesh_flatten(&run->mesh, k, at);
+		else
+			hawser__absorbers_release(&run->mesh, 1U << k);
 	}
 }
 
@@ -188,12 +190,14 @@ static enum hawser_status start(struct run *run, struct hawser_report *report)
 		status = hawser__motion_open(&run->motion, &run->mesh, scheme, rho, same, loose, report);
 	}
 	free(loose);
-	if (!status && (run->mesh.touches || run->mesh.water) &&
-	    run->motion.scheme->rule != hawser__motion_scheme(0)->rule)
+	if (!status && ((run->mesh.touches || run->mesh.water) ?
+	                run->motion.scheme->rule != hawser__motion_scheme(0)->rule :
+	                run->motion.attached && run->motion.scheme->advance))
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s: the scheme %s does not know "
 		                      "%s: take energy, or leave dynamics.scheme and --method out",
 		                      net->name ? net->name : "the net", run->motion.scheme->shown.name,
-		                      run->mesh.touches ? "obstacles" : "water");
+		                      run->mesh.touches ? "obstacles" : run->mesh.water ? "water"
+		                      : "springs, dampers and absorbers of nodes");
 	if (!status && run->mesh.touches)
 		status = hawser__contact_open(&run->motion, net->contact.restitution, report);
 	if (!status)
@@ -212,9 +216,7 @@ static enum hawser_status start(struct run *run, struct hawser_report *report)
 	if (run->state && run->motion.t >= run->options->until)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s is the state at %g s, and the "
 		                    "run is to end at %g s: the end counts from the beginning of the first "
-		                    "run",
-		                    initial,
-		                    run->motion.t, run->options->until);
+		                    "run", initial, run->motion.t, run->options->until);
 	if (!run->state)
 		status = hawser__motion_begin(&run->motion, report);
 	return status;
@@ -244,18 +246,16 @@ static enum hawser_status still(struct run *run, struct hawser_report *report)
 /* What only models have. */
 static enum hawser_status check(const struct hawser_net *net, struct hawser_report *report)
 {
-	const char *key = net->ratio > 0.0 ? "damping.ratio" : net->mass_rate > 0.0
-	                  ? "damping.rayleigh" : NULL;
+	const char *key = net->ratio > 0.0 ? "damping.ratio"
+	                  : net->mass_rate > 0.0 ? "damping.rayleigh" : NULL;
 
-	for (int i = 0; i < 3*net->nodes && !key; i++)
-		key = net->node[i/3].damper[i%3] > 0.0 ? "dampers" : NULL;
 	for (int i = 0; i < net->loads + net->motions && !key; i++)
 		key = (i < net->loads ? net->load[i] : net->motion[i - net->loads]).multiple > 0
 		      ? "multiple in place of Omega" : NULL;
 	return !key ? HAWSER_OK
 	       : hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s: %s is for models, as of frf: the "
-	                      "motion of the mesh has damping.alpha, damping.axial and dampers of cables, "
-	                      "and loads with a frequency", net->name, key);
+	                      "motion of the mesh has damping.alpha, damping.axial and dampers, and loads "
+	                      "with a frequency", net->name, key);
 }
 
 static enum hawser_status prepare(struct run *run, struct hawser_report *report)

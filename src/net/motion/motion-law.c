@@ -203,6 +203,8 @@ void hawser__motion_residual(struct hawser__motion *motion, const struct hawser_
 		most = larger(element(motion, e, rule, h, tangent), most);
 	if (motion->block && tangent)
 		memset(motion->block, 0, (size_t)motion->nodes*sizeof *motion->block);
+	if (motion->attached)
+		most = larger(hawser__attached_residual(motion, rule, tangent), most);
 	if (motion->soft)
 		most = larger(hawser__bed_residual(motion, rule, h, tangent), most);
 	if (motion->water)
@@ -294,6 +296,8 @@ void hawser__motion_energies(struct hawser__motion *motion)
 		kinetic += 0.5*motion->mesh->mass[i]*hawser__dot(motion->v[i], motion->v[i]);
 		loads += hawser__dot(motion->base[i], motion->u[i]);
 	}
+	if (motion->attached)
+		hawser__attached_energies(&kinetic, &strain, motion);
 	strain += motion->soft ? hawser__bed_energy(motion) : 0.0;
 	motion->added = motion->water ? hawser__water_kinetic(motion) : 0.0;
 	motion->energy.kinetic = kinetic + motion->added;
@@ -356,7 +360,7 @@ void hawser__motion_account(struct hawser__motion *motion, const struct hawser__
 	if (motion->tables || motion->mesh->motions)
 		work += inertia(motion, h);
 	motion->energy.work += work;
-	motion->energy.dissipated += lost;
+	motion->energy.dissipated += lost + (motion->attached ? hawser__attached_loss(motion, h) : 0.0);
 	if (motion->soft)
 		hawser__bed_account(motion);
 	if (motion->water)

@@ -35,6 +35,7 @@ void hawser__motion_clear(struct hawser__motion *motion)
 	free(motion->reference); /* with all that has a vector at each node */
 	free(motion->B);
 	free(motion->bed);
+	free(motion->stroke);
 	free(motion->mass);
 	free(motion->point);
 	for (int i = 0; i < motion->tables; i++)
@@ -134,6 +135,8 @@ enum hawser_status hawser__motion_open(struct hawser__motion *motion, struct haw
 		status = hawser__water_motion_open(motion, report);
 	if (!status)
 		status = hawser__bed_open(motion, report);
+	if (!status)
+		status = hawser__attached_open(motion, report);
 	if (!status) {
 		refer(motion, balanced, loose);
 		status = hawser__blocks_open(&motion->blocks, mesh, report);
@@ -163,11 +166,17 @@ static enum hawser_status correct(struct hawser__motion *motion, int *good,
 	const struct hawser__blocks_matrix matrix = {
 		(const double (*)[9])motion->B, (const double (*)[9])motion->other,
 		(const double (*)[2])motion->mass, motion->point, (const double (*)[9])motion->block};
+	enum hawser_status status;
 
 	for (int i = 0; i < motion->nodes; i++)
 		for (int k = 0; k < 3; k++)
 			motion->r[i][k] = motion->mesh->unknown[i][k] < 0 ? 0.0 : -motion->r[i][k];
-	return hawser__blocks_solve(motion->r, good, motion->blocks, &matrix, report);
+	if (motion->attached)
+		hawser__attached_eliminate(motion, 0);
+	status = hawser__blocks_solve(motion->r, good, motion->blocks, &matrix, report);
+	if (motion->attached && !status && *good)
+		hawser__attached_eliminate(motion, 1);
+	return status;
 }
 
 static void keep(struct hawser__motion *motion)

@@ -151,8 +151,10 @@ struct hawser__motion {
 	double (*past)[3], (*past2)[3]; /* [nodes] increments of the last two steps */
 	double past_h, past2_h;      /* their lengths; 0: there was none */
 	double (*B)[9], (*mass)[2], *point; /* the matrix */
+	int attached;                /* 1: springs, dampers or absorbers; net/motion/motion-attached.c */
+	double (*stroke)[2];         /* [absorbers] of the matrix: of the stroke; with its node */
 	int soft;                    /* 1: planes that give way; net/motion/motion-bed.c */
-	double (*bed)[9];            /* [nodes] `block`, if these alone need it; or NULL */
+	double (*bed)[9];            /* [nodes] `block`, if these two alone need it; or NULL */
 	double (*other)[9], (*block)[9]; /* of it, or NULL; see struct hawser__blocks_matrix */
 	struct hawser__water_motion *water; /* NULL: none; net/water/water-motion.c */
 	struct hawser__blocks *blocks;
@@ -254,6 +256,17 @@ enum hawser_status hawser__net_integrate(struct hawser_net_motion *motion,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
 extern const double hawser__motion_tolerance;
 
+/* motion-attached.c: springs, dampers and absorbers of nodes: whether there are any; their part of the
+ * residual and of the matrix, which returns the largest force; strokes out of the right side, and
+ * after it is solved their solution; of the energies, and the loss of a step, J. */
+int hawser__attached(const struct hawser__mesh *mesh);
+enum hawser_status hawser__attached_open(struct hawser__motion *motion, struct hawser_report *report)
+	HAWSER_MUST_CHECK;
+double hawser__attached_residual(struct hawser__motion *motion, const struct hawser__motion_rule *rule,
+                                 int tangent);
+void hawser__attached_eliminate(struct hawser__motion *motion, int solved);
+void hawser__attached_energies(double *kinetic, double *potential, const struct hawser__motion *motion);
+double hawser__attached_loss(const struct hawser__motion *motion, double h);
 /* motion-bed.c: planes that give way: whether there are any; their part of the residual and of the
  * matrix, which returns the largest force; of the energy, J; and of the ledger. */
 enum hawser_status hawser__bed_open(struct hawser__motion *motion, struct hawser_report *report)

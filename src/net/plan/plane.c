@@ -67,6 +67,9 @@ int hawser__net_still(double *place, const struct hawser_net *net, int k,
 		if (flat ? surface->normal[k] != 0.0 || surface->velocity[k] != 0.0 : k == 0)
 			return 0;
 	}
+	for (int i = 0; i < net->absorbers; i++) /* one along k moves nothing else */
+		if (net->absorber[i].direction[k] != 0.0 && fabs(net->absorber[i].direction[k]) < 1.0)
+			return 0;
 	for (int i = 0; i < tables; i++)
 		for (int row = 0; row < table[i].rows; row++)
 			if (table[i].x[row][k] != 0.0)

@@ -10,6 +10,7 @@
 #define CABLE_AT(member) offsetof(struct hawser_net_cable, member)
 #define LOAD_AT(member) offsetof(struct hawser_net_load, member)
 #define PASS_AT(member) offsetof(struct hawser__net_passing, member)
+#define ABSORBER_AT(member) offsetof(struct hawser__net_absorber_given, member)
 #define FAILURE_AT(member) offsetof(struct hawser_net_failure, member)
 #define WINCH_AT(member) offsetof(struct hawser_net_winch, member)
 #define WAVES_AT(member) offsetof(struct hawser_net, water.given.member)
@@ -100,6 +101,9 @@ static const struct hawser__tree_key net_rows[] = {
 	     "file with lines of t, x, y, z (s, m): motion by a table")
 	MAPPING("net.masses", OPTIONAL, "masses of nodes")
 	NUMBER("net.masses.*", OPTIONAL, "kg", NOT_NEGATIVE, NODE_AT(mass), NULL, "mass of this node")
+	SECTION("net.masses.*", OPTIONAL, "one that hangs, as a pendulum")
+	NUMBER("net.masses.*.mass", REQUIRED, "kg", POSITIVE, NODE_AT(hung), NULL, "mass of the load")
+	HANGER("net.masses.*.hanger", NODE_AT(hanger))
 	MAPPING("net.buoys", OPTIONAL, "bodies at nodes in water; spheres, where the surface cuts them")
 	SECTION("net.buoys.*", OPTIONAL, "a body")
 	NUMBER("net.buoys.*.mass", OPTIONAL, "kg", NOT_NEGATIVE, NODE_AT(buoy.mass), "0",
@@ -110,9 +114,27 @@ static const struct hawser__tree_key net_rows[] = {
 	       "coefficient of the drag times area")
 	NUMBER("net.buoys.*.added_mass", OPTIONAL, "1", NOT_NEGATIVE, NODE_AT(buoy.added), "0",
 	       "added mass over the mass of the water that is displaced")
-	MAPPING("net.dampers", OPTIONAL, "of models, as of frf, alone: dampers from nodes to the ground")
-	VECTOR("net.dampers.*", 3, OPTIONAL, "N.s/m", ANY, NODE_AT(damper), NULL,
-	       "force along x, y, z over the velocity of this node, 0 or more")
+	MAPPING("net.dampers", OPTIONAL, "dampers from nodes to the ground")
+	VECTOR("net.dampers.*", 3, OPTIONAL, "N.s/m", NOT_NEGATIVE, NODE_AT(damper), NULL,
+	       "force along x, y, z over the velocity of this node")
+	MAPPING("net.springs", OPTIONAL, "springs from nodes to the ground, without force in the "
+	        "equilibrium")
+	VECTOR("net.springs.*", 3, OPTIONAL, "N/m", NOT_NEGATIVE, NODE_AT(spring), NULL,
+	       "force along x, y, z over the displacement of this node")
+	LIST("net.absorbers", OPTIONAL, "masses at nodes, on a spring and a damper")
+	MAPPING("net.absorbers[]", OPTIONAL, "one of them: its weight is part of the equilibrium")
+	TEXT("net.absorbers[].name", OPTIONAL, NOWHERE, "absorber_0, absorber_1 and so on", "name")
+	TEXT("net.absorbers[].at", REQUIRED, NOWHERE, NULL, "the node")
+	NUMBER("net.absorbers[].mass", REQUIRED, "kg", POSITIVE, ABSORBER_AT(of.mass), NULL,
+	       "mass that moves along the direction relative to the node, and across it with the node")
+	NUMBER("net.absorbers[].stiffness", ONE_OF, "N/m", POSITIVE, ABSORBER_AT(of.stiffness), NULL,
+	       "spring between both")
+	NUMBER("net.absorbers[].frequency", ONE_OF, "rad/s", POSITIVE, ABSORBER_AT(omega), NULL,
+	       "in place of it: natural frequency where the node is held")
+	NUMBER("net.absorbers[].damping", OPTIONAL, "N.s/m", NOT_NEGATIVE, ABSORBER_AT(of.damping), "0",
+	       "damper between both")
+	VECTOR("net.absorbers[].direction", 3, OPTIONAL, "1", ANY, ABSORBER_AT(of.direction), "[0, 1, 0]",
+	       "its direction, which does not turn, along x, y, z; its length does not matter")
 	MAPPING("net.loads", OPTIONAL, "loads of nodes and cables")
 	VECTOR("net.loads.*", 3, OPTIONAL, "N", ANY, LOAD_AT(value), NULL, "force on a node")
 	MAPPING("net.loads.*", OPTIONAL, "load of a node")

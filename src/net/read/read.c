@@ -196,10 +196,6 @@ enum hawser_status hawser__net_of_nodes(struct hawser__reader *reader, struct ha
 		status = hawser__net_find_node(reader, &node, net, one, one->name, section);
 		if (!status)
 			status = hawser__tree_value(reader, &net->node[node], one, section, key);
-		for (int k = 0; k < 3 && !status; k++)
-			if (net->node[node].damper[k] < 0.0)
-				status = hawser__reader_fail(reader, &one->at, "dampers.%s is negative: dampers take "
-				                             "energy, with 0 or more", one->name);
 	}
 	return status;
 }
@@ -214,6 +210,12 @@ static enum hawser_status dampers(struct hawser__reader *reader, struct hawser_n
                                   const struct hawser__tree *tree)
 {
 	return hawser__net_of_nodes(reader, net, tree, "net.dampers", "{J: [0, 300 N.s/m, 0]}");
+}
+
+static enum hawser_status springs(struct hawser__reader *reader, struct hawser_net *net,
+                                  const struct hawser__tree *tree)
+{
+	return hawser__net_of_nodes(reader, net, tree, "net.springs", "{J: [0, 3 kN/m, 0]}");
 }
 
 static enum hawser_status release(struct hawser__reader *reader, struct hawser_net *net,
@@ -316,7 +318,8 @@ static enum hawser_status common(struct hawser__reader *reader, struct hawser_ne
 		                           const struct hawser__tree *);
 		int required;
 	} part[] = {{"nodes", nodes, 1}, {"cables", cables, 1}, {"supports", hawser__net_supports, 1},
-	            {"masses", masses, 0}, {"dampers", dampers, 0}, {"loads", hawser__net_loads, 0},
+	            {"masses", masses, 0}, {"dampers", dampers, 0}, {"springs", springs, 0},
+	            {"absorbers", hawser__net_absorbers, 0}, {"loads", hawser__net_loads, 0},
 	            {"passing", hawser__net_passing, 0}, {"dynamics", dynamics, 0},
 	            {"water", hawser__net_water, 0}, {"buoys", hawser__net_buoys, 0},
 	            {"obstacles", hawser__net_obstacles, 0}, {"contact", hawser__net_contact, 0},
@@ -347,6 +350,10 @@ static enum hawser_status common(struct hawser__reader *reader, struct hawser_ne
 		if (!status && i < 2)
 			status = hawser__net_index(reader, net);
 	}
+	if (!status && net->surfaces && (net->absorbers || hawser__tree_find(root, "springs")))
+		return hawser__reader_fail(reader, &(struct hawser__mark){.pass = 1}, "obstacles contradict "
+		                           "absorbers and springs: give a cable from the joint to a mass, or "
+		                           "to a support, in place of them");
 	return status ? status : hawser__net_room(reader, net, root);
 }
 
@@ -382,7 +389,9 @@ static enum hawser_status interpret(struct hawser__reader *reader, void *scene,
 		status = common(reader, net, root, 0);
 	if (!status)
 		status = hawser__net_bed(reader, net, hawser__tree_find(root, "nodes"));
-	return status ? status : rules(reader, net, hawser__tree_find(root, "cables"));
+	if (!status)
+		status = rules(reader, net, hawser__tree_find(root, "cables"));
+	return status ? status : hawser__net_hangers(reader, net);
 }
 
 HAWSER__TREE_SCENES(net, "net",

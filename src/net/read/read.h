@@ -21,6 +21,16 @@ enum hawser_status hawser__net_passing(struct hawser__reader *reader, struct haw
 /* loads.c: room for one more load. */
 enum hawser_status hawser__net_more(struct hawser_net_load **list, int count,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
+/* absorbed.c: `absorbers` of the scene. */
+struct hawser__net_absorber_given {
+	struct hawser_net_absorber of;
+	double omega;             /* rad/s, in place of the stiffness; 0: not given */
+};
+enum hawser_status hawser__net_absorbers(struct hawser__reader *reader, struct hawser_net *net,
+                                         const struct hawser__tree *tree) HAWSER_MUST_CHECK;
+/* Masses with hangers become nodes and cables, after all others are known. */
+enum hawser_status hawser__net_hangers(struct hawser__reader *reader, struct hawser_net *net)
+	HAWSER_MUST_CHECK;
 /* water.c: `water` and `buoys` of the scene, and whether a cable has what it needs in it. */
 enum hawser_status hawser__net_water(struct hawser__reader *reader, struct hawser_net *net,
                                      const struct hawser__tree *tree) HAWSER_MUST_CHECK;

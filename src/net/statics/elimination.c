@@ -32,7 +32,8 @@ static cholmod_sparse *graph_of(const struct hawser__mesh *mesh, const int *vert
                                 cholmod_common *common)
 {
 	cholmod_triplet *list = cholmod_allocate_triplet((size_t)vertices, (size_t)vertices,
-	                                                 (size_t)(vertices + mesh->elements), -1,
+	                                                 (size_t)(vertices + mesh->elements +
+	                                                          mesh->absorbers), -1,
 	                                                 CHOLMOD_PATTERN, common);
 	cholmod_sparse *graph = NULL;
 
@@ -41,8 +42,10 @@ static cholmod_sparse *graph_of(const struct hawser__mesh *mesh, const int *vert
 
 		for (int i = 0; i < vertices; i++, count++)
 			row[count] = column[count] = i;
-		for (int e = 0; e < mesh->elements; e++) {
-			int a = vertex[mesh->end[e][0]], b = vertex[mesh->end[e][1]];
+		for (int e = 0; e < mesh->elements + mesh->absorbers; e++) {
+			int own = e < mesh->elements, k = e - mesh->elements;
+			int a = vertex[own ? mesh->end[e][0] : mesh->absorber[k].node];
+			int b = vertex[own ? mesh->end[e][1] : mesh->absorber[k].at];
 
 			if (a < 0 || b < 0)
 				continue;

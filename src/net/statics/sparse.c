@@ -118,7 +118,7 @@ static int find(const cholmod_sparse *matrix, int i, int j)
 	return low;
 }
 
-/* List the entries (column, row) of all elements and of the diagonal: list [count][2]. */
+/* List the entries (column, row) of all elements, absorbers and of the diagonal: list [count][2]. */
 static size_t list_entries(int (*list)[2], const struct hawser__mesh *mesh)
 {
 	size_t count = 0;
@@ -136,6 +136,15 @@ static size_t list_entries(int (*list)[2], const struct hawser__mesh *mesh)
 				list[count][0] = u[i] < u[j] ? u[i] : u[j];
 				list[count++][1] = u[i] < u[j] ? u[j] : u[i];
 			}
+	}
+	for (int i = 0; i < 3*mesh->absorbers; i++) {
+		const struct hawser__mesh_absorber *of = &mesh->absorber[i/3];
+		int own = mesh->unknown[of->at][of->axis], u = mesh->unknown[of->node][i%3];
+
+		if (own < 0 || u < 0)
+			continue;
+		list[count][0] = own < u ? own : u;
+		list[count++][1] = own < u ? u : own;
 	}
 	return count;
 }
@@ -190,7 +199,7 @@ static enum hawser_status pattern(struct hawser__sparse *sparse, const struct ha
                                   struct hawser_report *report)
 {
 	enum hawser_status status = HAWSER_OK;
-	size_t most = (size_t)mesh->unknowns + 15*(size_t)mesh->elements, count;
+	size_t most = (size_t)mesh->unknowns + 15*(size_t)mesh->elements + 3*(size_t)mesh->absorbers, count;
 	int (*list)[2] = malloc((most + 1)*sizeof *list), (*sorted)[2] = malloc((most + 1)*sizeof *sorted);
 	size_t *place = malloc(((size_t)mesh->unknowns + 1)*sizeof *place);
 
@@ -346,6 +355,13 @@ void hawser__sparse_node(struct hawser__sparse *sparse, int element, int end, co
 void hawser__sparse_diagonal(struct hawser__sparse *sparse, int unknown, double value)
 {
 	((double *)sparse->matrix->x)[sparse->diagonal[unknown]] += value;
+}
+
+void hawser__sparse_pair(struct hawser__sparse *sparse, int unknown, int other, double value)
+{
+	int low = unknown < other ? unknown : other, high = unknown < other ? other : unknown;
+
+	((double *)sparse->matrix->x)[find(sparse->matrix, high, low)] += value;
 }
 
 enum hawser_status hawser__sparse_factor(struct hawser__sparse *sparse, int *definite,

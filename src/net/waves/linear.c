@@ -160,6 +160,8 @@ static void nodes(struct hawser__linear_mesh *linear)
 		for (int i = 0; i < 3; i++)
 			linear->C[e][3*end + i][3*end + i] += mesh->damper[node][i] +
 			                                      linear->net->mass_rate*mesh->mass[node];
+		for (int i = 0; i < 3; i++)
+			linear->K[e][3*end + i][3*end + i] += mesh->spring[node][i];
 	}
 	for (int i = 0; i < mesh->touches; i++) {
 		const struct hawser__touch *touch = &mesh->touch[i];
@@ -217,6 +219,9 @@ enum hawser_status hawser__linear_mesh_open(struct hawser__linear_mesh *linear,
 
 	*linear = (struct hawser__linear_mesh){.net = net};
 	status = hawser__mesh_lawless(net, "the linear response", report);
+	if (!status && net->absorbers)
+		return hawser__fail(report, HAWSER_ERR_SCENE, "net", "%s: absorbers: the response to waves has "
+		                    "none: leave them out, or give a mass on a soft cable", net->name);
 	if (!status)
 		status = hawser__mesh_build(mesh, net, report);
 	elements = (size_t)mesh->elements + 1;

@@ -98,8 +98,7 @@ static enum hawser_status allocate(struct hawser__net_source *source, struct haw
 	source->kept = hawser__hold(&source->hold, (size_t)source->n, sizeof *source->kept);
 	source->mode = hawser__hold(&source->hold, (size_t)source->n*unknowns, sizeof *source->mode);
 	source->scratch = hawser__hold(&source->hold, unknowns + 1, sizeof *source->scratch);
-	source->place = hawser__hold(&source->hold, (size_t)(source->net->nodes + 6*source->net->cables),
-	                             sizeof *source->place);
+	source->place = hawser__hold(&source->hold, hawser__net_points(source->net), sizeof *source->place);
 	return source->hold.short_of_memory ? hawser__no_memory(report, "net rom") : HAWSER_OK;
 }
 

@@ -103,7 +103,8 @@ enum hawser_status hawser__net_mix(struct hawser_rom *to, int *mixed, const stru
 /* u and slope at a place of a row of unknowns. net_place.c. */
 void hawser__net_at(double u[3], double slope[3], const struct hawser__net_source *source,
                     const double *row, int place);
-/* net_place.c: the places; the expansion as that of a model. */
+/* net_place.c: most places; the places; the expansion as that of a model. */
+size_t hawser__net_points(const struct hawser_net *net);
 enum hawser_status hawser__net_places(struct hawser__net_source *source, char **name,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 struct hawser__expanded hawser__net_expanded(const struct hawser__net_source *source);

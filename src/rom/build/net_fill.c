@@ -111,8 +111,8 @@ static enum hawser_status set_labels(struct hawser_rom *rom, const struct hawser
 static enum hawser_status set_places(struct hawser_rom *rom, struct hawser__net_source *source,
                                      struct hawser_report *report)
 {
-	int points = source->net->nodes + 6*source->net->cables, n = rom->n;
-	char **name = calloc((size_t)points, sizeof *name);
+	int points, n = rom->n;
+	char **name = calloc(hawser__net_points(source->net), sizeof *name);
 	enum hawser_status status = name ? hawser__net_places(source, name, report)
 	                                 : hawser__no_memory(report, "net rom");
 

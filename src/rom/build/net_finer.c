@@ -16,6 +16,7 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "core/vec3.h"
 #include "rom/build/net.h"
 #include "rom/terms/ends.h"
 
@@ -76,6 +77,20 @@ static void overlap(double *product, const struct hawser__net_source *coarse, in
 					product[k*fine->n + j] += mass*(x[0]*y[0] + x[1]*y[1] + x[2]*y[2]);
 				}
 		}
+	}
+	for (int i = 0; i < mesh->absorbers*n*fine->n; i++) {
+		const struct hawser__mesh_absorber *of = &mesh->absorber[i/(n*fine->n)];
+		const struct hawser__mesh_absorber *too = &other->absorber[i/(n*fine->n)];
+		const double *x = coarse->modal.eigen.x + (size_t)(i/fine->n%n)*unknowns;
+		const double *y = fine->mode + (size_t)(i%fine->n)*others;
+		double u[3], v[3], s[3], r[3];
+
+		hawser__eigen_place(u, x, mesh, of->node);
+		hawser__eigen_place(s, x, mesh, of->at);
+		hawser__eigen_place(v, y, other, too->node);
+		hawser__eigen_place(r, y, other, too->at);
+		product[i%(n*fine->n)] += of->mass*(hawser__dot(of->e, u)*r[of->axis] +
+		                                    hawser__dot(of->e, v)*s[of->axis] + hawser__dot(s, r));
 	}
 	for (int k = 0; k < n; k++)
 		for (int j = 0; j < fine->n; j++)

@@ -54,11 +54,17 @@ static void add_element(double *row, const struct hawser__mesh *mesh, int e, dou
 /* row += factor*M x of displacements that the supports have too. */
 static void add_mass(double *row, const struct hawser__mesh *mesh, double factor, const double (*x)[3])
 {
+	struct hawser__mesh_pair pair;
+
 	for (int i = 0; i < 3*mesh->nodes; i++)
 		if (mesh->unknown[i/3][i%3] >= 0)
 			row[mesh->unknown[i/3][i%3]] += factor*mesh->mass[i/3]*x[i/3][i%3];
 	for (int e = 0; e < mesh->elements; e++)
 		add_element(row, mesh, e, factor*mesh->rho[e]*mesh->length0[e], x);
+	for (int j = 0; hawser__absorbers_mass(&pair, mesh, j); j++)
+		if (mesh->unknown[pair.node][pair.axis] >= 0)
+			row[mesh->unknown[pair.node][pair.axis]] +=
+				factor*pair.mass*x[pair.other][pair.other_axis];
 }
 
 /* The force of an element by its strains, EA a and T/g (b, c), N. */

@@ -89,12 +89,18 @@ static char *named(const struct hawser_net_cable *cable, const char *point)
 	return strdup(text);
 }
 
+size_t hawser__net_points(const struct hawser_net *net)
+{
+	return (size_t)(net->nodes + net->absorbers + 6*net->cables);
+}
+
 enum hawser_status hawser__net_places(struct hawser__net_source *source, char **name,
                                       struct hawser_report *report)
 {
 	const struct hawser__mesh *mesh = &source->modal.mesh;
 	const struct hawser_net *net = source->net;
 	int each = bending(mesh) > FEW ? 1 : POINTS, count = 0;
+	char text[HAWSER_NET_NAME + 8];
 
 	for (int i = 0; i < net->nodes; i++)
 		if (on_node(&source->place[count], mesh, i)) {
@@ -102,6 +108,16 @@ enum hawser_status hawser__net_places(struct hawser__net_source *source, char **
 			if (!name[count++])
 				return hawser__no_memory(report, "net rom");
 		}
+	for (int i = 0; i < net->absorbers; i++) { /* its stroke */
+		const struct hawser__mesh_absorber *of = &mesh->absorber[i];
+
+		if (!on_node(&source->place[count], mesh, of->node))
+			continue;
+		source->place[count].node[0] = source->place[count].node[1] = of->at;
+		name[count] = strdup(strcat(strcpy(text, "stroke_"), net->absorber[i].name));
+		if (!name[count++])
+			return hawser__no_memory(report, "net rom");
+	}
 	for (int c = 0; c < net->cables; c++)
 		for (int k = 0; k < each && elements_of(mesh, c) > 1; k++) {
 			source->place[count] = on_cable(mesh, c, points[k].part);

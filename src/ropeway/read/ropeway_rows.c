@@ -106,8 +106,7 @@ static const struct hawser__tree_key ropeway_rows[] = {
 	       "distance of the first of lane up from the bottom station")
 	NUMBER("ropeway.ropeway.carriers.phase_down", OPTIONAL, "m", ANY, RW_AT(phase_down),
 	       "spacing minus phase", "that of the first of lane down; they move in opposite directions")
-	NUMBER("ropeway.ropeway.carriers.hanger", OPTIONAL, "m", NOT_NEGATIVE, RW_AT(hanger), "0",
-	       "length at which the mass hangs below the rope")
+	HANGER("ropeway.ropeway.carriers.hanger", RW_AT(hanger))
 	WORD("ropeway.ropeway.down", OPTIONAL, "off|on", RW_AT(lanes), "on", "off leaves lane down out")
 	WORD("ropeway.ropeway.sliding", OPTIONAL, "running|rest|reverse", RW_AT(sliding), "running",
 	     "which way friction acts on the sheaves: against the rope that moves as the drive pulls it; "

@@ -162,6 +162,8 @@ static void pair_nodes(struct hawser__finites *w)
 
 	for (int i = 0; i < w->fine.nodes; i++)
 		w->from[i] = i;
+	for (int i = 0; i < w->coarse.absorbers; i++)
+		w->from[w->coarse.absorber[i].at] = fine->absorber[i].at;
 	for (int c = 0; c < w->coarse.cables; c++) {
 		int count = w->coarse.first[c + 1] - w->coarse.first[c];
 		int ratio = (fine->first[c + 1] - fine->first[c])/count;
@@ -191,6 +193,7 @@ static enum hawser_status open_second(struct hawser__finites *w,
 	if (w->hold.short_of_memory)
 		return hawser__no_memory(report, "certificate");
 	status = hawser__mesh_form(&w->coarse, T, &found, &w->half, &choice, report);
+	hawser__absorbers_release(&w->coarse, HAWSER__NET_SPACE);
 	if (!status)
 		status = hawser__net_multiples(&w->coarse, by->net->name, report);
 	pair_nodes(w);
@@ -201,7 +204,7 @@ static enum hawser_status open_second(struct hawser__finites *w,
 static enum hawser_status find_nodes(struct hawser__finites *w, struct hawser_report *report)
 {
 	struct hawser__net_source *source = &w->source;
-	size_t most = (size_t)(w->fine.nodes + 6*w->fine.cables);
+	size_t most = hawser__net_points(&w->fine);
 	char **name = calloc(most, sizeof *name);
 	enum hawser_status status = name ? hawser__net_places(source, name, report)
 	                                 : hawser__no_memory(report, "certificate");
