@@ -115,7 +115,8 @@ static int is_left_out(const struct hawser__tree_key *row)
 		"spin", "obstacles.cable.elements", "drive.brake.", ".shedding.", "net.obstacles[].inertia",
 		"rod.loads[].to", "rod.loads[].moment", "ropeway.ropeway.bottom.tension.", "net.cables[].t",
 		"net.cables[].f", "net.cables[].s",
-		"ropeway.ropeway.cases[]", "obstacles.tension.", "net.loads.*", "winch.times", "winch.speeds",
+		"ropeway.ropeway.cases[]", "obstacles.tension.", "net.loads.*", "net.masses.*.",
+		"net.absorbers[]", "winch.times", "winch.speeds",
 		"winch.lengths", "net.passing[]"};
 	size_t i = 0;
 

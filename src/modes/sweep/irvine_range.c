@@ -141,7 +141,7 @@ static enum hawser_status find_range(double *taut, double *slack, const struct s
 	status = find(taut, sweep, lambda_taut, low, high, report);
 	if (!status)
 		status = find(slack, sweep, lambda_slack, low, high, report);
-	if (!status && isfinite(contained)) {
+	if (!status && *slack < *taut - 0.01 && isfinite(contained)) {
 		*taut = fmax(*taut, contained + log(beside));
 		*slack = fmin(*slack, contained - log(beside));
 	}

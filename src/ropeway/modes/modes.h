@@ -43,7 +43,8 @@ struct hawser__lmode_segment {
 	struct hawser_grid grid;
 	struct hawser__reference table;
 	double sa;            /* sqrt(compliance) of stretch */
-	double *cosine, *sine; /* [points] of the tangent from the reference (D = 2); sine on an arc: of its slope */
+	double *cosine, *sine; /* [points] of the tangent from the reference (D = 2);
+	                       * on an arc in the plane: sine of its slope */
 	double *sb;           /* [points] sqrt(compliance) of rotation; NULL on an arc in the plane */
 	double *k;            /* [points] stiffness of the ground, on an arc in the plane; else NULL */
 	double *inverse;      /* [points][points] of I - c J J k (modes_equations.c); else NULL */
