@@ -83,6 +83,23 @@ static enum hawser_status load_model(struct cli_model *model, const struct setti
 
 /* --- results --- */
 
+/* The nearest mode, from 1, that lies within the reach of the peak: at one to one it may move too, as
+ * where a stay whirls. 0: there is none. */
+static int twin(const struct hawser_primary *primary, const struct hawser_rom *rom)
+{
+	const double near = 0.1; /* of its frequency: beyond, no resonance of one to one; chosen */
+	double reach = fmin(fabs(primary->peak_omega - primary->omega) + primary->damping,
+	                    near*primary->omega);
+	int found = 0;
+
+	for (int k = 0; k < rom->n; k++)
+		if (k != primary->mode && fabs(natural_of(rom, k) - primary->omega) < reach) {
+			found = k + 1;
+			reach = fabs(natural_of(rom, k) - primary->omega);
+		}
+	return found;
+}
+
 /* A second mode that the closed form leaves out although it takes part. */
 static void warn_of_rival(const struct hawser_primary *primary, const struct hawser_rom *rom)
 {
@@ -91,9 +108,14 @@ static void warn_of_rival(const struct hawser_primary *primary, const struct haw
 	int m = primary->mode + 1, j = hawser_primary_rival(&strength, primary, rom) + 1;
 	double ratio = j ? natural_of(rom, j - 1)/primary->omega : 0.0;
 
-	if (!j)
+	if (!j && !(j = twin(primary, rom)))
 		return;
-	if (ratio > 1.0)
+	if (ratio == 0.0)
+		snprintf(text, sizeof text, "mode %d has %.5g times the frequency of mode %d, by which it may "
+		         "move too (one to one), and the closed form and its column stable leave it out: "
+		         "hawser frf with --branches 1 follows both", j,
+		         natural_of(rom, j - 1)/primary->omega, m);
+	else if (ratio > 1.0)
 		snprintf(text, sizeof text, "mode %d, at %.4g times the frequency of mode %d, takes part by a "
 		         "resonance of two to one, and the closed form leaves it out: hawser mms "
 		         "--resonant %d:1,%d:2 has both, hawser frf the whole model", j, ratio, m, m, j);

@@ -341,6 +341,9 @@ enum hawser_status cli_vtk_check(const char *path, const char *command,
                                  struct hawser_report *report) HAWSER_MUST_CHECK;
 /* Warn of implausible quantities of the scene (plausible.h). */
 void cli_warn_doubts(const struct hawser_scene *scene);
+/* Vortices of a wind that no mode of the model can follow: that of their frequency has about the number
+ * of a string's. */
+void cli_warn_wake(const struct hawser_scene *scene, const struct hawser_statics *statics);
 enum { CLI_WARNING_SIZE = 1000 };
 
 /* --- signals.c --- */

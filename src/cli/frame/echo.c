@@ -341,6 +341,25 @@ void cli_warn_doubts(const struct hawser_scene *scene)
 	}
 }
 
+void cli_warn_wake(const struct hawser_scene *scene, const struct hawser_statics *statics)
+{
+	const struct hawser_wind *wind = &scene->wind;
+	double frequency, number;
+	char text[CLI_WARNING_SIZE];
+
+	if (!wind->present || !wind->wake.present || scene->model.modes == HAWSER_MODES_AUTO)
+		return;
+	frequency = wind->wake.strouhal*wind->speed/wind->diameter;
+	number = 2.0*frequency*statics->span.d/sqrt(statics->H/statics->span.rho);
+	if (number <= scene->model.modes)
+		return;
+	snprintf(text, sizeof text, "vortices are shed at %.4g Hz (wind.wake.strouhal times speed over "
+	         "diameter), where mode %.0f of a plane is, and the model has %d modes of both planes: "
+	         "such vortices move none of them much; raise model.modes (-n), or see what a lower "
+	         "wind.speed does", frequency, number, scene->model.modes);
+	cli_warn(text);
+}
+
 static char **kept;
 
 char **cli_warn_into(char **text)

@@ -103,8 +103,10 @@ static enum hawser_status from_scene(struct cli_model *model, const struct cli_c
 	}
 	if (!status)
 		status = hawser_statics_scene(&model->statics, &model->scene, report);
-	if (!status)
+	if (!status) {
 		hawser_modes_settle(&model->scene, &model->statics);
+		cli_warn_wake(&model->scene, &model->statics);
+	}
 	if (!status && model->scene.model.modes == HAWSER_MODES_AUTO)
 		return cli_choice_prepare(model, report);
 	options = cli_modes_options(&model->scene);

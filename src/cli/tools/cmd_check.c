@@ -58,6 +58,7 @@ static enum hawser_status check_cable(const struct cli_common *common,
 
 	if (status)
 		return status;
+	cli_warn_wake(scene, &statics);
 	print_good(common, kind);
 	printf("  H: %.6g N, sag: %.6g m, unstretched length: %.6g m\n", statics.H, statics.sag,
 	       statics.length0);
