@@ -16,6 +16,8 @@
  * They are therefore interpolated through the last stations. The step is too long if the growth,
  * with the error of the interpolation, may exceed the error of the multipliers within it.
  * Differences of lambda itself would have a kink where a pair meets on the real axis; z has none.
+ * Elsewhere the square of such a difference is nearly a parabola, as arguments turn evenly, while D is
+ * of fourth degree: pairs that pass each other without growth alarm no step.
  *
  * The two multipliers of one pair collide at 1 or -1 and then separate along the real axis: two folds,
  * branch points or period doublings, if one of them reaches the unit circle. The square of lambda less
@@ -34,7 +36,8 @@
 
 #include "response/branch/collide.h"
 
-#define MODULUS 5.0     /* weight of a logarithm of a modulus beside an argument; chosen */
+#define MODULUS 20.0    /* weight of a logarithm of a modulus beside an argument: moduli change
+                         * slowly, and tell which pair is which; chosen */
 #define SAMPLES 8       /* points within a step at which the growth is evaluated; chosen */
 #define TURN 0.5        /* largest change of an argument per step, rad, with which pairs can be
                          * identified; chosen */
@@ -264,6 +267,82 @@ static int grows_together(const double complex *lambda, int count, int i, int j,
 	return 0;
 }
 
+/* out [4]: pair i at the stations, where bit k of `turned` is set with the conjugate's argument. */
+static void turn(double complex *out, const double complex *lambda, int count, int i, double centre,
+                 int turned)
+{
+	for (int k = 0; k < 4; k++) {
+		double complex own = lambda[k*count + i];
+
+		out[k] = turned >> k & 1 ? conj(own) + 2.0*I*centre : own;
+	}
+}
+
+/* The same with arguments that go on beyond 0 or pi: of the values that mean the same, those that lie
+ * most nearly on a parabola. Returns 0 where this doesn't help: a real pair, or one that passes 0 or pi
+ * within the step. */
+static int unroll(double complex *out, const double complex *lambda, int count, int i, const double *s,
+                  int step)
+{
+	double centre = cimag(lambda[step*count + i]) > 0.5*M_PI ? M_PI : 0.0, least = INFINITY;
+	int best = 0;
+
+	for (int k = 0; k < 4; k++)
+		if (apart(lambda[k*count + i]) > 0.0)
+			return 0;
+	for (int turned = 0; turned < 16; turned++) {
+		double error;
+
+		turn(out, lambda, count, i, centre, turned);
+		(void)interpolate(&error, out, s, 0.5*(s[step] + s[step + 1]));
+		if (error < least) {
+			least = error;
+			best = turned;
+		}
+	}
+	turn(out, lambda, count, i, centre, best);
+	return (best >> step & 1) == (best >> (step + 1) & 1);
+}
+
+/* Whether a and b [4], which may meet within the step, grow by no more than `bound` there. */
+static int pass(const double complex *a, const double complex *b, const double *s, int step,
+                double bound)
+{
+	double complex Q[4], S[4];
+	double turns = 2.0*M_PI*round(cimag(a[step] - b[step])/(2.0*M_PI));
+
+	for (int k = 0; k < 4; k++) {
+		double complex gap = a[k] - b[k] - I*turns;
+
+		Q[k] = gap*gap;
+		S[k] = creal(a[k] + b[k]);
+	}
+	for (int e = 0; e < SAMPLES; e++) {
+		double at = place_of(Q, s, step, e), off_Q, off_S;
+		double complex sum = interpolate(&off_S, S, s, at), square = interpolate(&off_Q, Q, s, at);
+
+		if (0.5*(creal(sum) + off_S + creal(csqrt(square + SAFETY*off_Q))) > bound)
+			return 0;
+	}
+	return 1;
+}
+
+/* The same as grows_together, of complex pairs that don't meet their own conjugates within the step: by
+ * the square of the difference of lambda, a parabola where arguments turn evenly, as D is not. */
+static int passes_by(const double complex *lambda, int count, int i, int j, const double *s,
+                     const struct hawser__station *const station[4], int step, int m)
+{
+	double complex a[4], b[4], conjugate[4];
+	double bound = fmax(bound_within(lambda, count, i, station, step, m),
+	                    bound_within(lambda, count, j, station, step, m));
+
+	if (!unroll(a, lambda, count, i, s, step) || !unroll(b, lambda, count, j, s, step))
+		return 0;
+	for (int k = 0; k < 4; k++)
+		conjugate[k] = conj(b[k]);
+	return pass(a, b, s, step, bound) && pass(a, conjugate, s, step, bound);
+}
+
 /* lambda [2][count]: at both ends of the step. */
 static int near_by(const double complex *lambda, int count, int i, int j)
 {
@@ -331,7 +410,8 @@ int hawser__collide(int *followed, const struct hawser__station *const station[4
 		*followed &= !alone;
 		for (int j = 0; j < i && !found; j++)
 			found = near_by(lambda + step*count, count, i, j) &&
-			        grows_together(lambda, count, i, j, s, station, step, m);
+			        grows_together(lambda, count, i, j, s, station, step, m) &&
+			        !passes_by(lambda, count, i, j, s, station, step, m);
 	}
 	return found;
 }

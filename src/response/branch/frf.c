@@ -233,11 +233,13 @@ static enum hawser_status arrive(void *owner, enum hawser__arrival *arrival, dou
 {
 	struct hawser__trace *trace = owner;
 	double omega = hawser__trace_parameter(trace, &trace->next), share;
-	int outside = omega >= trace->hi || omega <= trace->lo, round, again, met = 0;
+	int outside = omega >= trace->hi || omega <= trace->lo, round, again, met = 0, hidden = 0;
 	enum hawser_status status;
 
 	(void)taken;
-	if (!trace->options.skip_events && hawser__trace_hid(trace)) {
+	if (!trace->options.skip_events && (status = hawser__trace_hid(trace, &hidden)))
+		return status;
+	if (hidden) {
 		go_back(trace, ds);
 		*arrival = HAWSER__AGAIN;
 		return HAWSER_OK;

@@ -29,7 +29,7 @@
 #define UNSURE 0.5              /* the same for a modulus, which bends sharply where two pairs pass each
                                  * other; chosen */
 #define FEW 4                   /* multipliers of which the product may foresee an excursion although
-                                 * each pair has been followed; chosen */
+                                 * each pair has been followed through four stations; chosen */
 #define NEAR 0.3                /* distance from 1 or -1 below which multipliers are included;
                                  * chosen */
 
@@ -161,24 +161,24 @@ static int product_couples(double *product, const struct hawser__station *statio
  * step; before that, its product approaches zero. A step towards a minimum is halved until its
  * parabola is reliable. Multipliers of high modes rotate past `centre` from station to station;
  * they are different ones each time and are not considered.
- * followed: collide.c has followed each pair, and excludes this. It is believed where many
- * pass the centre together, as those of a string at its frequency: their product has a minimum that
- * no parabola foresees. */
+ * few: number of multipliers above which this is not looked at, as collide.c has followed each
+ * pair and excludes it: where many pass the centre together, as those of a string at its frequency,
+ * their product has a minimum that no parabola foresees. */
 static int hides_excursion(const struct hawser__station *a, const struct hawser__station *b,
-                           const struct hawser__station *c, int m, double centre, int followed,
+                           const struct hawser__station *c, int m, double centre, int few,
                            int product(double *, const struct hawser__station *, int, double))
 {
 	double g[3];
 	int count = product(&g[0], a, m, centre);
 
-	return count > 1 && !(followed && count > FEW) && product(&g[1], b, m, centre) == count &&
+	return count > 1 && count <= few && product(&g[1], b, m, centre) == count &&
 	       product(&g[2], c, m, centre) == count && approaches_zero(a, b, c, g, SHALLOW);
 }
 
 /* Two crossings of the unit circle, or two folds, between b and c change neither the signs nor the
- * count; a is the station beyond b. followed: collide.c has followed each pair through them. */
+ * count; a is the station beyond b. few: see hides_excursion; where nothing is undecided. */
 static int hides(const struct hawser__trace *trace, const struct hawser__station *a,
-                 const struct hawser__station *b, const struct hawser__station *c, int followed)
+                 const struct hawser__station *b, const struct hawser__station *c, int few)
 {
 	int m = trace->orbit->m, last = trace->orbit->size - 1;
 
@@ -187,40 +187,87 @@ static int hides(const struct hawser__trace *trace, const struct hawser__station
 			return 1;
 	if (trace->orbit->own == HAWSER__RESTS && exchanges(b, c, m))
 		return 1;
-	followed = followed && !a->circle.undecided && !b->circle.undecided && !c->circle.undecided;
+	if (a->circle.undecided || b->circle.undecided || c->circle.undecided)
+		few = m;
 	for (int centre = -1; centre <= 1; centre += 2)
-		if (hides_excursion(a, b, c, m, centre, followed, product_near) ||
-		    hides_excursion(a, b, c, m, centre, followed, product_couples))
+		if (hides_excursion(a, b, c, m, centre, few, product_near) ||
+		    hides_excursion(a, b, c, m, centre, few, product_couples))
 			return 1;
 	return hides_crossings(a->arc, a->t[last], b->arc, b->t[last], c->arc, c->t[last]);
 }
 
-static int collided(int *followed, const struct hawser__trace *trace, int step)
+/* Whether events between stations `step` and step + 1 of four (1 or 2), seen from the one beyond, may
+ * not be separated; few: see hides_excursion. */
+static int hides_in(const struct hawser__trace *trace, const struct hawser__station *const all[4],
+                    int step, int few)
+{
+	const struct hawser__station *beyond = all[step == 1 ? 3 : 1], *end = all[step == 1 ? 1 : 3];
+	int followed = 0;
+
+	return (trace->known > 2 &&
+	        hawser__collide(&followed, all, step, trace->orbit->m, trace->pairs)) ||
+	       hides(trace, beyond, all[2], end, followed ? few : trace->orbit->m);
+}
+
+/* Whether a station between a and b shows events of which those two show nothing. */
+static int shows_more(const struct hawser__station *a, const struct hawser__station *between,
+                      const struct hawser__station *b)
+{
+	int sure = hawser__station_unsure(a, between) || hawser__station_unsure(between, b);
+	int count = hawser__station_circle(between, sure).unstable;
+
+	for (int k = 0; k < HAWSER_TESTS; k++)
+		if (hawser__station_crossed(a, between, k, sure) &&
+		    hawser__station_crossed(between, b, k, sure))
+			return 1;
+	return count != hawser__station_circle(a, sure).unstable &&
+	       count != hawser__station_circle(b, sure).unstable;
+}
+
+/* *hidden becomes 0 where a station between two others, `step` and step + 1 of four, tells that no
+ * events are hidden. It takes an orbit; a step that is made again takes two or three. */
+static enum hawser_status look_between(struct hawser__trace *trace, int *hidden,
+                                       const struct hawser__station *const all[4], int step)
+{
+	struct hawser__orbit *orbit = trace->orbit;
+	struct hawser__station *between = &trace->scratch;
+	const struct hawser__station *a = all[step], *b = all[step + 1];
+	const struct hawser__station *five[5] = {all[step - 1], a, between, b, all[3]};
+	enum hawser_status status = HAWSER_OK;
+
+	if (!hawser__station_inside(between, orbit, a, b, 0.5, trace->options.tolerance)) {
+		between->arc = 0.5*(a->arc + b->arc);
+		status = hawser__station_finish(between, orbit, a->t, trace->report);
+		*hidden = shows_more(a, between, b) || hides_in(trace, five, 1, 0) ||
+		          (step == 1 ? hides_in(trace, five + 1, 1, 0) : hides_in(trace, five, 2, 0));
+	}
+	(void)orbit->ops->defects(orbit, trace->next.y, 1); /* the orbit is again that of next */
+	return status;
+}
+
+/* The same of two of the last four stations. Where an orbit takes little, a step is rather made
+ * again. */
+static enum hawser_status hides_behind(struct hawser__trace *trace, int *hidden, int step)
 {
 	const struct hawser__station *all[4] = {&trace->before, &trace->prev, &trace->here, &trace->next};
 
-	*followed = 0;
-	return trace->known > 2 && hawser__collide(followed, all, step, trace->orbit->m, trace->pairs);
+	*hidden = trace->known > 1 && all[step + 1]->arc - all[step]->arc > HAWSER__SORTING_STEP &&
+	          hides_in(trace, all, step, FEW);
+	return *hidden && trace->rom->exact && !trace->orbit->unjudged && trace->known > 2
+	       ? look_between(trace, hidden, all, step) : HAWSER_OK;
 }
 
-int hawser__trace_hides(const struct hawser__trace *trace)
+enum hawser_status hawser__trace_hides(struct hawser__trace *trace, int *hidden)
 {
-	int followed;
-
-	return trace->known > 1 && (collided(&followed, trace, 2) ||
-	                            hides(trace, &trace->prev, &trace->here, &trace->next, followed));
+	return hides_behind(trace, hidden, 2);
 }
 
 /* What lies between two stations looks different from either side: an interval in which the motion
  * is unstable may be long before a curve of small slope, and short behind it. The step to `here` is
  * therefore judged again when `next` is known. */
-int hawser__trace_hid(const struct hawser__trace *trace)
+enum hawser_status hawser__trace_hid(struct hawser__trace *trace, int *hidden)
 {
-	int followed;
-
-	return trace->known > 1 && trace->here.arc - trace->prev.arc > HAWSER__SORTING_STEP &&
-	       (collided(&followed, trace, 1) ||
-	        hides(trace, &trace->next, &trace->here, &trace->prev, followed));
+	return hides_behind(trace, hidden, 1);
 }
 
 /* Whether the corrector had so little work that the point must be on the same branch. */

@@ -228,10 +228,13 @@ enum hawser_status hawser__trace_judge(void *owner, double ds, double angle,
 {
 	struct hawser__trace *trace = owner;
 	enum hawser_status status;
+	int hidden;
 
 	*verdict = HAWSER__SHORTEN;
-	if (refused(trace, angle, ds) || (ds > HAWSER__SORTING_STEP && hawser__trace_hides(trace)))
+	if (refused(trace, angle, ds))
 		return HAWSER_OK;
+	if ((status = hawser__trace_hides(trace, &hidden)) || hidden)
+		return status;
 	*verdict = HAWSER__KEEP;
 	if (hawser__account_crossings(&trace->here, &trace->next, &(int){0},
 	                              hawser__station_unsure(&trace->here, &trace->next)))

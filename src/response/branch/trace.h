@@ -109,9 +109,9 @@ enum hawser_status hawser__trace_settle(struct hawser__trace *trace,
 /* judge.c: whether a corrected point is certainly on the same branch as the one before; angle is that
  * between the two tangents. And whether the events between here and next are not separated. */
 int hawser__trace_trusted(const struct hawser__correction *correction, double angle);
-int hawser__trace_hides(const struct hawser__trace *trace);
+enum hawser_status hawser__trace_hides(struct hawser__trace *trace, int *hidden);
 /* judge.c: whether the step from prev to here, seen from next, may hide events. */
-int hawser__trace_hid(const struct hawser__trace *trace);
+enum hawser_status hawser__trace_hid(struct hawser__trace *trace, int *hidden);
 
 /* judge.c: whether the branch ends at rest; this event is then stored. */
 enum hawser_status hawser__trace_vanish(struct hawser__trace *trace, int *vanished);
