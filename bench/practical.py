@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-# bench/practical.py HAWSER [SCENES [SEED [FIRST]]] (40, 1, 0): is the response of ordinary cables right by default?
+# bench/practical.py HAWSER [SCENES [SEED [FIRST [WORD]]]] (40, 1, 0): is the response of ordinary cables right by default?
 #
 # Random conductors, stays, guys, spans of chairlifts, mooring lines in air, hoist ropes and cables of footbridges, in
 # turn, each near its first or second resonance: `hawser frf` with all defaults against the exact energy on MORE
-# functions a component than that took itself, at least FEWEST. A scene depends on the seed and its number alone.
+# functions a component than that took itself, at least FEWEST. A scene depends on the seed and its number alone. With a
+# WORD of EXTRA the kinds of cables for which that is usual have it besides, such as a damper near the lower end.
 #
 # Both largest peaks and all folds of a stable branch: a line each scene with the seconds of processor time, the largest
 # true error of these (of an amplitude or a frequency, relative), the stated error, and what is wrong. "lost": a peak or
@@ -43,7 +44,49 @@ KINDS = {
 }
 
 
-def draw(chance, kind):
+def damper(chance, of):
+    """A third to three times as large as is best for the first mode of a taut string."""
+    at = chance.uniform(0.01, 0.05)
+    size = logarithmic(chance, 0.03, 0.3)*of["rho"]*of["chord"]*of["omega"]/at
+    return 0.5*at, f"attach: [{{at: {at:.4g}, damper: [0, {size:.5g}, {size:.5g}]}}]\n"
+
+
+def deck(chance, of):
+    turn, moved = chance.uniform(0.0, math.pi), of["swing"]*of["ratio"]
+    return None, f"support: {{B: {{motion: [0, {moved*math.cos(turn):.5g}, {moved*math.sin(turn):.5g}]}}}}\n"
+
+
+def wind(chance, of):
+    return 0.0, (f"wind: {{speed: {chance.uniform(3, 20):.4g}, density: 1.225, diameter: {0.02*math.sqrt(of['rho']):.4g}, "
+                 f"drag: [{chance.uniform(0.7, 1.2):.3g}]}}\n")
+
+
+def speed(chance, of):
+    steady = of["omega"]*of["chord"]/math.pi*chance.uniform(0.02, 0.3)
+    return 0.0, (f"travel: {{speed: {steady:.5g}, fluctuation: {steady*chance.uniform(0.01, 0.1):.4g}, "
+                 f"hold: tension}}\n")
+
+
+def absorber(chance, of):
+    mass, at = of["rho"]*of["chord"]*chance.uniform(0.005, 0.03), chance.uniform(0.1, 0.5)
+    k = mass*of["omega"]**2*chance.uniform(0.8, 1.2)
+    return 0.02, (f"attach: [{{at: {at:.4g}, absorber_mass: {mass:.5g}, absorber_stiffness: {k:.5g}, "
+                  f"absorber_damping: {0.2*mass*of['omega']:.5g}, absorber_direction: [0, 1, 0]}}]\n")
+
+
+def supports(chance, of):
+    k = ", ".join(f"{of['H']/of['chord']*logarithmic(chance, 30, 1000):.5g}" for _ in range(3))
+    return 0.0, f"support: {{B: {{stiffness: [{k}]}}}}\n"
+
+
+# word: the kinds of cables, and a function that gives the damping ratio that it adds, or None where it takes the place of
+# the load, and its lines
+EXTRA = {"damper": (("stay", "guy"), damper), "deck": (("stay", "footbridge"), deck),
+         "wind": (("conductor", "stay", "guy", "chairlift"), wind), "speed": (("chairlift", "hoist"), speed),
+         "absorber": (("stay", "conductor"), absorber), "supports": (("conductor", "stay", "guy"), supports)}
+
+
+def draw(chance, kind, extra=None):
     stiff, mass, long, slope, sags, ratios, across = KINDS[kind]
     rho = logarithmic(chance, *mass)
     chord = chance.uniform(*long)
@@ -58,9 +101,13 @@ def draw(chance, kind):
     omega = math.pi/chord*math.sqrt(H/math.cos(angle)/rho)
     q = swing*0.25*math.pi*rho*omega*omega*2.0*ratio
     turn = chance.uniform(*across)*0.5*math.pi
+    of = {"rho": rho, "chord": chord, "H": H, "ratio": ratio, "swing": swing, "omega": omega}
+    more, lines = EXTRA[extra][1](chance, of) if extra else (0.0, "")
+    q *= 1.0 + (more or 0.0)/ratio
     text = (f"cable: {{EA: {1e6*rho*chance.uniform(*stiff):.6g}, rho: {rho:.6g}}}\nspan: {{d: {d:.6g}, h: {h:.6g}}}\n"
-            f"tension: {{H: {H:.6g}}}\ndamping: {{ratio: {ratio:.4g}}}\n"
-            f"load: {{frame: local, per_length: [0, {q*math.cos(turn):.5g}, {q*math.sin(turn):.5g}]}}\n")
+            f"tension: {{H: {H:.6g}}}\ndamping: {{ratio: {ratio:.4g}}}\n{lines}")
+    if more is not None:
+        text += f"load: {{frame: local, per_length: [0, {q*math.cos(turn):.5g}, {q*math.sin(turn):.5g}]}}\n"
     return text, chance.choice((1, 1, 2))
 
 
@@ -137,13 +184,15 @@ def model(answer):
 def main():
     hawser = os.path.abspath(sys.argv[1])
     count, seed, first = (int(sys.argv[k]) if len(sys.argv) > k else default for k, default in ((2, 40), (3, 1), (4, 0)))
+    extra = sys.argv[5] if len(sys.argv) > 5 else None
+    kinds = EXTRA[extra][0] if extra else list(KINDS)
     folder = tempfile.mkdtemp()
     scene = os.path.join(folder, "scene.yaml")
     beyond = losses = left = 0
     seconds, ratios = [], []
     for number in range(first, first + count):
-        kind = list(KINDS)[number % len(KINDS)]
-        text, mode = draw(random.Random(seed*100003 + number), kind)
+        kind = kinds[number % len(kinds)]
+        text, mode = draw(random.Random(seed*100003 + number), kind, extra)
         with open(scene, "w", encoding="utf-8") as stream:
             stream.write(text)
         head = f"{number:3d} {kind:10s} w{mode}"

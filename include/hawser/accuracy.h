@@ -69,6 +69,12 @@ struct hawser_accuracy_options {
 	int agreed;              /* 1: no response of a full-order model that no other agrees with */
 	double after;            /* over 0: the full-order model is wanted, not its response, and its use
 	                          * takes this many times as long as the coarse curve that chooses it */
+	/* hawser_accuracy_exact: a reduced model whose error is not known, and its response, or NULL.
+	 * Where that is right to `near` (0: accuracy) it is the answer: `functions` is 0, `estimated` is
+	 * its error, and `rom` and `frf` are not set. */
+	const struct hawser_rom *rom;
+	const struct hawser_frf *response;
+	double near;
 	struct hawser_frf_options frf; /* range and method as in frf.h. tolerance, event_tolerance and
 	                                * step_max: 0: chosen for the accuracy. max_points: at most 2500;
 	                                * 0: 2500. progress is called for each model in turn */

@@ -26,6 +26,9 @@ static const double longest = 0.02;
  * range about one frequency; chosen. */
 static const double row = 3.0, around = 1.05;
 
+/* Work of it that an error is worth which is not known otherwise; chosen. */
+static const double for_error = 6.0;
+
 /* Work after which a curve of modes is judged first, and the factor from one judgement to the next,
  * which takes 0.1 to 0.3 s; fewest points then; chosen. */
 static const double soon = 2.0, later = 3.0;
@@ -43,6 +46,12 @@ int cli_exact_calls(const struct cli_model *model, const struct cli_model_error 
 	       model->scene.model.condense == HAWSER_CONDENSE_STATIC &&
 	       (!error || (error->stated && hawser_accuracy_poor(&error->fixed, has_accuracy(model)
 	                                                          ? model->scene.model.accuracy : 0.0)));
+}
+
+/* The same, or whether it alone tells the error of the modes. */
+static int is_wanted(const struct cli_model *model, const struct cli_model_error *error)
+{
+	return cli_exact_calls(model, error) || (error->unweighed && cli_exact_calls(model, NULL));
 }
 
 int cli_exact_failed(const struct cli_model *model, const struct cli_model_error *error)
@@ -117,13 +126,16 @@ static void explain(struct cli_model *model, const struct hawser_accuracy *bette
 		         : "no two bases agree");
 }
 
-/* Search for the model. result: NULL: for the model alone, whose range stays. points: of the response
- * of the modes; after: hawser_accuracy_options. */
+/* Search for the model. result: NULL: for the model alone, whose range stays. points: of
+ * `response`, that of the modes, or NULL; after: hawser_accuracy_options. Where their error is not
+ * known, it may turn out to be small. */
 static enum hawser_status search(struct hawser_accuracy *better, struct cli_model *model,
                                  struct cli_model_error *error, struct cli_frf_result *result,
-                                 const struct hawser_frf_options *options, int points, double after,
+                                 const struct hawser_frf_options *options,
+                                 const struct hawser_frf *response, int points, double after,
                                  struct hawser_report *report)
 {
+	int unweighed = response && error->stated && error->unweighed;
 	struct hawser_accuracy_options choice =
 		hawser_accuracy_instead(error->stated ? &error->fixed : NULL, has_accuracy(model), options);
 	struct hawser_report why = {.message = ""};
@@ -132,6 +144,10 @@ static enum hawser_status search(struct hawser_accuracy *better, struct cli_mode
 	choice.expected = points;
 	choice.after = after;
 	choice.partial = choice.partial && result;
+	choice.rom = &model->rom;
+	choice.response = unweighed ? response : NULL;
+	if (unweighed)
+		choice.bearable = for_error;
 	status = hawser_accuracy_exact(better, &model->statics, &model->scene, &choice, &why);
 	if (status == HAWSER_ERR_MEMORY) {
 		if (report)
@@ -139,11 +155,12 @@ static enum hawser_status search(struct hawser_accuracy *better, struct cli_mode
 		return status;
 	}
 	if (!status && better->reached) {
-		take(model, better, error);
+		if (better->functions)
+			take(model, better, error);
 		state(error, better);
 		if (result)
 			shorten(result, model, better, choice.bearable);
-	} else {
+	} else if (!unweighed) {
 		explain(model, better, status, why.message);
 	}
 	return HAWSER_OK;
@@ -165,9 +182,10 @@ static int points_wanted(const struct hawser_frf *frf, const struct hawser_frf_o
 	return points > 1.0 ? (int)points : frf->points;
 }
 
+/* whole: 1: frf is the response of the modes. */
 static enum hawser_status trace(struct hawser_frf *frf, struct hawser_frf_options *options,
                                 struct cli_model *model, struct cli_frf_result *result, int step,
-                                struct hawser_report *report)
+                                int whole, struct hawser_report *report)
 {
 	struct hawser_accuracy better = {.tries = 0};
 	struct hawser_frf_options choice = *options;
@@ -181,7 +199,7 @@ static enum hawser_status trace(struct hawser_frf *frf, struct hawser_frf_option
 		return HAWSER_OK;
 	}
 	status = search(&better, model, &result->error, result, &choice,
-	                step ? frf->points : points_wanted(frf, options), 0.0,
+	                whole ? frf : NULL, step ? frf->points : points_wanted(frf, options), 0.0,
 	                report);
 	if (!status && model->exact.functions) {
 		*options = better.traced;
@@ -206,9 +224,9 @@ static enum hawser_status judge_curve(struct hawser_frf *frf, struct hawser_frf_
 	/* the points so far tell whether the energy is the reason of a failure */
 	if (frf->points > 1 && (status = cli_fixed_estimate(result, so_far ? NULL : report)))
 		return so_far ? so_far : status;
-	if (!cli_exact_calls(model, so_far && frf->points < 2 ? NULL : &result->error))
+	if (so_far && frf->points < 2 ? !cli_exact_calls(model, NULL) : !is_wanted(model, &result->error))
 		return so_far;
-	status = trace(frf, options, model, result, step, report);
+	status = trace(frf, options, model, result, step, !so_far, report);
 	if (status || !model->exact.functions)
 		return status ? status : so_far;
 	return cli_basis_check(model, fmax(result->from, result->to), report);
@@ -259,25 +277,24 @@ enum hawser_status cli_exact_trace(struct hawser_frf *frf, struct hawser_frf_opt
 }
 
 /* The response of the modes over a range, and its error. */
-static enum hawser_status judge(struct cli_model *model, int *points,
+static enum hawser_status judge(struct hawser_frf *frf, struct cli_model *model,
                                 const struct hawser_frf_options *options,
                                 struct hawser_report *report)
 {
-	struct hawser_frf frf = {.n = 0};
 	struct hawser_report why = {.message = ""};
 	struct cli_model_error *error = &model->error;
-	enum hawser_status status = hawser_frf_trace(&frf, &model->rom, options, &why);
+	enum hawser_status status = hawser_frf_trace(frf, &model->rom, options, &why);
+	int followed = !status;
 
-	*points = frf.points;
-	if (frf.points > 1 && (!status || status == HAWSER_ERR_CONVERGENCE) && !cli_interrupted())
-		status = hawser_accuracy_fixed(&error->fixed, &model->rom, &frf, model->modes.n,
+	if (frf->points > 1 && (!status || status == HAWSER_ERR_CONVERGENCE) && !cli_interrupted())
+		status = hawser_accuracy_fixed(&error->fixed, &model->rom, frf, model->modes.n,
 		                               &model->statics, &model->scene, options->from, options->to,
 		                               &why);
-	hawser_frf_clear(&frf);
 	if (status == HAWSER_ERR_MEMORY && report)
 		*report = why;
 	if (status) {
 		error->fixed.estimated = NAN;
+		error->unweighed = followed && status == HAWSER_ERR_ARGUMENT;
 		snprintf(error->unknown, sizeof error->unknown, "%s", why.message);
 	}
 	return status == HAWSER_ERR_MEMORY ? status : HAWSER_OK;
@@ -291,7 +308,7 @@ enum hawser_status cli_exact_range(struct cli_model *model, double from, double 
 		.step_max = 0.02, .skip_events = 1, .unjudged = 1, .end_at_slack = 1,
 		.max_points = HAWSER_INSTEAD_POINTS, .samples = HAWSER_NONE, .progress = {cli_watch, &watch}};
 	struct hawser_accuracy better = {.tries = 0};
-	int points = 0;
+	struct hawser_frf frf = {.n = 0};
 	enum hawser_status status;
 
 	if (!cli_exact_calls(model, NULL) || model->rom.harmonics == 0 || from == to)
@@ -299,12 +316,13 @@ enum hawser_status cli_exact_range(struct cli_model *model, double from, double 
 	model->error = (struct cli_model_error){.stated = 1, .timed = !common->reproducible,
 	                                        .about = "folds and peaks", .advice = cli_fixed_advice,
 	                                        .per_omega = cli_per_omega(model), .fixed.estimated = NAN};
-	status = judge(model, &points, &options, report);
-	if (!status && isfinite(model->error.fixed.estimated) && cli_exact_calls(model, &model->error)) {
+	status = judge(&frf, model, &options, report);
+	if (!status && is_wanted(model, &model->error)) {
 		options.step_max = 0.0;
-		status = search(&better, model, &model->error, NULL, &options, points, after, report);
+		status = search(&better, model, &model->error, NULL, &options, &frf, frf.points, after, report);
 		hawser_accuracy_clear(&better);
 	}
+	hawser_frf_clear(&frf);
 	cli_progress_end(&watch.progress);
 	if (status || !model->exact.functions)
 		return status;

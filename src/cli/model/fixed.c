@@ -62,6 +62,7 @@ static enum hawser_status conclude(struct cli_model_error *error, enum hawser_st
 	if (!status)
 		return HAWSER_OK;
 	error->fixed.estimated = NAN;
+	error->unweighed = status == HAWSER_ERR_ARGUMENT;
 	if (status != HAWSER_ERR_MEMORY)
 		return not_known(error, why->message);
 	if (report)

@@ -22,6 +22,7 @@ struct cli_model_error {
 	int corrected;     /* 1: `estimated` is by correction in the structure (certificate.h), and */
 	double before;     /* it was this by the parts of `fixed`; NAN: not known */
 	char unknown[640]; /* why: a report's message */
+	int unweighed;     /* 1: since no mode is weighed in such a scene */
 };
 
 extern const char cli_fixed_advice[]; /* of spans */

@@ -28,7 +28,6 @@
 #include "study/accuracy/motions.h"
 
 /* Parts are relative to the accuracy. Where no bench is named, a value was chosen. */
-#define FEWEST 12     /* smallest number of candidate modes */
 #define MANY 48       /* largest number of candidate modes, which limits the cost of their tensors */
 #define KEPT_MOST 40  /* default of the largest number of modes of a model */
 #define FIRST 10      /* most modes of the first model: later models depend on its motions only */
@@ -112,7 +111,8 @@ enum hawser_status hawser_accuracy_choose(struct hawser_choice *choice, struct h
 	enum hawser_status status;
 
 	*choice = (struct hawser_choice){0};
-	status = hawser__accuracy_candidates(modes, statics, scene, from, to, accuracy, FEWEST, report);
+	status = hawser__accuracy_candidates(modes, statics, scene, from, to, accuracy, HAWSER__FEWEST,
+	                                     report);
 	return status ? status : hawser_choose(choice, modes, scene, from, to, NEXT*accuracy, report);
 }
 
@@ -367,9 +367,7 @@ static enum hawser_status raise_modes(struct hawser_accuracy *a, const struct ha
 	return status;
 }
 
-enum hawser_status hawser__accuracy_begin(struct hawser_accuracy *a,
-                                          const struct hawser_statics *statics,
-                                          const struct hawser_scene *scene,
+enum hawser_status hawser__accuracy_begin(struct hawser_accuracy *a, const struct hawser_scene *scene,
                                           const struct hawser_accuracy_options *options,
                                           struct hawser_report *report)
 {
@@ -383,8 +381,7 @@ enum hawser_status hawser__accuracy_begin(struct hawser_accuracy *a,
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "accuracy",
 		                    "model.modes: auto chooses the modes to keep and condenses the others: "
 		                    "it goes with model.condense: static, not none");
-	return hawser_accuracy_choose(&a->choice, &a->modes, statics, scene, options->frf.from,
-	                              options->frf.to, a->asked, report);
+	return HAWSER_OK;
 }
 
 enum hawser_status hawser_accuracy_trace(struct hawser_accuracy *accuracy,
@@ -394,8 +391,11 @@ enum hawser_status hawser_accuracy_trace(struct hawser_accuracy *accuracy,
                                          struct hawser_report *report)
 {
 	double start = hawser__wall_seconds();
-	enum hawser_status status = hawser__accuracy_begin(accuracy, statics, scene, options, report);
+	enum hawser_status status = hawser__accuracy_begin(accuracy, scene, options, report);
 
+	if (!status)
+		status = hawser_accuracy_choose(&accuracy->choice, &accuracy->modes, statics, scene,
+		                                options->frf.from, options->frf.to, accuracy->asked, report);
 	if (!status)
 		status = raise_modes(accuracy, scene, options, report);
 	accuracy->seconds = hawser__wall_seconds() - start;

@@ -18,10 +18,11 @@
 /* The same on those that add all terms of first order with their signs; by bench/practical.py too. */
 #define HAWSER__SAFETY_ORDER 1.75
 
-/* What every search begins with: the accuracy that is asked for, and the candidates. */
-enum hawser_status hawser__accuracy_begin(struct hawser_accuracy *a,
-                                          const struct hawser_statics *statics,
-                                          const struct hawser_scene *scene,
+/* Fewest candidates; chosen. */
+enum { HAWSER__FEWEST = 12 };
+
+/* What every search begins with: the accuracy that is asked for. */
+enum hawser_status hawser__accuracy_begin(struct hawser_accuracy *a, const struct hawser_scene *scene,
                                           const struct hawser_accuracy_options *options,
                                           struct hawser_report *report) HAWSER_MUST_CHECK;
 

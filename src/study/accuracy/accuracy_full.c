@@ -20,7 +20,7 @@
  *
  * Where the curve of a condensed model is near enough to the draft and its bases to each other, that
  * response is the answer, and the sum of the distances its error: an estimate of first order, which
- * called for the exact energy, is up to six times the true error.
+ * called for the exact energy, is up to six times the true error, or there is none (dampers).
  *
  * The agreement of two bases that do not resolve the linear modes of the range, or the load, means
  * nothing. Such a basis is skipped without a draft. So is one with as many coordinates as the
@@ -56,15 +56,18 @@
 #define MARGIN 1.2      /* on the distance of two bases at the marks, by bench/practical.py: there are
                          * points between, and peaks are read there */
 #define AT_LEAST 0.5    /* of what can be borne, for the response whatever the drafts took; chosen */
+#define PART 0.1        /* of the accuracy: error of a basis, and */
+#define EACH 6          /* fewest functions between attachments, where the error of a response is
+                         * wanted, which is mostly far below the accuracy; chosen */
 #define REACH 2.0        /* 2: the second harmonic of the response may be in resonance with them */
 
-/* The last condensed model, its response with its marks (NULL: none that counts), and its distance from
- * the exact energy's. */
+/* The last condensed model, its response with its marks (NULL: none that counts), and its distance. */
 struct condensed {
 	struct hawser_rom rom;
 	struct hawser_frf frf;
 	const struct hawser__marks *marks;
-	double off;
+	double off, near; /* from the exact energy's; near enough to be the answer */
+	int lent;         /* 1: the response is the caller's */
 };
 
 /* Numbers of functions per component, in the order in which they are tried. */
@@ -155,6 +158,12 @@ static int retry(enum hawser_status status, int *functions, struct hawser_frf_op
 	return *functions < (options->most_functions > 0 ? options->most_functions : bases[BASES - 1]);
 }
 
+/* The error of a basis that is small enough. */
+static double enough_of(const struct condensed *condensed, const struct hawser_accuracy *a)
+{
+	return condensed->lent ? PART*a->asked : a->asked;
+}
+
 /* The distance of the condensed response from the draft a->frf, peaks of which are located as well as
  * those of a response. */
 static enum hawser_status compare_condensed(struct condensed *condensed,
@@ -169,7 +178,8 @@ static enum hawser_status compare_condensed(struct condensed *condensed,
 	condensed->off = INFINITY;
 	if (!condensed->marks || hawser__accuracy_cut(a) || isfinite(a->until))
 		return HAWSER_OK;
-	status = hawser__marks_find(&found, &a->frf, rom, settled, HAWSER__LOCATED*a->asked, report);
+	status = hawser__marks_find(&found, &a->frf, rom, settled,
+	                            HAWSER__LOCATED*enough_of(condensed, a), report);
 	if (!status)
 		status = hawser__marks_distance(&condensed->off, condensed->marks, &found, report);
 	condensed->off += hawser__marks_located(&found);
@@ -210,11 +220,12 @@ static enum hawser_status choose(struct hawser__draft *chosen, double *moved, do
                                  struct hawser_frf_options *frf, double *work,
                                  struct hawser_report *report)
 {
-	const struct hawser_accuracy_bases of = {&a->modes, scene, a->choice.to, a->asked,
+	const double enough = enough_of(condensed, a);
+	const struct hawser_accuracy_bases of = {&a->modes, scene, a->choice.to, enough,
 	                                         options->most_functions};
 	struct hawser__traced traced = {.functions = 0};
 	enum hawser_status status = HAWSER_OK;
-	int functions = 0;
+	int functions = condensed->lent ? EACH*(a->modes.statics.attachments + 1) : 0;
 
 	while (!status) {
 		struct hawser__draft next = {.functions = 0};
@@ -251,7 +262,7 @@ static enum hawser_status choose(struct hawser__draft *chosen, double *moved, do
 		}
 		*checked = next.rom.n;
 		*error = HAWSER__SAFETY_BASIS**moved;
-		if (status || hawser__accuracy_cut(a) || *error <= a->asked) {
+		if (status || hawser__accuracy_cut(a) || *error <= enough) {
 			if (!status && away <= NEAR)
 				status = bound_error(error, &traced, &next, *moved, functions, &of, frf, report);
 			hawser__draft_clear(&next);
@@ -296,7 +307,8 @@ static enum hawser_status follow(struct hawser_accuracy *a, struct hawser__marks
 static void take_back(struct hawser_rom *rom, struct condensed *condensed)
 {
 	hawser_rom_clear(rom);
-	*rom = condensed->rom;
+	if (!condensed->lent)
+		*rom = condensed->rom;
 	condensed->rom = (struct hawser_rom){.n = 0};
 }
 
@@ -305,11 +317,12 @@ static int is_right(struct hawser_accuracy *a, struct condensed *condensed, doub
 {
 	error += condensed->off;
 
-	if (!condensed->marks || !(error + hawser__marks_located(condensed->marks) <= a->asked))
+	if (!condensed->marks || !(error + hawser__marks_located(condensed->marks) <= condensed->near))
 		return 0;
 	take_back(&a->rom, condensed);
 	hawser_frf_clear(&a->frf);
-	a->frf = condensed->frf;
+	if (!condensed->lent)
+		a->frf = condensed->frf;
 	condensed->frf = (struct hawser_frf){.n = 0};
 	a->functions = 0;
 	a->attempt[a->tries - 1].moved = condensed->off;
@@ -365,20 +378,50 @@ enum hawser_status hawser__accuracy_full(struct hawser_accuracy *a, struct hawse
                                          struct hawser_report *report)
 {
 	struct hawser__draft chosen = {.functions = 0};
-	struct condensed condensed = {a->rom, a->frf, .off = INFINITY};
+	struct condensed condensed = {a->rom, a->frf, .off = INFINITY, .near = a->asked,
+	                              .lent = options->response != NULL};
 	enum hawser_status status;
 
 	if (a->tries > 0 && !hawser__accuracy_cut(a))
 		condensed.marks = marks;
+	if (condensed.lent && options->near > 0.0)
+		condensed.near = options->near;
 	a->rom = (struct hawser_rom){.n = 0};
 	a->frf = (struct hawser_frf){.n = 0};
 	status = search(a, marks, &condensed, &chosen, scene, options, report);
 	if (a->rom.n == 0)
 		take_back(&a->rom, &condensed);
-	hawser_rom_clear(&condensed.rom);
-	hawser_frf_clear(&condensed.frf);
+	if (!condensed.lent) {
+		hawser_rom_clear(&condensed.rom);
+		hawser_frf_clear(&condensed.frf);
+	}
 	hawser__draft_clear(&chosen);
 	return status == HAWSER_ERR_CONVERGENCE ? lost(a, report) : status;
+}
+
+/* The candidates of a search without modes, and the response to begin with. */
+static enum hawser_status begin(struct hawser_accuracy *a, struct hawser__marks *marks,
+                                const struct hawser_statics *statics,
+                                const struct hawser_scene *scene,
+                                const struct hawser_accuracy_options *options,
+                                struct hawser_report *report)
+{
+	const struct hawser_frf_options settled = hawser__accuracy_settle(options, a->asked);
+	double from = options->frf.from, to = options->frf.to;
+	enum hawser_status status = hawser__accuracy_candidates(&a->modes, statics, scene, from, to,
+	                                                        a->asked, HAWSER__FEWEST, report);
+
+	a->choice.to = fmax(from, to);
+	if (status || !options->response)
+		return status;
+	status = hawser__marks_find(marks, options->response, options->rom, &settled,
+	                            HAWSER__LOCATED*a->asked, report);
+	if (status)
+		return status;
+	a->rom = *options->rom;
+	a->frf = *options->response;
+	a->attempt[a->tries++] = (struct hawser_accuracy_try){.modes = a->rom.n, .moved = NAN};
+	return HAWSER_OK;
 }
 
 enum hawser_status hawser_accuracy_exact(struct hawser_accuracy *accuracy,
@@ -389,14 +432,18 @@ enum hawser_status hawser_accuracy_exact(struct hawser_accuracy *accuracy,
 {
 	double start = hawser__wall_seconds();
 	struct hawser__marks marks = {0};
-	enum hawser_status status = hawser__accuracy_begin(accuracy, statics, scene, options, report);
+	enum hawser_status status = hawser__accuracy_begin(accuracy, scene, options, report);
 
-	if (!status && accuracy->choice.exact.n == 0)
+	if (!status && !(statics->epsilon > 0.0))
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "accuracy",
 		                      "an inextensible cable has no full-order model");
 	if (!status)
+		status = begin(accuracy, &marks, statics, scene, options, report);
+	if (!status)
 		status = hawser__accuracy_full(accuracy, &marks, scene, options, report);
-	accuracy->reached = accuracy->estimated <= accuracy->asked && !hawser__accuracy_cut(accuracy);
+	accuracy->reached = accuracy->estimated <= (options->response && !accuracy->full
+	                                            ? fmax(options->near, accuracy->asked)
+	                                            : accuracy->asked) && !hawser__accuracy_cut(accuracy);
 	accuracy->seconds = hawser__wall_seconds() - start;
 	hawser__marks_clear(&marks);
 	return status;

@@ -33,8 +33,7 @@
 
 /* accuracy that determines the highest candidate; chosen, so that few candidates suffice */
 static const double looked_for = 0.1;
-enum { MORE = 6, FEWEST = 12 };        /* fewest candidates beyond the kept modes, and fewest in
-                                        * all; chosen */
+enum { MORE = 6 };                     /* fewest candidates beyond the kept modes; chosen */
 enum { BETWEEN = 8 };                  /* number of further motions, which are examined for
                                         * instability only; chosen */
 
@@ -69,7 +68,7 @@ static enum hawser_status begin(struct hawser_choice *choice, struct hawser_mode
                                 const struct hawser_scene *scene, double from, double to,
                                 struct hawser_report *report)
 {
-	int fewest = kept + MORE > FEWEST ? kept + MORE : FEWEST;
+	int fewest = kept + MORE > HAWSER__FEWEST ? kept + MORE : HAWSER__FEWEST;
 	enum hawser_status status = hawser__accuracy_candidates(modes, statics, scene, from, to, looked_for,
 	                                                        fewest, report);
 

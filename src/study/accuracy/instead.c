@@ -42,9 +42,10 @@ struct hawser_accuracy_options hawser_accuracy_instead(const struct hawser_accur
                                                        const struct hawser_frf_options *frf)
 {
 	struct hawser_accuracy_options choice = {.frf = *frf, .agreed = 1, .partial = 1,
-		.accuracy = own ? 0.0 : asked, .bearable = bearable, .most_functions = FUNCTIONS};
+		.accuracy = own ? 0.0 : asked, .near = own ? 0.0 : much, .bearable = bearable,
+		.most_functions = FUNCTIONS};
 
-	if (fixed && isfinite(fixed->estimated) && !hawser_accuracy_truncated(fixed->truncation)) {
+	if (fixed && !hawser_accuracy_truncated(fixed->truncation)) {
 		choice.bearable = bearable_else;
 		choice.partial = fixed->estimated > rough;
 	}
