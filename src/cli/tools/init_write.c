@@ -84,6 +84,10 @@ void cli_mooring_write(FILE *stream, const struct cli_mooring *mooring)
 		return;
 	fprintf(stream, "obstacles:\n  - {name: bed, plane: {point: [0, %.12g], normal: [0, 1]}",
 	        -mooring->depth);
+	if (mooring->stiffness > 0.0)
+		fprintf(stream, ", stiffness: %.12g", mooring->stiffness);
+	if (mooring->stiffness > 0.0 && mooring->damping > 0.0)
+		fprintf(stream, ", damping: %.12g", mooring->damping);
 	if (mooring->friction > 0.0)
 		fprintf(stream, ", friction: %.12g", mooring->friction);
 	fprintf(stream, "}\n");
