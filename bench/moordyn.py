@@ -61,7 +61,7 @@ def write(elements, step, scheme):
     rows += ["%d Fixed %.9g %.9g -200 0 0 0 0" % (i + 1, x, y) for i, (x, y) in enumerate(ANCHORS)]
     rows += ["%d Coupled %.9g %.9g -14 0 0 0 0" % (i + 4, x, y) for i, (x, y) in enumerate(FAIRLEADS)]
     rows += ["--- LINES ---", "names", "units"] + ["%d chain %d %d 880 %d -" % (i + 1, i + 1, i + 4, elements) for i in range(3)]
-    rows += ["--- OPTIONS ---", "%g dtM" % step, scheme + " tScheme", "3e6 kBot", "3e5 cBot", "1025 rho", "200 WtrDpth", "9.81 g",
+    rows += ["--- OPTIONS ---", "%.12g dtM" % step, scheme + " tScheme", "3e6 kBot", "3e5 cBot", "1025 rho", "200 WtrDpth", "9.81 g",
              "1 disableOutput", "1 disableOutTime", "--- OUTPUTS ---", "FairTen1", "--- need this line ---"]
     with open("storm.txt", "w") as to:
         to.write("\n".join(rows) + "\n")

@@ -80,8 +80,10 @@ struct hawser_friction_counts {
 	int iterations;   /* of Newton's method */
 	int open, stick, slip;
 	double residual;  /* of the laws: largest |r - P(r - rho w)| of a contact over the largest |r| or
-	                   * rho |w|, rho = 1/(n.M^-1 n). P(z): p = max(z_N, 0), and z_T cut to the
-	                   * length mu p. r = P(r - rho w) where the laws hold, and only there */
+	                   * rho |w|, rho = 1/(n.M^-1 n), or n.M n of the block of the node where
+	                   * the start `warm` of an M with `back` leads to the solution.
+	                   * P(z): p = max(z_N, 0), and z_T cut to the length mu p. r = P(r - rho w)
+	                   * where the laws hold, and only there */
 	double balance;   /* largest |M u - p - H^T r| over the largest of its terms */
 	double power;     /* sum of -r_T.w_T, the work of friction: 0 or more, J */
 };

@@ -203,13 +203,25 @@ static int cold(struct iteration *it)
 	return done;
 }
 
+int hawser__friction_warm(struct hawser_friction *of, double (*u)[3],
+                          struct hawser_friction_counts *counts,
+                          const struct hawser_friction_options *options)
+{
+	struct iteration it = {.of = of, .u = u, .tolerance = options->tolerance, .most = options->most};
+	int done = finish(&it, 1);
+
+	counts->iterations = it.count;
+	return done;
+}
+
 enum hawser_status hawser__friction_newton(struct hawser_friction *of, double (*u)[3],
                                            struct hawser_friction_counts *counts,
                                            const struct hawser_friction_options *options,
                                            struct hawser_report *report)
 {
-	struct iteration it = {.of = of, .u = u, .tolerance = options->tolerance, .most = options->most};
-	int done = (options->warm && finish(&it, 1)) || cold(&it);
+	struct iteration it = {.of = of, .u = u, .tolerance = options->tolerance, .most = options->most,
+	                       .count = counts->iterations};
+	int done = cold(&it);
 	double error = it.at.error/it.at.scale;
 
 	counts->iterations = it.count;

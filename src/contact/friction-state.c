@@ -6,6 +6,7 @@
 #include <stddef.h>
 
 #include "contact/friction.h"
+#include "core/vec3.h"
 
 /* y = M x for all nodes. */
 static void times(double (*y)[3], const struct hawser_friction *of, const double (*x)[3])
@@ -43,7 +44,6 @@ double hawser__friction_balance(double *size, struct hawser_friction *of, const 
 	double most = 0.0;
 
 	*size = 0.0;
-	hawser__friction_defect(of, u);
 	for (int c = 0; c < of->of->contacts; c++) {
 		const struct hawser__friction_touch *touch = &of->touch[c];
 
@@ -53,12 +53,13 @@ double hawser__friction_balance(double *size, struct hawser_friction *of, const 
 	}
 	for (int n = 0; n < of->nodes; n++)
 		for (int k = 0; k < 3; k++) {
-			double terms = fmax(fabs(of->of->right[n][k]), fabs(of->of->diagonal[n][4*k]*u[n][k]));
+			double terms = hawser__larger(fabs(of->of->right[n][k]),
+			                              fabs(of->of->diagonal[n][4*k]*u[n][k]));
 
 			if (of->of->held && of->of->held[n] & 1U << k)
 				continue;
 			most = fabs(of->R[n][k]) <= most ? most : fabs(of->R[n][k]);
-			*size = fmax(*size, terms);
+			*size = hawser__larger(*size, terms);
 		}
 	return most;
 }

@@ -9,6 +9,7 @@
 #include "contact/friction.h"
 #include "core/report.h"
 #include "core/settle.h"
+#include "core/vec3.h"
 
 const char *hawser_contact_state_name(enum hawser_contact_state state)
 {
@@ -156,16 +157,17 @@ static double norm(const struct hawser_friction_problem *problem, int nodes)
 
 	for (int n = 0; n < nodes; n++)
 		for (int k = 0; k < 9; k++)
-			most = fmax(most, fabs(problem->diagonal[n][k]));
+			most = hawser__larger(most, fabs(problem->diagonal[n][k]));
 	return most;
 }
 
 /* Start from the replies, or from no impulse. */
-static void begin(struct hawser_friction *solver, const struct hawser_contact_reply *reply, int warm)
+static void begin(struct hawser_friction *solver, const double (*u)[3],
+                  const struct hawser_contact_reply *reply, int warm)
 {
 	for (int c = 0; c < solver->of->contacts; c++)
 		memset(solver->touch[c].r, 0, sizeof solver->touch[c].r);
-	hawser__friction_follow(solver, (const double (*)[3])solver->free);
+	hawser__friction_follow(solver, u);
 	for (int c = 0; c < solver->of->contacts && warm; c++) {
 		double *from = solver->from[c];
 
@@ -235,6 +237,31 @@ static enum hawser_status answer(double (*u)[3], struct hawser_contact_reply *re
 	return HAWSER_OK;
 }
 
+/* What the velocities are without contact is not asked where the replies lead to the solution, but
+ * for a symmetric M, which may have no sign. */
+static enum hawser_status iterate(double (*u)[3], const struct hawser_contact_reply *reply,
+                                  struct hawser_friction_counts *counts, struct hawser_friction *solver,
+                                  const struct hawser_friction_options *options,
+                                  struct hawser_report *report)
+{
+	const double (*at)[3] = (const double (*)[3])u;
+	int asked = !(options->warm && solver->of->back), good = 1;
+
+	if (asked)
+		good = hawser__friction_free(solver, u);
+	else
+		hawser__friction_still(solver, u);
+	begin(solver, at, reply, options->warm);
+	if (good && options->warm && hawser__friction_warm(solver, u, counts, options))
+		return HAWSER_OK;
+	if (!(asked ? good : hawser__friction_free(solver, u)))
+		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "friction",
+		                    "the matrix M of the nodes is not positive definite: a node has no mass, "
+		                    "or the stiffness of the step is negative; give every node mass, or make "
+		                    "the step shorter");
+	return hawser__friction_newton(solver, u, counts, options, report);
+}
+
 enum hawser_status hawser_friction_solve(struct hawser_friction *solver, double (*u)[3],
                                          struct hawser_contact_reply *reply,
                                          struct hawser_friction_counts *counts,
@@ -260,12 +287,6 @@ enum hawser_status hawser_friction_solve(struct hawser_friction *solver, double 
 	if (status)
 		return status;
 	solver->norm = norm(problem, solver->nodes);
-	if (!hawser__friction_free(solver, u))
-		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "friction",
-		                    "the matrix M of the nodes is not positive definite: a node has no mass, "
-		                    "or the stiffness of the step is negative; give every node mass, or make "
-		                    "the step shorter");
-	begin(solver, reply, options.warm);
-	status = hawser__friction_newton(solver, u, counts, &options, report);
+	status = iterate(u, reply, counts, solver, &options, report);
 	return status ? status : answer(u, reply, counts, solver, &options, report);
 }

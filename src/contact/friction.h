@@ -123,7 +123,8 @@ int hawser__corner(struct hawser__rows *factor, struct hawser_friction *of, int 
 
 /* friction-state.c. R at u: */
 void hawser__friction_defect(struct hawser_friction *of, const double (*u)[3] /* [nodes][3] */);
-/* The largest component of M u - p - sum of H^T r; size: the largest of the terms p and D u. */
+/* The largest component of M u - p - sum of H^T r, of the R at u, which it changes; size: the
+ * largest of the terms p and D u. */
 double hawser__friction_balance(double *size, struct hawser_friction *of,
                                 const double (*u)[3] /* [nodes][3] */);
 /* r and w of all contacts at u and R; the impulses of second contacts stay. */
@@ -135,15 +136,21 @@ struct hawser__friction_where hawser__friction_look(const struct hawser_friction
 /* A part of the step: */
 void hawser__friction_move(struct hawser_friction *of, double (*u)[3] /* [nodes][3] */, double by);
 
-/* friction-newton.c: from u, w and rho without contact (hawser__friction_free) to u, r and w with it.
- * It begins at the solver's `from` (with the option `warm`), or at M u = p. */
+/* friction-newton.c: from any u to u, r and w with contact by full steps, the first of them with
+ * the laws at the solver's `from`; 0 if they do not arrive, and u as before. */
+int hawser__friction_warm(struct hawser_friction *of, double (*u)[3] /* [nodes][3] */,
+                          struct hawser_friction_counts *counts,
+                          const struct hawser_friction_options *options);
+/* From u, w and rho without contact (hawser__friction_free) to those with it. */
 enum hawser_status hawser__friction_newton(struct hawser_friction *of,
                                            double (*u)[3] /* [nodes][3] */,
                                            struct hawser_friction_counts *counts,
                                            const struct hawser_friction_options *options,
                                            struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* friction-start.c: velocities without contact, R, w and rho; 0 if M is not positive definite. */
+/* friction-start.c: no velocities, R, and rho of the blocks of nodes. */
+void hawser__friction_still(struct hawser_friction *of, double (*u)[3] /* [nodes][3] */);
+/* Velocities without contact, R, and rho of the inverse of M; 0 if M is not positive definite. */
 int hawser__friction_free(struct hawser_friction *of, double (*u)[3] /* [nodes][3] */);
 /* The round-off of forces at u. */
 double hawser__friction_roundoff(const struct hawser_friction *of,

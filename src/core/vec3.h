@@ -6,6 +6,12 @@
 #include <float.h>
 #include <math.h>
 
+/* fmax is a call of the C library, which loops feel. b where one is not a number. */
+static inline double hawser__larger(double a, double b)
+{
+	return a > b ? a : b;
+}
+
 static inline double hawser__dot(const double a[3], const double b[3])
 {
 	return a[0]*b[0] + a[1]*b[1] + a[2]*b[2];

@@ -1,11 +1,4 @@
 /* water/drag.c - drag of a line and of a ring.
- *
- *   t      unit tangent; p normal part of the flow u, a = u.t its part along the line
- *   P      1 - t t^T, the derivative of t by x' is P/|x'|
- *
- * |p| p has a continuous derivative, |p| P + p p^T/|p|, which is 0 where p is: only 0/0 has to be
- * avoided, and |p| is not smoothed.
- *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -14,39 +7,19 @@
 
 #include <hawser/drag.h>
 
+#include "core/hot.h"
 #include "core/vec3.h"
+#include "water/line.h"
 
 #define PI 3.14159265358979323846 /* to the digits of a double */
 
+HAWSER_HOT
 void hawser_drag_line(double f[3], double (*f_u)[3], double (*f_x)[3], const struct hawser_drag *drag,
                       const double u[3], const double x[3])
 {
-	double inverse = 1.0/hawser__norm(x), t[3], p[3], n[3], a, norm, across, along;
+	const double inverse = 1.0/hawser__norm(x), t[3] = {x[0]*inverse, x[1]*inverse, x[2]*inverse};
 
-	for (int i = 0; i < 3; i++)
-		t[i] = x[i]*inverse;
-	a = hawser__dot(u, t);
-	for (int i = 0; i < 3; i++)
-		p[i] = u[i] - a*t[i];
-	norm = hawser__norm(p);
-	across = drag->density*drag->radius*drag->normal*norm;
-	along = drag->density*drag->radius*drag->tangential*PI*fabs(a);
-	for (int i = 0; i < 3; i++)
-		f[i] = across*p[i] + along*a*t[i];
-	if (!f_u && !f_x)
-		return;
-	for (int i = 0; i < 3; i++)
-		n[i] = norm > 0.0 ? p[i]/norm : 0.0;
-	for (int i = 0; i < 3; i++)
-		for (int j = 0; j < 3; j++) {
-			double P = (i == j) - t[i]*t[j], Q = P + n[i]*n[j];
-
-			/* the normal part of u turns with t: dp = -(u.dt) t - a dt, and u.dt = p.dt */
-			if (f_u)
-				f_u[i][j] = across*Q + 2.0*along*t[i]*t[j];
-			if (f_x)
-				f_x[i][j] = (along*(2.0*t[i]*p[j] + a*P) - across*(t[i]*p[j] + a*Q))*inverse;
-		}
+	hawser__drag_line(f, f_u, f_x, drag, u, t, inverse);
 }
 
 void hawser_drag_body(double f[3], double (*f_u)[3], double c, const double u[3])

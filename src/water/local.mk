@@ -1,6 +1,7 @@
 noinst_LTLIBRARIES += %D%/libwater.la
 %C%_libwater_la_SOURCES = \
 	%D%/drag.c \
+	%D%/line.h \
 	%D%/linear.c \
 	%D%/linear.h \
 	%D%/near.c \

@@ -114,7 +114,7 @@ static void steady(void)
 
 		for (int k = 0; k < 2; k++)
 			past[0].r[k] = past[1].r[k] = -speed[i][k];
-		hawser__water_ends(end, &mesh, 0, d, past);
+		hawser__water_ends(end, &mesh, 0, d, past, 1);
 		f[0] = end[0].load[0] + end[1].load[0];
 		f[1] = end[0].load[1] + end[1].load[1] - 12.0*9.81;
 		ok(hypot(f[0], f[1]) < 2e-5*12.0*9.81, "sinks steadily at %.0f degrees: %.1e N/m are left",
@@ -145,11 +145,11 @@ static void slopes(void)
 
 		if (which == 11)
 			break;
-		hawser__water_ends(end, &mesh, 0, d, past);
+		hawser__water_ends(end, &mesh, 0, d, past, 1);
 		*of += h;
-		hawser__water_ends(up, &mesh, 0, d, past);
+		hawser__water_ends(up, &mesh, 0, d, past, 1);
 		*of -= 2.0*h;
-		hawser__water_ends(down, &mesh, 0, d, past);
+		hawser__water_ends(down, &mesh, 0, d, past, 1);
 		*of += h;
 		for (int k = 0; k < 3; k++) {
 			double slope = which < 3 ? end[1].by_d[k][which] : which < 6 ? end[1].by_r[k][which - 3]

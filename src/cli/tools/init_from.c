@@ -262,6 +262,37 @@ static enum hawser_status read_line(struct cli_mooring *mooring, const struct wo
 	return HAWSER_OK;
 }
 
+/* Lines that part at a point, each by itself. */
+static enum hawser_status read_failure(struct cli_mooring *mooring, const struct words *words,
+                                       struct hawser_report *report)
+{
+	const char *point = words->word[1] + strspn(words->word[1], "PpOoIiNnTt");
+	struct cli_mooring_failure failure = {.point = point_of(mooring, atoi(point))};
+	double value[2];
+	char *rest = NULL;
+	enum hawser_status status = numbers(value, 2, mooring, words, 3, report);
+
+	if (!status && value[0] > 0.0 && value[1] > 0.0)
+		left_out(mooring, "FailTen of a failure that has a FailTime");
+	failure.time = value[0];
+	failure.tension = value[0] > 0.0 ? 0.0 : value[1];
+	for (char *word = strtok_r(words->word[2], ",", &rest); word && !status;
+	     word = strtok_r(NULL, ",", &rest)) {
+		for (failure.line = mooring->lines - 1; failure.line >= 0; failure.line--)
+			if (mooring->line[failure.line].id == atoi(word) && failure.point >= 0 &&
+			    (mooring->line[failure.line].end[0] == failure.point ||
+			     mooring->line[failure.line].end[1] == failure.point))
+				break;
+		if (failure.line < 0)
+			return wrong(report, mooring, "line '%s' does not end at the point %s", word,
+			             words->word[1]);
+		if (hawser__more(&mooring->failure, mooring->failures, sizeof *mooring->failure))
+			return hawser__no_memory(report, "init");
+		mooring->failure[mooring->failures++] = failure;
+	}
+	return status;
+}
+
 static enum hawser_status read_option(struct cli_mooring *mooring, const struct words *words,
                                       struct hawser_report *report)
 {
@@ -291,7 +322,7 @@ static const struct section section[] = {
 	{"LINE TYPES", "LINE DICTIONARY", 10, read_type}, {"ROD TYPES", "ROD DICTIONARY", 0, NULL},
 	{"BODIES", "BODY", 8, read_body}, {"RODS", "ROD LIST", 0, NULL}, {"POINT", "NODE", 9, read_point},
 	{"CONNECTION", "CONNECTS", 9, read_point}, {"LINES", "LINE PROPERTIES", 6, read_line},
-	{"FAILURE", "FAILURE", 0, NULL}, {"CONTROL", "CONTROL", 0, NULL},
+	{"FAILURE", "FAILURE", 5, read_failure}, {"CONTROL", "CONTROL", 0, NULL},
 	{"EXTERNAL", "EXTERNAL", 0, NULL}, {"OPTIONS", "OPTIONS", 2, read_option}};
 
 /* The section of a heading, a line that begins with dashes; NULL: of one that is not read. */
@@ -391,5 +422,6 @@ enum hawser_status cli_init_from(const char *path, struct hawser_report *report)
 	free(mooring.body);
 	free(mooring.point);
 	free(mooring.line);
+	free(mooring.failure);
 	return status;
 }

@@ -34,6 +34,10 @@ struct cli_mooring_line {
 	double length;
 	int elements;
 };
+struct cli_mooring_failure {
+	int line, point;      /* indices */
+	double time, tension; /* s, N; 0: not by it */
+};
 struct cli_mooring {
 	const char *path;
 	int number;           /* of the line that is read */
@@ -41,7 +45,8 @@ struct cli_mooring {
 	struct cli_mooring_body *body;
 	struct cli_mooring_point *point;
 	struct cli_mooring_line *line;
-	int types, bodies, points, lines;
+	struct cli_mooring_failure *failure;
+	int types, bodies, points, lines, failures;
 	double g, density, depth, stiffness, damping, friction; /* depth: NAN: not given */
 };
 /* init_write.c */

@@ -67,6 +67,20 @@ static void cables(FILE *stream, const struct cli_mooring *mooring)
 	}
 }
 
+static void failures(FILE *stream, const struct cli_mooring *mooring)
+{
+	if (mooring->failures)
+		fprintf(stream, "failures:\n");
+	for (int i = 0; i < mooring->failures; i++) {
+		const struct cli_mooring_failure *failure = &mooring->failure[i];
+		int timed = failure->time > 0.0;
+
+		fprintf(stream, "  - {cable: L%d, at: P%d, %s: %.12g}\n", mooring->line[failure->line].id,
+		        mooring->point[failure->point].id, timed ? "time" : "tension",
+		        timed ? failure->time : failure->tension);
+	}
+}
+
 void cli_mooring_write(FILE *stream, const struct cli_mooring *mooring)
 {
 	int deep = !isnan(mooring->depth);
@@ -80,10 +94,15 @@ void cli_mooring_write(FILE *stream, const struct cli_mooring *mooring)
 	nodes(stream, mooring);
 	buoys(stream, mooring);
 	cables(stream, mooring);
+	failures(stream, mooring);
 	if (!deep)
 		return;
 	fprintf(stream, "obstacles:\n  - {name: bed, plane: {point: [0, %.12g], normal: [0, 1]}",
 	        -mooring->depth);
+	if (mooring->stiffness > 0.0)
+		fprintf(stream, ", stiffness: %.12g", mooring->stiffness);
+	if (mooring->stiffness > 0.0 && mooring->damping > 0.0)
+		fprintf(stream, ", damping: %.12g", mooring->damping);
 	if (mooring->friction > 0.0)
 		fprintf(stream, ", friction: %.12g", mooring->friction);
 	fprintf(stream, "}\n");

@@ -414,6 +414,7 @@ static enum hawser_status newton(struct hawser__motion *motion, int *done,
 {
 	struct hawser__motion_contact *all = motion->contact;
 	double last = INFINITY, gap_last = INFINITY;
+	int fresh = 1;
 
 	*done = 0;
 	for (int i = 0; i < ITERATIONS; i++) {
@@ -421,7 +422,7 @@ static enum hawser_status newton(struct hawser__motion *motion, int *done,
 		enum hawser_status status;
 		int good = 1;
 
-		hawser__motion_residual(motion, rule, h, 1);
+		hawser__motion_residual(motion, rule, h, fresh);
 		for (int c = 0; c < all->candidates && good; c++)
 			good = frame(motion, c, h);
 		if (!good)
@@ -435,6 +436,7 @@ static enum hawser_status newton(struct hawser__motion *motion, int *done,
 		        (gap <= round || (gap <= 1e3*round && gap > 0.25*gap_last));
 		if (*done || !isfinite(rest))
 			return HAWSER_OK;
+		fresh = i == 0 || !(rest <= HAWSER__KEEPS*last);
 		last = rest;
 		gap_last = gap;
 		status = single(motion, report);
@@ -459,7 +461,8 @@ enum hawser_status hawser__contact_solve(struct hawser__motion *motion, int *don
 	all->refusal.status = HAWSER_OK;
 	(void)list(motion, 1);
 	for (int round = 0; round < ROUNDS; round++) {
-		status = newton(motion, done, rule, h, report);
+		status = all->candidates ? newton(motion, done, rule, h, report)
+		                         : hawser__motion_solve(motion, done, rule, h, report);
 		if (status || !*done || list(motion, 0) == 0)
 			return status;
 	}

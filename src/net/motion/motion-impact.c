@@ -108,6 +108,10 @@ static void end(struct hawser__motion *motion, struct node *node, int number)
 	for (int k = 0; k < 3; k++)
 		node->v[k] += (want - v)*n[k];
 	rub(all, node, touch, contact, reply, n, surface, of->surface->friction);
+	/* exactly, so that round-off does not let it creep */
+	for (int k = 0; k < 3 && touch->closes && touch->becomes == HAWSER_CONTACT_STICK; k++)
+		if (!(node->held & 1U << k))
+			node->v[k] = surface[k];
 }
 
 /* Several contacts at a node: none may be left with a velocity into its obstacle. */

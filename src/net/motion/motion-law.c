@@ -19,12 +19,6 @@
 /* Of a force, what its round-off is as a part of the residual's scale, whose tolerance is 5000 ulps. */
 static const double ROUND = 1e-3;
 
-/* fmax is a call of the C library, which a loop over elements feels. */
-static inline double larger(double a, double b)
-{
-	return a > b ? a : b;
-}
-
 static inline double smaller(double a, double b)
 {
 	return a < b ? a : b;
@@ -88,7 +82,7 @@ static inline void forces(struct forces *f, const struct hawser__motion_element 
 		f->end_slope = rule->weight*el->k;
 	}
 	if (el->c > 0.0 && (el->p > 0.0 || el->p1 > 0.0)) {
-		double rate = (larger(el->p1, 0.0) - larger(el->p, 0.0))/h;
+		double rate = (hawser__larger(el->p1, 0.0) - hawser__larger(el->p, 0.0))/h;
 		double whole = f->gradient + f->end + el->c*rate;
 
 		if (whole < 0.0) {
@@ -161,7 +155,7 @@ static inline double element(struct hawser__motion *motion, int number,
 
 		ra[k] += near*a + far*b - F;
 		rb[k] += near*b + far*a + F;
-		most = larger(fabs(F) + fabs(a) + fabs(b), most);
+		most = hawser__larger(fabs(F) + fabs(a) + fabs(b), most);
 	}
 	if (tangent) {
 		block(motion->B[number], el, &f, g, e1);
@@ -191,26 +185,27 @@ void hawser__motion_residual(struct hawser__motion *motion, const struct hawser_
 				: rule->c[0]*x + rule->c[1]*v + rule->c[2]*a;
 			motion->r[i][k] = motion->mesh->mass[i]*motion->acc[i][k] - motion->load[i][k];
 		}
-		/* nothing may hold a body whose cable has parted */
-		for (int k = 0; motion->events && k < 3; k++)
-			most = larger(most, fabs(motion->load[i][k]));
+		/* nothing may hold a body whose cable has parted, or that falls on an obstacle */
+		for (int k = 0; k < 3; k++)
+			if (motion->events || (motion->contact && free[k] >= 0))
+				most = hawser__larger(most, fabs(motion->load[i][k]));
 		if (tangent)
 			motion->point[i] = rule->m[0]*motion->mesh->mass[i];
 	}
 	for (int e = 0; e < motion->elements; e++)
 		move(&motion->element[e], motion->x[motion->element[e].a], motion->x[motion->element[e].b]);
 	for (int e = 0; e < motion->elements; e++)
-		most = larger(element(motion, e, rule, h, tangent), most);
+		most = hawser__larger(element(motion, e, rule, h, tangent), most);
 	if (motion->block && tangent)
 		memset(motion->block, 0, (size_t)motion->nodes*sizeof *motion->block);
 	if (motion->attached)
 		most = larger(hawser__attached_residual(motion, rule, tangent), most);
 	if (motion->soft)
-		most = larger(hawser__bed_residual(motion, rule, h, tangent), most);
+		most = hawser__larger(hawser__bed_residual(motion, rule, h, tangent), most);
 	if (motion->water)
-		most = larger(hawser__water_residual(motion, rule, tangent), most);
+		most = hawser__larger(hawser__water_residual(motion, rule, tangent), most);
 	/* a rate is the difference of two stretches over h, with the round-off of displacements */
-	motion->scale = larger(most, ROUND*motion->damps/h*motion->reach);
+	motion->scale = hawser__larger(most, ROUND*motion->damps/h*motion->reach);
 }
 
 /* Force of the beginning of the step, of the part 1 - weight, added to the load. */
@@ -267,11 +262,11 @@ void hawser__motion_prepare(struct hawser__motion *motion, const struct hawser__
  * l_ref both taut it is k*s^2/2 + k*p_ref*(delta^2 - s^2)/(2*l_ref), without cancellation. */
 static double strain_of(const struct hawser__motion_element *el, double p, const double delta[3])
 {
-	double rest = larger(el->p_ref, 0.0), s = p - el->p_ref;
+	double rest = hawser__larger(el->p_ref, 0.0), s = p - el->p_ref;
 
 	if (p > 0.0 && rest > 0.0)
 		return 0.5*el->k*(s*s + rest*(hawser__dot(delta, delta) - s*s)/el->l_ref);
-	p = larger(p, 0.0);
+	p = hawser__larger(p, 0.0);
 	return 0.5*el->k*(p - rest)*(p + rest) - hawser__dot(el->F_ref, delta);
 }
 
@@ -340,7 +335,8 @@ void hawser__motion_account(struct hawser__motion *motion, const struct hawser__
 	for (int e = 0; e < motion->elements; e++) {
 		const struct hawser__motion_element *el = &motion->element[e];
 		const double *xa = motion->x[el->a], *xb = motion->x[el->b];
-		double p0 = larger(el->p, 0.0), p1 = larger(el->p1, 0.0), dl = el->p1 - el->p, T = 0.0;
+		double p0 = hawser__larger(el->p, 0.0), p1 = hawser__larger(el->p1, 0.0);
+		double dl = el->p1 - el->p, T = 0.0;
 
 		lost += el->drag/h*square(motion, xa, xb);
 		if (el->c > 0.0 && (p0 > 0.0 || p1 > 0.0)) {
@@ -444,6 +440,6 @@ double hawser__motion_tension(const struct hawser__motion *motion, int number, c
 	double T = p > 0.0 ? el->k*p : 0.0;
 
 	if (p > 0.0 && el->c > 0.0)
-		T = larger(T + el->c*rate_of(motion, el, d), 0.0);
+		T = hawser__larger(T + el->c*rate_of(motion, el, d), 0.0);
 	return T;
 }

@@ -278,11 +278,12 @@ static void move(struct hawser__motion *motion, double part)
 /* Newton's method for the increment; *done is 0 if it fails. `careful`: a correction is halved while
  * the residual grows. Between slack and taut, and where damping ends to pull, the law has corners,
  * about which whole corrections can go to and fro for ever. */
-static enum hawser_status solve(struct hawser__motion *motion, int *done, int careful,
-                                const struct hawser__motion_rule *rule, double h,
-                                struct hawser_report *report)
+static enum hawser_status iterate(struct hawser__motion *motion, int *done, int careful,
+                                  const struct hawser__motion_rule *rule, double h,
+                                  struct hawser_report *report)
 {
 	double last = INFINITY, part = 1.0;
+	int fresh = 1;
 
 	*done = 0;
 	for (int i = 0; i < (careful ? CAREFUL : ITERATIONS); i++) {
@@ -290,10 +291,11 @@ static enum hawser_status solve(struct hawser__motion *motion, int *done, int ca
 		int good;
 		enum hawser_status status;
 
-		hawser__motion_residual(motion, rule, h, 1);
+		hawser__motion_residual(motion, rule, h, fresh);
 		rest = rest_of(motion);
 		tolerance = 5000.0*DBL_EPSILON*motion->scale;
-		*done = rest <= tolerance || (rest <= 1e3*tolerance && rest > 0.25*last);
+		*done = (i > 0 || !motion->contact) && /* as where there are contacts */
+		        (rest <= tolerance || (rest <= 1e3*tolerance && rest > 0.25*last));
 		motion->undefined = i == 0 && !isfinite(rest);
 		motion->singular = i == 1 && !isfinite(rest);
 		if (*done || !isfinite(rest))
@@ -301,8 +303,10 @@ static enum hawser_status solve(struct hawser__motion *motion, int *done, int ca
 		if (careful && rest >= last && part > SMALLEST) {
 			part *= 0.5;
 			move(motion, -part);
+			fresh = 1;
 			continue;
 		}
+		fresh = i == 0 || !(rest <= HAWSER__KEEPS*last);
 		last = rest;
 		part = 1.0;
 		status = correct(motion, &good, report);
@@ -314,6 +318,18 @@ static enum hawser_status solve(struct hawser__motion *motion, int *done, int ca
 		move(motion, 1.0);
 	}
 	return HAWSER_OK;
+}
+
+enum hawser_status hawser__motion_solve(struct hawser__motion *motion, int *done,
+                                        const struct hawser__motion_rule *rule, double h,
+                                        struct hawser_report *report)
+{
+	enum hawser_status status = iterate(motion, done, 0, rule, h, report);
+
+	if (status || *done)
+		return status;
+	predict(motion, h);
+	return iterate(motion, done, 1, rule, h, report);
 }
 
 static void finish(struct hawser__motion *motion, const struct hawser__motion_rule *rule, double h)
@@ -389,11 +405,7 @@ static enum hawser_status attempt(struct hawser__motion *motion, int *done, doub
 	predict(motion, h);
 	hawser__motion_prepare(motion, &rule, h);
 	status = motion->contact ? hawser__contact_solve(motion, done, &rule, h, report)
-	                         : solve(motion, done, 0, &rule, h, report);
-	if (!status && !*done && !motion->contact) {
-		predict(motion, h);
-		status = solve(motion, done, 1, &rule, h, report);
-	}
+	                         : hawser__motion_solve(motion, done, &rule, h, report);
 	motion->error = !status && *done ? local_error(motion, h) : 0.0;
 	if (!status && *done && motion->contact) {
 		hawser__contact_jump(motion, &rule, h);

@@ -232,9 +232,16 @@ enum hawser_status hawser__motion_adapt(struct hawser__motion *motion, double *h
                                         double tolerance, struct hawser_report *report)
 	HAWSER_MUST_CHECK;
 
+/* Where a correction leaves less than this of the residual, the next one is made with its matrix: near
+ * the solution of a step, it leaves nearly as little. */
+#define HAWSER__KEEPS 0.01
 /* motion-law.c: residual r of the step for motion->x; the matrix too if `tangent`. */
 void hawser__motion_residual(struct hawser__motion *motion, const struct hawser__motion_rule *rule,
                              double h, int tangent);
+/* motion.c: the increment of the step by Newton's method, from motion->x on; *done is 0 if it fails. */
+enum hawser_status hawser__motion_solve(struct hawser__motion *motion, int *done,
+                                        const struct hawser__motion_rule *rule, double h,
+                                        struct hawser_report *report) HAWSER_MUST_CHECK;
 /* What does not change within the step: vectors of the elements, loads, motion of supports. */
 void hawser__motion_prepare(struct hawser__motion *motion, const struct hawser__motion_rule *rule,
                             double h);

@@ -17,70 +17,92 @@
 
 #include <hawser/drag.h>
 
+#include "core/hot.h"
 #include "core/vec3.h"
 #include "net/water/water.h"
+#include "water/line.h"
 #include "water/water.h"
 
-/* Per length: added mass, its load and that of the water's own acceleration, and the derivative by
- * d. */
-static void inertia(double f[3], double (*f_d)[3], double (*mass)[3], double m,
-                    const struct hawser_water_line *line, const double d[3],
-                    const struct hawser__water_past *past)
+/* Per length: added mass, its load and that of the water's own acceleration, and, unless NULL, the
+ * derivative by d, whose direction is t. */
+HAWSER_PART void inertia(double f[3], double (*f_d)[3], double (*mass)[3], double m,
+                         const struct hawser_water_line *line, const double t[3], double inverse,
+                         const struct hawser__water_past *past)
 {
-	double l = hawser__norm(d), across = m*line->added_normal;
-	double more = m*(line->added_tangential - line->added_normal), t[3], z[3], along;
+	const double across = m*line->added_normal, more = m*line->added_tangential - across;
+	const double z[3] = {past->du[0] - past->a[0], past->du[1] - past->a[1], past->du[2] - past->a[2]};
+	const double along = hawser__dot(t, z);
 
-	for (int k = 0; k < 3; k++) {
-		t[k] = d[k]/l;
-		z[k] = past->du[k] - past->a[k];
-	}
-	along = hawser__dot(t, z);
+	HAWSER_UNROLL
 	for (int i = 0; i < 3; i++) {
 		f[i] += m*past->du[i] + across*z[i] + more*along*t[i];
+		HAWSER_UNROLL
 		for (int j = 0; j < 3; j++) {
 			mass[i][j] = (i == j ? across : 0.0) + more*t[i]*t[j];
 			/* dt = P dd/l: t.z changes by (z - along*t).dd/l */
-			f_d[i][j] += more/l*(along*((i == j) - t[i]*t[j]) + t[i]*(z[j] - along*t[j]));
+			if (f_d)
+				f_d[i][j] += more*inverse*(along*((i == j) - t[i]*t[j]) + t[i]*(z[j] - along*t[j]));
 		}
 	}
 }
 
+/* An end of which this length is wet; direction t of an element of the length 1/inverse. */
+HAWSER_PART void end_of(struct hawser__water_end *end, double part, const double by[2], double L,
+                        const struct hawser_drag *drag, const struct hawser_water_line *line,
+                        const double t[3], double inverse, double g,
+                        const struct hawser__water_past *past, int slopes)
+{
+	const double m = drag->density*M_PI*drag->radius*drag->radius;
+	double f[3];
+
+	hawser__drag_line(f, slopes ? end->by_r : NULL, slopes ? end->by_d : NULL, drag, past->r, t,
+	                  inverse);
+	HAWSER_UNROLL
+	for (int k = 0; k < 3; k++)
+		end->drag[k] = part*f[k];
+	f[1] += m*g;
+	inertia(f, slopes ? end->by_d : NULL, end->mass, m, line, t, inverse, past);
+	HAWSER_UNROLL
+	for (int k = 0; k < 3; k++) {
+		end->load[k] = part*f[k];
+		HAWSER_UNROLL
+		for (int j = 0; j < 3; j++) {
+			end->mass[k][j] *= part;
+			if (slopes) {
+				end->by_r[k][j] *= part;
+				end->by_d[k][j] *= part;
+			}
+		}
+	}
+	for (int j = 0; j < 2; j++) {
+		end->spring[j] = L*by[j]*m*g;
+		for (int k = 0; k < 3; k++)
+			end->by_y[j][k] = L*by[j]*f[k];
+	}
+}
+
+HAWSER_HOT
 void hawser__water_ends(struct hawser__water_end end[2], const struct hawser__mesh *mesh, int e,
-                        const double d[3], const struct hawser__water_past past[2])
+                        const double d[3], const struct hawser__water_past past[2], int slopes)
 {
 	const struct hawser__mesh_water *water = mesh->water;
 	const struct hawser_water_line *line = water->line[e];
 	const struct hawser_drag drag = {water->of->density, 0.5*line->diameter, line->normal,
 	                                 line->tangential};
-	const double m = drag.density*M_PI*drag.radius*drag.radius, L = hawser__mesh_length(mesh, e);
+	const double L = hawser__mesh_length(mesh, e), l = hawser__norm(d), inverse = 1.0/l;
+	const double t[3] = {d[0]*inverse, d[1]*inverse, d[2]*inverse};
 	struct hawser__wet wet = {.part = {0.0}};
 
-	memset(end, 0, 2*sizeof *end);
-	if (line->diameter > 0.0 && hawser__dot(d, d) > 0.0)
+	if (line->diameter > 0.0 && l > 0.0)
 		hawser__wet_line(&wet, 0.0, fmax(HAWSER__WATER_BAND*line->diameter, water->band),
 		                 (const double[2]){past[0].height, past[1].height});
 	for (int i = 0; i < 2; i++) {
-		double f[3], part = end[i].wet = L*wet.part[i];
-
-		if (!(part > 0.0) && wet.by[i][0] == 0.0 && wet.by[i][1] == 0.0)
-			continue;
-		hawser_drag_line(f, end[i].by_r, end[i].by_d, &drag, past[i].r, d);
-		memcpy(end[i].drag, f, sizeof f);
-		f[1] += m*mesh->g;
-		inertia(f, end[i].by_d, end[i].mass, m, line, d, &past[i]);
-		for (int j = 0; j < 2; j++)
-			end[i].spring[j] = L*wet.by[i][j]*m*mesh->g;
-		for (int k = 0; k < 3; k++) {
-			end[i].load[k] = part*f[k];
-			end[i].drag[k] *= part;
-			end[i].by_y[0][k] = L*wet.by[i][0]*f[k];
-			end[i].by_y[1][k] = L*wet.by[i][1]*f[k];
-			for (int j = 0; j < 3; j++) {
-				end[i].by_r[k][j] *= part;
-				end[i].by_d[k][j] *= part;
-				end[i].mass[k][j] *= part;
-			}
-		}
+		end[i].wet = L*wet.part[i];
+		if (end[i].wet > 0.0 || wet.by[i][0] != 0.0 || wet.by[i][1] != 0.0)
+			end_of(&end[i], end[i].wet, wet.by[i], L, &drag, line, t, inverse, mesh->g, &past[i],
+			       slopes);
+		else
+			memset(&end[i], 0, sizeof end[i]);
 	}
 }
 

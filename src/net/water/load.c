@@ -102,7 +102,7 @@ static void element(struct hawser__mesh *mesh, int e)
 
 	for (int i = 0; i < 2; i++)
 		current(&past[i], u_y[i], water, i ? b[1] : a[1]);
-	hawser__water_ends(end, mesh, e, d, past);
+	hawser__water_ends(end, mesh, e, d, past, 1);
 	water->wet[e] = end[0].wet + end[1].wet;
 	for (int i = 0; i < 2; i++) {
 		memcpy(water->mass[e][i], end[i].mass, sizeof end[i].mass);

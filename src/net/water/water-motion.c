@@ -146,7 +146,8 @@ static void past(struct hawser__water_past *past, const struct hawser__water_mot
 
 /* The ends of an element, with the velocities v and accelerations a [nodes]. */
 static void ends(struct hawser__water_end end[2], const struct hawser__motion *motion, int e,
-                 const double (*v)[3], const double (*a)[3], struct hawser__water_past flow[2])
+                 const double (*v)[3], const double (*a)[3], struct hawser__water_past flow[2],
+                 int slopes)
 {
 	const struct hawser__motion_element *el = &motion->element[e];
 	const double *from = motion->water->mid[el->a], *to = motion->water->mid[el->b];
@@ -154,7 +155,7 @@ static void ends(struct hawser__water_end end[2], const struct hawser__motion *m
 
 	past(&flow[0], motion->water, el->a, v[el->a], a[el->a]);
 	past(&flow[1], motion->water, el->b, v[el->b], a[el->b]);
-	hawser__water_ends(end, motion->mesh, e, d, flow);
+	hawser__water_ends(end, motion->mesh, e, d, flow, slopes);
 }
 
 /* Load and derivatives of an end at a node; m, c: of the acceleration and the velocity by x. */
@@ -202,7 +203,7 @@ double hawser__water_residual(struct hawser__motion *motion, const struct hawser
 	for (int e = 0; e < motion->elements; e++) {
 		const struct hawser__motion_element *el = &motion->element[e];
 
-		ends(end, motion, e, v, a, flow);
+		ends(end, motion, e, v, a, flow, tangent);
 		for (int i = 0; i < 2; i++) {
 			put(motion, i ? el->b : el->a, &end[i], &flow[i], rule->m[0], rule->c[0], tangent);
 			if (tangent)
@@ -222,7 +223,7 @@ double hawser__water_residual(struct hawser__motion *motion, const struct hawser
 		for (int k = 0; k < 3; k++) {
 			water->force[i][k] -= water->still[i][k];
 			motion->r[i][k] -= water->force[i][k];
-			most = fmax(most, fabs(water->force[i][k]));
+			most = hawser__larger(most, fabs(water->force[i][k]));
 		}
 	return most;
 }
@@ -250,7 +251,7 @@ static double state(struct hawser__motion *motion, const double (*a)[3])
 	for (int e = 0; e < motion->elements; e++) {
 		const struct hawser__motion_element *el = &motion->element[e];
 
-		ends(end, motion, e, v, a ? a : v, flow);
+		ends(end, motion, e, v, a ? a : v, flow, 0);
 		sum += moved(&end[0], v[el->a]) + moved(&end[1], v[el->b]);
 		for (int k = 0; a && k < 6; k++)
 			mesh->water->load[e][k/3][k%3] = end[k/3].load[k%3];

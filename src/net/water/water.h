@@ -48,9 +48,9 @@ struct hawser__water_end {
 	double wet;              /* m, unstretched length in the water */
 	double spring[2];        /* N/m: of that what is buoyancy, of the force upwards */
 };
-/* d: vector along element e. */
+/* d: vector along element e. With slopes = 0, by_r and by_d of what is wet are left as they were. */
 void hawser__water_ends(struct hawser__water_end end[2], const struct hawser__mesh *mesh, int e,
-                        const double d[3], const struct hawser__water_past past[2]);
+                        const double d[3], const struct hawser__water_past past[2], int slopes);
 /* The same of a buoy, without by_d; of by_y the first. */
 void hawser__water_buoy(struct hawser__water_end *end, const struct hawser__mesh *mesh,
                         const struct hawser_water_buoy *buoy, const struct hawser__water_past *past);
