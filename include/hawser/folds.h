@@ -148,6 +148,8 @@ struct hawser_folds_options {
 	int max_points;            /* of a curve in each direction, and of a response; 0: 5000. If a
 	                            * response reaches this number, `note` says so */
 	double step_max;           /* largest change of Omega in a step, relative to the range; 0: 0.02 */
+	int most_unstable;         /* end a response at another load than the nominal one at the first point
+	                            * with more unstable multipliers: `note` says so; 0: no limit */
 	int skip_isolas;           /* 1: do not trace detached curves at the nominal load */
 	int starts;                /* number of pseudo-random motions from which detached curves are looked
 	                            * for as well; 0: 96; or HAWSER_NONE */

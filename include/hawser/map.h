@@ -222,6 +222,7 @@ struct hawser_map_source {
 	double from[2], to[2]; /* [2] their ranges */
 	double omega;          /* forcing frequency, unless "Omega" is one of the keys; 0: none */
 	const char *quantity;
+	double orbit;          /* relative tolerance of the responses of a map; 0: 1e-6 */
 	int waves;             /* of a travelling cable: the coordinates are the span of its lowest complex
 	                        * modes, so many (hawser_complex_modes_span); 0: the modes of the scene.
 	                        * About a response, what follows the speed has then the first correction

@@ -17,11 +17,11 @@ struct settings {
 	struct cli_common common;
 	const char *from, *to, *method;
 	double load_from, load_to, tolerance;
-	int n, points, no_isolas, starts;
+	int n, points, no_isolas, starts, unstable;
 };
 static const struct settings defaults = {
 	.method = "balance", .load_from = 0.01, .load_to = 2.0,
-	.starts = -1,
+	.starts = -1, .unstable = 2,
 };
 enum { STARTS = 96 };
 /* Of cli_exact_range: of a footbridge 9, and 1 or more for each of the starts, which are therefore
@@ -38,6 +38,8 @@ static const struct cli_option options[] = {
 	CLI_MODES_OPTION,
 	CLI_TEXT_OPTION(method, "NAME",
 	                "method for the responses: balance, shooting or auto (balance)"),
+	{"unstable", 0, "N", "end responses at other loads where more than N multipliers are unstable (2)",
+	 CLI_INTEGER(unstable)},
 	CLI_HEADING("Detached curves"),
 	{"no-isolas", 0, "", "do not trace detached curves at the model's own load",
 	 CLI_FLAG(no_isolas)},
@@ -75,6 +77,7 @@ static enum hawser_status trace(struct hawser_folds *folds, const struct setting
 	choice.tolerance = cli_tolerance(settings->tolerance, result->model);
 	if (settings->points > 0)
 		choice.max_points = settings->points;
+	choice.most_unstable = settings->unstable;
 	choice.skip_isolas = settings->no_isolas;
 	choice.starts = settings->starts > 0 ? settings->starts
 	                : settings->starts < 0 && !result->model->exact.functions ? STARTS : HAWSER_NONE;

@@ -177,7 +177,8 @@ static enum hawser_status trace(struct hawser_map *map, struct cli_map_result *r
 		.rom = model->has_scene ? NULL : &model->rom, .key = {result->key[0], result->key[1]},
 		.from = {result->options.from[0], result->options.from[1]},
 		.to = {result->options.to[0], result->options.to[1]}, .omega = result->omega,
-		.quantity = result->quantity->name, .rest = settings->rest};
+		.quantity = result->quantity->name, .rest = settings->rest,
+		.orbit = 1e-2*settings->tolerance};
 	struct cli_watch watch = {.progress = {.quiet = result->common->quiet}};
 	struct hawser_map_options choice = result->options;
 	struct hawser_map_field field;

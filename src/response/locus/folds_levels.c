@@ -67,6 +67,8 @@ static enum hawser_status respond(struct hawser__fold_search *search, struct haw
 		choice.to = keep;
 	}
 	choice.samples = HAWSER_NONE;
+	if (load->factor != 1.0)
+		choice.most_unstable = search->options->most_unstable;
 	status = hawser__fold_trace(search, frf, &load->rom, &choice, &local);
 	if (status == HAWSER_ERR_MEMORY) {
 		if (search->report)
@@ -74,6 +76,7 @@ static enum hawser_status respond(struct hawser__fold_search *search, struct haw
 		return status;
 	}
 	*same = watch.same;
+	search->cut += !status && frf->end == HAWSER_END_UNSTABLE;
 	*failed = status || frf->end == HAWSER_END_MAX_POINTS;
 	search->folds->interrupted |= !status && !watch.same && frf->end == HAWSER_END_INTERRUPTED;
 	if (load->factor < 1.0 && load->factor >= least(search->folds))
@@ -207,6 +210,10 @@ enum hawser_status hawser__fold_levels(struct hawser__fold_search *search)
 		done = folds->nearly_linear || load <= floor;
 	}
 	folds->searched = !cut && !folds->interrupted;
+	if (search->cut > 0)
+		hawser__fold_note(search, "%d responses at other loads ended where more than %d multipliers "
+		                  "are unstable, and folds beyond are found only where a curve leads there "
+		                  "(--unstable)", search->cut, search->options->most_unstable);
 	return HAWSER_OK;
 }
 

@@ -123,7 +123,8 @@ static enum hawser_status solve(struct hawser__about *about, struct hawser__orbi
 	if (!y || !raised.x)
 		status = hawser__no_memory(report, "about");
 	if (!status)
-		status = hawser__start(y, orbit, &correction, NULL, omega, TOLERANCE, &raised, report);
+		status = hawser__start(y, orbit, &correction, NULL, omega,
+		                       about->tolerance > 0.0 ? about->tolerance : TOLERANCE, &raised, report);
 	if (status == HAWSER_ERR_CONVERGENCE && raised.load >= 0.0)
 		status = hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "about",
 		                      "at Omega %.9g%s the response that grows out of rest has a fold at "

@@ -11,6 +11,7 @@ struct hawser__about {
 	struct hawser_harmonic *harmonic;
 	double *K;             /* [2 spread + 1][n][n] */
 	size_t room, room_h;   /* numbers allocated */
+	double tolerance;      /* of the orbit; 0: 1e-8 */
 	double error;          /* of the orbit, relative to its size */
 };
 

@@ -36,8 +36,9 @@ enum hawser_status hawser__map_want_on(struct hawser__mapper *mapper, long *inde
 }
 
 enum { MOST_STEPS = 60 };
-#define VAGUE 10.0 /* brackets where the response ends are wider by this factor: a response is followed
-                    * to a thousandth of its excitation only (response/orbit/start.c); chosen */
+#define VAGUE 15.0 /* brackets where the response ends are wider by this factor: a response is followed
+                    * to a thousandth of its excitation only (response/orbit/start.c); chosen, a quarter
+                    * of a cell by default */
 
 static enum hawser_status add_bracket(const struct hawser__mapper *mapper,
                                       struct hawser__map_brackets *list, long edge, double ta,

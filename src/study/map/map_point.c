@@ -15,6 +15,8 @@
 #include "study/map/map.h"
 #include "study/map/map_cable.h"
 
+#define ORBIT 1e-6 /* see struct hawser_map_source: a hundredth of the width of a map's brackets */
+
 struct worker {
 	struct hawser__map_cable *cable;
 	struct hawser__map_room room;
@@ -286,9 +288,11 @@ enum hawser_status hawser__map_worker_model(void *context, const struct hawser_r
                                             double *omega, int *steady, double x, double y,
                                             struct hawser_report *report)
 {
+	struct worker *worker = context;
 	const double at[2] = {x, y};
 
-	return model_at(rom, omega, steady, context, at, report);
+	worker->about.tolerance = 0.0;
+	return model_at(rom, omega, steady, worker, at, report);
 }
 
 int hawser__map_worker_prepared(void *context, double x, double y)
@@ -348,13 +352,14 @@ enum hawser_status hawser__map_worker_point(void *context, struct hawser_map_sam
 	struct worker *worker = context;
 	const double at[2] = {x, y};
 	const struct hawser_rom *rom = NULL;
-	double omega;
+	double omega, asked = worker->cable->source.orbit;
 	enum hawser_status status;
 	int steady;
 
 	*sample = (struct hawser_map_sample){0.0, 0, HAWSER_MAP_OK};
 	for (int k = 0; marks && k < worker->cable->marks; k++)
 		marks[k] = 0.0;
+	worker->about.tolerance = worker->room.finer ? 0.0 : asked > 0.0 ? asked : ORBIT;
 	status = model_at(&rom, &omega, &steady, worker, at, report);
 	if (!status)
 		status = measure(worker, sample, marks, rom, omega, report);
