@@ -199,7 +199,7 @@ void hawser__motion_residual(struct hawser__motion *motion, const struct hawser_
 	if (motion->block && tangent)
 		memset(motion->block, 0, (size_t)motion->nodes*sizeof *motion->block);
 	if (motion->attached)
-		most = larger(hawser__attached_residual(motion, rule, tangent), most);
+		most = hawser__larger(hawser__attached_residual(motion, rule, tangent), most);
 	if (motion->soft)
 		most = hawser__larger(hawser__bed_residual(motion, rule, h, tangent), most);
 	if (motion->water)
