@@ -1,6 +1,6 @@
 /* bench/judge.c - do reduced models describe the cable? Random cables, against exact energy.
  *
- *   bench/judge [law|backbone [COUNT [SEED [SHOW]]]]
+ *   bench/judge [law|exact|backbone [COUNT [SEED [SHOW]]]]
  *
  * law: the four lowest coordinates are held at a quarter, a half and the whole of the larger one of
  * half the sag and a twentieth of the span, in both directions (hawser/law.h). For each kind of model
@@ -16,6 +16,9 @@
  *    stretched static; of the lowest modes above the fourth, those are not kept of whose energy a
  *              thousandth or more is axial strain
  *    swings    static; in the plane only the four lowest of the modes are kept
+ *    exact     (the one kind of `exact`) the exact energy on the first basis that is tried by default
+ *              where the range ends with the fourth mode (`kept`: its coordinates), whatever number of
+ *              modes is asked for
  *
  * backbone: about each of the four lowest modes the peak of the response with 5, 9 and 16 modes against
  * that of full order with 14 functions, in amplitude and frequency; peaks on which 10 functions do not
@@ -33,11 +36,13 @@
 
 #include "bench/clock.h"
 #include "bench/estimates.h"
+#include "rom/condense/twin.h"
+#include "rom/energy/law.h"
 
 enum { HELD = 4, PLACES = 6, RAW = 4 };
 static const int sizes[] = {3, 5, 9, 16, 24, 32, 40};
-static const char *const kinds[] = {"raw", "static", "stretched", "swings"};
-enum { SIZES = sizeof sizes/sizeof *sizes, KINDS = sizeof kinds/sizeof *kinds };
+static const char *const kinds[] = {"raw", "static", "stretched", "swings", "exact"};
+enum { SIZES = sizeof sizes/sizeof *sizes, EXACT = 4, KINDS };
 static const double axial = 0.001; /* share of the energy of a mode that is not kept */
 
 struct cable {
@@ -169,27 +174,71 @@ static void note(struct cell *cell, const struct hawser_law_point *point, const 
 		       point->exact, cable->what);
 }
 
+/* In place of the law of the model: that of `full`. */
+static void replace(struct hawser_law_point *point, int count, const struct hawser_rom *rom,
+                    const struct hawser_rom *full, int j)
+{
+	int twin = hawser__twin(rom, j, full), held = abs(twin) - 1;
+	struct hawser__relax relax;
+
+	if (hawser__relax_new(&relax, full))
+		exit(4);
+	for (int i = 0; i < full->n; i++)
+		if (i != held)
+			relax.freed[relax.frees++] = i;
+	for (int i = 0; i < count; i++) {
+		double u = twin > 0 ? point[i].u : -point[i].u, tension[2];
+
+		memset(relax.y, 0, (size_t)full->n*sizeof *relax.y);
+		if (point[i].end == HAWSER_LAW_NO_MODEL)
+			point[i].end = HAWSER_LAW_FOUND;
+		if (!point[i].end &&
+		    (!twin || !hawser__law_force(&point[i].model, tension, &relax, held, u)))
+			point[i].end = HAWSER_LAW_NO_MODEL;
+	}
+	hawser__relax_clear(&relax);
+}
+
+/* The first basis of the exact energy for the lowest modes. */
+static int first_basis(struct hawser_rom *full, const struct cable *cable)
+{
+	const struct hawser_accuracy_bases of = {.modes = &cable->modes, .scene = &cable->scene,
+		.to = cable->modes.mode[HELD - 1].omega, .accuracy = 0.01, .most = 24};
+	int functions = 0;
+
+	return hawser_accuracy_basis(full, &functions, &of, 0, NULL) || full->n == 0;
+}
+
 static void hold(struct cell *cell, const struct cable *cable, int kind, int n, double show)
 {
 	double most = fmax(0.5*cable->st.sag, 0.05*cable->st.span.d), reached[160] = {0.0};
 	static const double part[PLACES] = {0.25, 0.5, 1.0, -0.25, -0.5, -1.0};
-	struct hawser_rom rom = {.n = 0};
+	struct hawser_rom rom = {.n = 0}, full = {.n = 0};
 	char which[96];
 
-	if (build(&rom, cable, kind, n)) {
+	if (build(&rom, cable, kind == EXACT ? 1 : kind, n) ||
+	    (kind == EXACT && first_basis(&full, cable))) {
 		hawser_rom_clear(&rom);
 		return;
 	}
-	cell->kept += rom.n;
+	cell->kept += kind == EXACT ? full.n : rom.n;
 	for (int j = 0; j < HELD && j < rom.n && rom.range[j].largest > 0.0; j++) {
 		struct hawser_law_point point[PLACES];
 
 		for (int i = 0; i < PLACES; i++)
 			point[i] = (struct hawser_law_point){.amplitude = part[i]*most};
 		snprintf(which, sizeof which, "%s %d: %s", kinds[kind], n, rom.label[j]);
-		if (!hawser_law_trace(point, PLACES, &rom, &cable->st, j, NULL))
-			for (int i = 0; i < PLACES; i++)
-				note(cell, &point[i], cable, which, show);
+		if (hawser_law_trace(point, PLACES, &rom, &cable->st, j, NULL))
+			continue;
+		if (kind == EXACT)
+			replace(point, PLACES, &rom, &full, j);
+		for (int i = 0; i < PLACES; i++)
+			note(cell, &point[i], cable, which, show);
+	}
+	hawser_rom_clear(&full);
+	if (kind == EXACT) {
+		hawser_rom_clear(&rom);
+		return;
 	}
 	reached[0] = most/rom.range[0].largest;
 	if (!hawser_law_range(&rom, &cable->st, reached, NULL) && rom.range[0].end)
@@ -197,7 +246,12 @@ static void hold(struct cell *cell, const struct cable *cable, int kind, int n, 
 	hawser_rom_clear(&rom);
 }
 
-static void judge_laws(int count, uint64_t seed, double show)
+static int models_of(int kind)
+{
+	return kind == EXACT ? 1 : kind == 0 ? RAW : SIZES;
+}
+
+static void judge_laws(int count, uint64_t seed, double show, int first)
 {
 	static struct cell cell[KINDS][SIZES];
 	int drawn = 0;
@@ -208,17 +262,17 @@ static void judge_laws(int count, uint64_t seed, double show)
 
 		if (!draw(&cable, &chance)) {
 			drawn++;
-			for (int k = 0; k < KINDS; k++)
-				for (int m = 0; m < (k == 0 ? RAW : SIZES); m++)
-					hold(&cell[k][m], &cable, k, sizes[m], show);
+			for (int k = first; k < KINDS; k++)
+				for (int m = 0; m < models_of(k); m++)
+					hold(&cell[k][m], &cable, k, k == EXACT ? HELD : sizes[m], show);
 		}
 		clear(&cable);
 	}
 	printf("static laws of %d cables, seed %llu\n%-9s %5s %6s %6s %8s %8s %8s %8s %8s %6s %8s %6s\n",
 	       drawn, (unsigned long long)seed, "kind", "modes", "kept", "laws", "within", "50 %", "90 %",
 	       "largest", "factor", "lost", "exact", "range");
-	for (int k = 0; k < KINDS; k++)
-		for (int m = 0; m < (k == 0 ? RAW : SIZES); m++) {
+	for (int k = first; k < KINDS; k++)
+		for (int m = 0; m < models_of(k); m++) {
 			struct cell *c = &cell[k][m];
 			double laws = fmax(c->laws, 1.0);
 
@@ -371,12 +425,12 @@ int main(int argc, char **argv)
 	double show = argc > 4 ? atof(argv[4]) : 0.0, start = clock_secs();
 
 	setvbuf(stdout, NULL, _IOLBF, 0); /* full order takes minutes */
-	if (strcmp(which, "law") == 0)
-		judge_laws(count, seed, show);
+	if (strcmp(which, "law") == 0 || strcmp(which, "exact") == 0)
+		judge_laws(count, seed, show, which[0] == 'e' ? EXACT : 0);
 	else if (strcmp(which, "backbone") == 0)
 		judge_backbones(count, seed, show);
 	else
-		fprintf(stderr, "judge: law or backbone\n");
+		fprintf(stderr, "judge: law, exact or backbone\n");
 	printf("%.0f s\n", clock_secs() - start);
 	return 0;
 }

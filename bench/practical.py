@@ -135,7 +135,7 @@ def respond(hawser, folder, scene, more):
 
 def landmarks(answer, lo, hi):
     """(kind, Omega, size) of both largest stable peaks of a probe, and of the folds of stable motions."""
-    peaks = sorted((p for p in answer["peaks"] if p["component"] in ("y", "z") and p.get("stable") and lo < p["Omega"] < hi),
+    peaks = sorted((p for p in answer["peaks"] if p["component"] in ("x", "y", "z") and p.get("stable") and lo < p["Omega"] < hi),
                    key=lambda p: -p["size"])
     found = [(f"peak {p['component']} {p['probe']}", p["Omega"], p["size"]) for p in peaks[:2]]
     found += [("fold", e["Omega"], None) for e in answer["events"]

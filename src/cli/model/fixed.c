@@ -32,9 +32,9 @@ static enum hawser_status not_known(struct cli_model_error *error, const char *w
 static const double much = 0.1;
 
 /* Relative tolerance of peaks: 1e-3 takes 5 % of the time of the chairlift; this part of a smaller
- * error of the model, or with exact energy, where points are dear, all of it, but not less than 1e-4;
+ * error of the model, with exact energy, where points are dear, half of it, but not less than 1e-4;
  * chosen. */
-static const double peaks_most = 1e-3, peaks_least = 1e-4, peaks_part = 0.1;
+static const double peaks_most = 1e-3, peaks_least = 1e-4, peaks_part = 0.1, peaks_exact = 0.5;
 
 #define AROUND 1.002 /* end of a response of which the first point is wanted, over it; chosen */
 static const double near = 1e-6; /* tolerance of this response; chosen, far below the errors */
@@ -149,7 +149,7 @@ double cli_fixed_tolerance(const struct cli_model_error *error, int exact)
 
 	if (!error->stated || !isfinite(known))
 		return peaks_most;
-	return fmax(fmin((exact ? 1.0 : peaks_part)*known, peaks_most), peaks_least);
+	return fmax(fmin((exact ? peaks_exact : peaks_part)*known, peaks_most), peaks_least);
 }
 
 enum hawser_status cli_fixed_once(struct cli_model_error *error, const struct cli_model *model,

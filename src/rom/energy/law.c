@@ -153,9 +153,7 @@ static int relax_to(struct hawser__relax *relax, int held, double u)
 	return walk(relax, held, u, 1) || walk(relax, held, u, PARTS);
 }
 
-/* The law, and the tensions; NAN and 0 if there is no minimum: then the tensions are those where it was
- * sought last. */
-static int hold(double *law, double tension[2], struct hawser__relax *relax, int held, double u)
+int hawser__law_force(double *law, double tension[2], struct hawser__relax *relax, int held, double u)
 {
 	const double *T = relax->T + (size_t)held*(size_t)relax->N;
 	double K = relax->rom->K[(size_t)held*((size_t)relax->N + 1)], R;
@@ -191,7 +189,7 @@ void hawser__law_exact(struct hawser__law *law, struct hawser_law_point *point)
 {
 	double u = law->sign*point->u;
 
-	int found = hold(&point->exact, point->tension, &law->exact[law->basis], law->twin, u);
+	int found = hawser__law_force(&point->exact, point->tension, &law->exact[law->basis], law->twin, u);
 
 	point->functions = functions[law->basis];
 	/* in tension there is always a minimum, and it is found */
@@ -207,7 +205,8 @@ void hawser__law_at(struct hawser__law *law, struct hawser_law_point *point)
 	point->error = NAN;
 	point->end = HAWSER_LAW_FOUND;
 	hawser__law_exact(law, point);
-	if (!hold(&point->model, point->model_tension, &law->model, law->j, point->u) && !point->end)
+	if (!hawser__law_force(&point->model, point->model_tension, &law->model, law->j, point->u) &&
+	    !point->end)
 		point->end = HAWSER_LAW_NO_MODEL;
 }
 

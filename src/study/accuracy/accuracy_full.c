@@ -53,7 +53,7 @@
                           * chosen */
 #define NEAR 0.1        /* largest distance of marks from the curve that they are carried from: others
                           * are of another curve; chosen */
-#define MARGIN 1.2      /* on the distance of two bases at the marks, by bench/practical.py: there are
+#define MARGIN 1.3      /* on the distance of two bases at the marks, by bench/practical.py: there are
                          * points between, and peaks are read there */
 #define AT_LEAST 0.5    /* of what can be borne, for the response whatever the drafts took; chosen */
 #define PART 0.1        /* of the accuracy: error of a basis, and */
