@@ -50,8 +50,8 @@ enum hawser_status hawser_net_certify(struct hawser_certificate *certificate,
                                       const struct hawser_landmark *peak, int peaks, double bearable,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 /* The same of the response of a span's model with these modes, in a mesh of 48 elements. Also
- * HAWSER_ERR_SCENE for what a mesh does not have, as in net_span.h, but for damping ratios, and for
- * attachments; HAWSER_ERR_ARGUMENT: the model is not one of modes, or has too many. */
+ * HAWSER_ERR_SCENE for what a mesh does not have, as in net_span.h, but for damping ratios, which it
+ * has without absorbers; HAWSER_ERR_ARGUMENT: the model is not one of modes, or has too many. */
 enum hawser_status hawser_span_certify(struct hawser_certificate *certificate,
                                        const struct hawser_scene *scene,
                                        const struct hawser_modes *modes, const struct hawser_rom *rom,

@@ -137,8 +137,8 @@ refused "cable.EA: cable elements are elastic: give a finite EA" "cable.EA=.inf"
 refused "cable.EI: cable elements have no bending stiffness" "cable.EI=1e4"
 refused "support.B.stiffness: the ends of a mesh of cable elements are not on springs" \
 	"support.B.stiffness=[1e6, .inf, .inf]"
-refused "attach.0.spring: attachments of a mesh of cable elements are masses and forces only" \
-	"attach=[{at: 0.5, spring: [0, 1e3, 0]}]"
+refused "attach.0.absorber_cubic: dampers of a mesh of cable elements are to the ground, and its absorbers linear" \
+	"attach=[{at: 0.5, absorber_mass: 3, absorber_stiffness: 20, absorber_cubic: 9}]"
 refuses 1 "$line2: damping.ratio: a mesh of cable elements has no modal damping: give damping.alpha" integrate \
 	"$line2" --model fe --Omega 1 --set "damping.ratio=0.01"
 refuses 1 "$line2: damping.rayleigh: a mesh of cable elements has viscous damping only: give damping.alpha" \

@@ -107,6 +107,33 @@ aside = (1/(1/(2*T/l) + 1/(11*9.81/2.385))/11)**0.5
 omega = json.load(open("strings.json"))["modes"][0]["omega"]
 assert abs(omega/aside - 1) < 1e-6, (omega, aside)
 END
+# The same stay as a span and as a net, each corrected in a mesh of its own.
+sed '/^attach/,$d' span.yaml >both.yaml
+cat >>both.yaml <<'END'
+attach:
+  - {name: tmd, at: 30.1 m, absorber_mass: 30 kg, absorber_stiffness: 1900, absorber_damping: 40, absorber_direction: [0, 0, 1],
+     spring: [0, 300, 500], damper: [0, 20, 30]}
+damping: {alpha: 0.4}
+loads: [{per_length: [0, 0, 1.5], from: 30.1 m}]
+END
+sed '/^springs/,$d' net.yaml >parts.yaml
+cat >>parts.yaml <<'END'
+springs: {J: [0, 300, 500]}
+dampers: {J: [0, 20, 30]}
+absorbers: [{name: tmd, at: J, mass: 30 kg, stiffness: 1900, damping: 40, direction: [0, 0, 1]}]
+damping: {alpha: 0.4}
+loads: {c2: {per_length: [0, 0, 1.5], harmonic: {multiple: 1}}}
+END
+works "a span with attachments in its mesh" frf both.yaml -n 4 --from 6.9 --to 9.4 --certificate yes --json both.json -q
+works "  and as a net" frf parts.yaml -n 4 --from 6.9 --to 9.4 --json parts.json -q
+python "agree" <<'END'
+import json
+both, parts = (json.load(open(n + ".json"))["certified"] for n in ("both", "parts"))
+stroke = lambda r: [(l["Omega_mesh"], l["size_mesh"]) for l in r["landmarks"] if l.get("probe") == "stroke_tmd"]
+assert both["refused"] == parts["refused"] == 0 and stroke(both), both
+for a, b in zip(stroke(both), stroke(parts)):
+    assert abs(a[0]/b[0] - 1) < 5e-6 and abs(a[1]/b[1] - 1) < 5e-5, (a, b)
+END
 denies "a pendulum without weight" 1 "g is 0, and a mass on a hanger is a pendulum by its weight" check hangs.yaml --set g=0
 denies "with a name that is taken" 1 "its hanger makes the node J_load and the cable J_hanger, whose names are taken" check hangs.yaml \
 	--set cables.c1.name=J_hanger

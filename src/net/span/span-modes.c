@@ -79,7 +79,7 @@ static enum hawser_status solve(struct level *level, const struct hawser_scene *
 {
 	static const unsigned along[PLANES] = {3U, 4U};
 	const struct hawser_net_span_options options = {.elements = elements, .still = 1};
-	enum hawser_status status = hawser__net_span(&level->net, scene, st, &options, halved, report);
+	enum hawser_status status = hawser__net_span(&level->net, scene, st, &options, 1, halved, report);
 
 	level->parts = st->space ? 1 : PLANES;
 	if (!status)

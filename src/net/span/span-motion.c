@@ -101,7 +101,7 @@ static enum hawser_status run_level(struct level *level, const struct hawser_sce
                                     struct hawser_report *report)
 {
 	struct hawser_net_motion_options choice = *options;
-	enum hawser_status status = hawser__net_span(&level->net, scene, st, mesh, halved, report);
+	enum hawser_status status = hawser__net_span(&level->net, scene, st, mesh, 1, halved, report);
 	double began = hawser__processor_seconds();
 
 	if (status)

@@ -16,6 +16,7 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "core/vec3.h"
 #include "net/span/span.h"
 #include "statics/frame.h"
 #include "statics/load.h"
@@ -75,15 +76,9 @@ static const char *damped(const char **key, const struct hawser_scene *scene)
 
 static const char *attached(const struct hawser_attachment *attach, const char **member)
 {
-	int springs = 0, dampers = 0;
-
-	for (int k = 0; k < 3; k++) {
-		springs |= attach->spring[k] != 0.0;
-		dampers |= attach->damper[k] != 0.0;
-	}
-	*member = springs ? "spring" : dampers ? "damper" : "absorber_mass";
-	return springs || dampers || attach->absorber_mass > 0.0
-		? "attachments of a mesh of cable elements are masses and forces only" : NULL;
+	*member = attach->damper_to ? "damper_to" : "absorber_cubic";
+	return attach->damper_to || attach->absorber_cubic > 0.0
+		? "dampers of a mesh of cable elements are to the ground, and its absorbers linear" : NULL;
 }
 
 static enum hawser_status refuse(const struct hawser_scene *scene, int still,
@@ -141,17 +136,18 @@ static enum hawser_status allocate(struct hawser_net *net, const struct hawser_s
 	net->name = strdup(scene->name);
 	net->node = calloc(pieces + 1, sizeof *net->node);
 	net->cable = calloc(pieces, sizeof *net->cable);
+	net->absorber = calloc(pieces, sizeof *net->absorber);
 	net->load = calloc(pieces*(HAWSER__SPAN_LOADS + (size_t)harmonics), sizeof *net->load);
 	net->motion = calloc(2, sizeof *net->motion);
-	return net->name && net->node && net->cable && net->load && net->motion
+	return net->name && net->node && net->cable && net->absorber && net->load && net->motion
 		? HAWSER_OK : hawser__no_memory(report, where);
 }
 
-/* Elements of a part of the cable: of several parts an even number, so that a mesh with half of them
- * has elements twice as long everywhere. */
-static int share(int elements, double part, int parts, int halved)
+/* Elements of a part of the cable: of several parts a multiple of two units, so that a mesh with half
+ * of them has elements twice as long everywhere. */
+static int share(int elements, double part, int parts, int unit, int halved)
 {
-	int half = (int)fmax(round(0.5*elements*part), 1.0);
+	int half = unit*(int)fmax(round(0.5*elements*part/unit), 1.0);
 
 	return parts == 1 ? elements/(halved ? 2 : 1) : half*(halved ? 1 : 2);
 }
@@ -184,6 +180,19 @@ static void cable(struct hawser_net *net, const struct hawser_scene *scene,
 	}
 }
 
+static void absorb(struct hawser_net *net, const struct hawser_attachment *from, const char *name,
+                   int node)
+{
+	struct hawser_net_absorber *to = &net->absorber[net->absorbers++];
+	double length = hawser__norm(from->absorber_direction);
+
+	*to = (struct hawser_net_absorber){.node = node, .mass = from->absorber_mass,
+		.stiffness = from->absorber_stiffness, .damping = from->absorber_damping};
+	memcpy(to->name, name, sizeof to->name);
+	for (int k = 0; k < 3; k++)
+		to->direction[k] = from->absorber_direction[k]/length;
+}
+
 static void attach(struct hawser_net *net, const struct hawser_scene *scene,
                    const struct hawser_statics *st, int i)
 {
@@ -197,13 +206,17 @@ static void attach(struct hawser_net *net, const struct hawser_scene *scene,
 	else
 		snprintf(node->name, sizeof node->name, "attach_%d", at->index);
 	node->mass = at->mass;
+	memcpy(node->spring, from->spring, sizeof node->spring);
+	memcpy(node->damper, from->damper, sizeof node->damper);
+	if (from->absorber_mass > 0.0)
+		absorb(net, from, node->name, i + 2);
 	load->node = i + 2;
 	load->cable = -1;
 	memcpy(load->value, from->force, sizeof load->value);
 }
 
 static void chain(struct hawser_net *net, const struct hawser_scene *scene,
-                  const struct hawser_statics *st, int elements, int halved)
+                  const struct hawser_statics *st, int elements, int unit, int halved)
 {
 	int parts = st->attachments + 1;
 	double from = 0.0;
@@ -223,7 +236,7 @@ static void chain(struct hawser_net *net, const struct hawser_scene *scene,
 		double to = i < st->attachments ? st->attached[i].S : st->length0;
 
 		cable(net, scene, st, i, from, to,
-		      share(elements, (to - from)/st->length0, parts, halved));
+		      share(elements, (to - from)/st->length0, parts, unit, halved));
 		if (i < st->attachments)
 			attach(net, scene, st, i);
 		from = to;
@@ -349,8 +362,8 @@ static void move(struct hawser_net *net, const struct hawser_scene *scene, doubl
 
 enum hawser_status hawser__net_span(struct hawser_net *net, const struct hawser_scene *scene,
                                     const struct hawser_statics *st,
-                                    const struct hawser_net_span_options *options, int halved,
-                                    struct hawser_report *report)
+                                    const struct hawser_net_span_options *options, int unit,
+                                    int halved, struct hawser_report *report)
 {
 	struct hawser_net_span_options choice = {0};
 	struct hawser__loads loads = {.count = 0};
@@ -366,7 +379,7 @@ enum hawser_status hawser__net_span(struct hawser_net *net, const struct hawser_
 	if (!status)
 		status = allocate(net, scene, st, loads.harmonics, report);
 	if (!status)
-		chain(net, scene, st, choice.elements, halved);
+		chain(net, scene, st, choice.elements, unit, halved);
 	net->dynamics.rho_inf = -1.0;
 	if (!status && !choice.still) {
 		net->alpha = scene->damping.kind == HAWSER_DAMPING_ALPHA ? scene->damping.alpha : 0.0;
@@ -384,7 +397,7 @@ enum hawser_status hawser_net_span(struct hawser_net *net, const struct hawser_s
                                    const struct hawser_net_span_options *options,
                                    struct hawser_report *report)
 {
-	return hawser__net_span(net, scene, st, options, 0, report);
+	return hawser__net_span(net, scene, st, options, 1, 0, report);
 }
 
 void hawser_net_span_place(int *cable, double *part, const struct hawser_net *net, double S)

@@ -9,11 +9,12 @@
  * that hawser__net_span_turn adds. */
 enum { HAWSER__SPAN_LOADS = 4 };
 
-/* hawser_net_span; if `halved` is 1, with half the elements: each is as long as two. */
+/* hawser_net_span, of several parts with multiples of two units of elements; if `halved` is 1, with
+ * half the elements: each is as long as two. */
 enum hawser_status hawser__net_span(struct hawser_net *net, const struct hawser_scene *scene,
                                     const struct hawser_statics *statics,
-                                    const struct hawser_net_span_options *options, int halved,
-                                    struct hawser_report *report) HAWSER_MUST_CHECK;
+                                    const struct hawser_net_span_options *options, int unit,
+                                    int halved, struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* Turn a span's net that has only constant loads into the axes of its statics, so that it hangs in
  * the plane of the first two; the weights become loads. */

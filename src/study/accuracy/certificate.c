@@ -22,7 +22,7 @@
 #include "study/accuracy/certificate.h"
 #include "study/accuracy/motions.h"
 
-enum { LEAST = 5, MOST = 11, MORE = 4 };        /* harmonics */
+enum { LEAST = 5, MOST = HAWSER__CERTIFIED_ORDER, MORE = HAWSER__CERTIFIED_MORE }; /* harmonics */
 static const double small = 0.05;  /* least peak over the largest one; chosen */
 enum { NEAR = 5 }; /* points of a curve between peaks of one resonance, at most; chosen */
 enum { PHASES = 32, WIDTH = 2*(MOST + 1) + 1 }; /* of a motion of the model; coefficients */

@@ -7,6 +7,15 @@
 #include "rom/build/net.h"
 #include "study/accuracy/certify.h"
 
+enum { HAWSER__CERTIFIED_ORDER = 11, HAWSER__CERTIFIED_MORE = 4 }; /* harmonics, at most; in the check
+                                                                    * of these */
+/* A point of the model: sum of weights times the motions of nodes, 0 where there are fewer. */
+enum { HAWSER__FINITE_NODES = 4 };
+struct hawser__finite_place {
+	int node[HAWSER__FINITE_NODES];
+	double weight[HAWSER__FINITE_NODES];
+};
+
 /* The mesh that the model was made of, and one with half as many elements. */
 struct hawser__finites {
 	struct hawser_net fine, half;
@@ -14,7 +23,7 @@ struct hawser__finites {
 	struct hawser__answers answers;
 	struct hawser__mesh coarse;       /* in equilibrium, as that one */
 	int *from;                        /* [nodes of coarse] the same ones of the other mesh */
-	int *node[2];                     /* [probes] nodes of the model's points, of both meshes */
+	struct hawser__finite_place *place[2]; /* [probes] the model's points, of both meshes */
 	double *turn;                     /* [source.n][turned] coordinates of the mesh by those of a
 	                                   * span's model; NULL: they are the same */
 	int turned;
@@ -47,7 +56,7 @@ void hawser__finites_clear(struct hawser__finites *all);
 struct hawser__finite {
 	struct hawser__mesh *mesh;
 	struct hawser__mesh_balance balance;
-	const int *node;
+	const struct hawser__finite_place *place;
 	double *y, *along, bend;
 	struct hawser__hold hold;
 };

@@ -10,6 +10,8 @@
 #include "core/report.h"
 #include "study/accuracy/certificate.h"
 
+enum { SERIES = 2*(HAWSER__CERTIFIED_ORDER + HAWSER__CERTIFIED_MORE) + 1 }; /* coefficients, at most */
+
 /* --- the corrector of a mesh --- */
 
 static void metric(void *of, const double *y)
@@ -61,21 +63,38 @@ static double largest_at(const double *c, int order)
 	return best;
 }
 
+/* The coefficients of what is extreme at a peak; 0: it does not move. */
+static int series_of(double *c, const struct hawser__finite *finite,
+                     const struct hawser_certified *peak, const double *y)
+{
+	const struct hawser__finite_place *place = &finite->place[peak->probe];
+	int moves = 0;
+
+	memset(c, 0, (size_t)finite->balance.width*sizeof *c);
+	for (int i = 0; i < HAWSER__FINITE_NODES; i++) {
+		const double *own = place->weight[i] == 0.0 ? NULL
+			: hawser__mesh_balance_at(&finite->balance, y, place->node[i], peak->axis);
+
+		moves |= own != NULL;
+		if (own)
+			cblas_daxpy(finite->balance.width, place->weight[i], own, 1, c, 1);
+	}
+	return moves;
+}
+
 static double size_of(void *of, double *slope, const struct hawser_certified *peak, const double *y,
                       const double *along)
 {
 	const struct hawser__finite *finite = of;
-	const struct hawser__mesh_balance *balance = &finite->balance;
-	const double *c = hawser__mesh_balance_at(balance, y, finite->node[peak->probe], peak->axis);
-	const double *t = hawser__mesh_balance_at(balance, along, finite->node[peak->probe], peak->axis);
-	double x[3], rate[3], phase;
+	int order = finite->balance.order;
+	double x[3], rate[3], phase, c[SERIES], t[SERIES];
 
 	*slope = 0.0;
-	if (!c)
+	if (!series_of(c, finite, peak, y) || !series_of(t, finite, peak, along))
 		return NAN;
-	phase = largest_at(c, balance->order);
-	at_phase(x, c, balance->order, phase);
-	at_phase(rate, t, balance->order, phase);
+	phase = largest_at(c, order);
+	at_phase(x, c, order, phase);
+	at_phase(rate, t, order, phase);
 	*slope = x[0] < 0.0 ? -rate[0] : rate[0];
 	return fabs(x[0]);
 }
@@ -123,7 +142,7 @@ enum hawser_status hawser__finite_open(struct hawser__finite *finite, struct haw
 	double *phi = NULL;
 
 	finite->mesh = second ? &w->coarse : &w->source.modal.mesh;
-	finite->node = w->node[second];
+	finite->place = w->place[second];
 	status = hawser__mesh_balance_open(&finite->balance, finite->mesh, source->net->mass_rate, order,
 	                                   report);
 	if (status)
@@ -212,15 +231,17 @@ static enum hawser_status find_nodes(struct hawser__finites *w, struct hawser_re
 	for (size_t i = 0; name && i < most; i++)
 		free(name[i]);
 	free(name);
-	w->node[0] = hawser__hold(&w->hold, most, sizeof *w->node[0]);
-	w->node[1] = hawser__hold(&w->hold, most, sizeof *w->node[1]);
+	w->place[0] = hawser__hold(&w->hold, most, sizeof *w->place[0]);
+	w->place[1] = hawser__hold(&w->hold, most, sizeof *w->place[1]);
 	if (!status && w->hold.short_of_memory)
 		status = hawser__no_memory(report, "certificate");
 	for (int p = 0; !status && p < source->shapes; p++) {
-		w->node[0][p] = source->place[p].node[source->place[p].share > 0.5];
+		int node = source->place[p].node[source->place[p].share > 0.5];
+
+		w->place[0][p] = (struct hawser__finite_place){{node}, {1.0}};
 		for (int i = 0; i < w->coarse.nodes; i++)
-			if (w->from[i] == w->node[0][p])
-				w->node[1][p] = i;
+			if (w->from[i] == node)
+				w->place[1][p] = (struct hawser__finite_place){{i}, {1.0}};
 	}
 	return status;
 }

@@ -17,33 +17,70 @@
 #include "study/accuracy/certificate.h"
 
 enum { PARTS = 48, /* elements, half of them in the second mesh; chosen: twice a net's cable's */
+       UNIT = 8,  /* of them, in each part between attachments; of the second mesh: net_finer.c */
        WIDER = 2 }; /* modes of the mesh beyond as many as the span's, which may have another order */
+
+static const double round_off = 1e-9; /* of places in elements */
 
 /* Mode j of the span at the nodes of the mesh, m per unit of its coordinate. */
 static void take_mode(double *row, const struct hawser__mesh *mesh, const struct hawser_modes *modes,
                       int j)
 {
 	const struct hawser_statics *st = &modes->statics;
-	int elements = mesh->first[1];
+	double S = 0.0;
 
-	for (int i = 1; i < elements; i++) {
-		double s = st->length0/st->span.d*i/elements, local[3], v[3], u[3];
-		struct hawser_frame_point at = hawser_statics_frame(st, s);
+	for (int e = 0; e < mesh->elements - 1; e++) {
+		struct hawser_frame_point at;
+		double local[3], v[3], u[3];
 
-		hawser_modes_at(modes, local, NULL, j, s);
+		S += mesh->length0[e];
+		at = hawser_statics_frame(st, S/st->span.d);
+		hawser_modes_at(modes, local, NULL, j, S/st->span.d);
 		hawser__frame_out(v, &at, local);
 		hawser_statics_to_global(st, u, v);
 		for (int k = 0; k < 3; k++)
-			row[mesh->unknown[mesh->inner[0] + i - 1][k]] = st->span.d*u[k];
+			row[mesh->unknown[mesh->end[e][1]][k]] = st->span.d*u[k];
 	}
+	for (int i = 0; i < mesh->absorbers; i++) /* the joints follow the ends, in their order */
+		row[mesh->unknown[mesh->absorber[i].at][mesh->absorber[i].axis]] =
+			st->span.d*modes->stroke[j*st->attachments + mesh->absorber[i].node - 2];
 }
 
-/* The node at a scaled arclength. */
-static int node_at(const struct hawser__mesh *mesh, const struct hawser_statics *st, double s)
+/* A scaled arclength by the cubic polynomial through four nodes of a part: a node, where it is one. */
+static struct hawser__finite_place place_at(const struct hawser__mesh *mesh,
+                                            const struct hawser_statics *st, double s)
 {
-	int elements = mesh->first[1], i = (int)lround(s*st->span.d/st->length0*elements);
+	struct hawser__finite_place place = {.weight = {0.0}};
+	double at = s*st->span.d;
+	int c = 0, from = 0, first;
 
-	return i <= 0 ? 0 : i >= elements ? 1 : mesh->inner[0] + i - 1;
+	for (int e = 0; e < mesh->elements - 1 && at > mesh->length0[e]*(1.0 + round_off); e++) {
+		at -= mesh->length0[e];
+		c = mesh->cable[e + 1];
+		from = e + 1 - mesh->first[c];
+	}
+	at = from + at/mesh->length0[mesh->first[c]];
+	first = (int)fmin(fmax(floor(at) - 1.0, 0.0), mesh->first[c + 1] - mesh->first[c] - 3);
+	for (int i = 0; i < HAWSER__FINITE_NODES; i++) {
+		int e = mesh->first[c] + first + i;
+
+		place.node[i] = e < mesh->first[c + 1] ? mesh->end[e][0] : mesh->end[e - 1][1];
+		place.weight[i] = 1.0;
+		for (int k = 0; k < HAWSER__FINITE_NODES; k++)
+			place.weight[i] *= k == i ? 1.0 : (at - first - k)/(i - k);
+	}
+	return place;
+}
+
+/* Of a point of the model: strokes are behind all others, in the order of their attachments. */
+static struct hawser__finite_place point_at(const struct hawser__mesh *mesh,
+                                            const struct hawser_statics *st,
+                                            const struct hawser_rom *rom, int p)
+{
+	int stroke = p - rom->shapes.points + mesh->absorbers;
+
+	return stroke < 0 ? place_at(mesh, st, rom->shapes.s[p])
+	       : (struct hawser__finite_place){{mesh->absorber[stroke].at}, {1.0}};
 }
 
 enum hawser_status hawser__finites_turn(struct hawser__finites *all, const struct hawser_modes *modes,
@@ -67,8 +104,8 @@ enum hawser_status hawser__finites_turn(struct hawser__finites *all, const struc
 	}
 	all->turned = modes->n;
 	for (int p = 0; p < rom->shapes.points; p++) {
-		all->node[0][p] = node_at(mesh, &modes->statics, rom->shapes.s[p]);
-		all->node[1][p] = node_at(&all->coarse, &modes->statics, rom->shapes.s[p]);
+		all->place[0][p] = point_at(mesh, &modes->statics, rom, p);
+		all->place[1][p] = point_at(&all->coarse, &modes->statics, rom, p);
 	}
 	free(part);
 	return HAWSER_OK;
@@ -87,7 +124,7 @@ static enum hawser_status mesh_of(struct hawser_net *net, const struct hawser_sc
 		own.damping.kind = HAWSER_DAMPING_ALPHA;
 		own.damping.alpha = 0.0;
 	}
-	status = hawser__net_span(net, &own, statics, &options, halved, report);
+	status = hawser__net_span(net, &own, statics, &options, UNIT, halved, report);
 	if (status)
 		return status;
 	net->ratio = scene->damping.kind == HAWSER_DAMPING_RATIO ? scene->damping.ratio : 0.0;
@@ -106,10 +143,19 @@ static enum hawser_status check(const struct hawser_scene *scene, const struct h
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "certificate",
 		                    "%s: the model is one of modes, 1 to %d: give their number (--modes)",
 		                    scene->name, HAWSER_NET_ROM_MODES - WIDER);
-	if (statics->attachments > 0)
-		return hawser__fail(report, HAWSER_ERR_SCENE, "certificate",
-		                    "%s: a span with attachments is corrected as a net: give the parts "
-		                    "between them as its cables", scene->name);
+	for (int i = 0; i < statics->attachments; i++) {
+		const struct hawser_attachment *at = &scene->attach[statics->attached[i].index];
+		const double *e = at->absorber_direction;
+
+		if (at->absorber_mass > 0.0 && scene->damping.kind == HAWSER_DAMPING_RATIO)
+			return hawser__fail(report, HAWSER_ERR_SCENE, "certificate", "%s: damping ratios are "
+			                    "those of the modes with the absorbers held, which a mesh has not: "
+			                    "give damping.alpha", scene->name);
+		if (at->absorber_mass > 0.0 && (e[0] != 0.0) + (e[1] != 0.0) + (e[2] != 0.0) > 1)
+			return hawser__fail(report, HAWSER_ERR_SCENE, "certificate", "%s: the stroke of an "
+			                    "absorber is compared along an axis: its absorber_direction is "
+			                    "oblique", scene->name);
+	}
 	return HAWSER_OK;
 }
 
