@@ -77,7 +77,8 @@ enum hawser_beam_gravity { HAWSER_GRAVITY_ALONG = 0, HAWSER_GRAVITY_ACROSS, HAWS
 enum hawser_frame { HAWSER_FRAME_LOCAL = 0, HAWSER_FRAME_GLOBAL };
 
 /* An attachment: a point mass on the cable, with springs and dampers from the same point to ground,
- * and a dead force, which is constant and has no inertia. All act along the fixed axes x, y, z.
+ * and a dead force, which is constant and has no inertia. All but local dampers act along the fixed
+ * axes x, y, z.
  * Springs are unstressed in the static equilibrium, which they therefore don't change; nor do
  * dampers. */
 enum { HAWSER_ATTACH_MAX = 32, HAWSER_NAME_SIZE = 32 };
@@ -88,7 +89,8 @@ struct hawser_attachment {
 	double mass;      /* kg */
 	double force[3];  /* N along x, y, z */
 	double spring[3]; /* N/m along x, y, z */
-	double damper[3]; /* N s/m along x, y, z, */
+	double damper[3]; /* N s/m along x, y, z, or along the axes of the cable at rest, */
+	int damper_local; /* 1: tangent, normal and binormal; */
 	int damper_to;    /* to the ground (0), or to what end A (1) or B (2) is fixed to */
 	/* An absorber: a mass that moves along a fixed direction relative to the point, on a spring and a
 	 * damper between both. Across this direction it moves with the point. */

@@ -47,7 +47,8 @@ struct hawser_attached {
 	double jump[3];   /* change of the force in the cable, along the axes of its plane, over w*d with
 	                   * the static force w per length: (0, m, 0) where only weight acts */
 	double spring[3]; /* N/m along x, y, z */
-	double damper[3]; /* N s/m, */
+	double damper[3]; /* N s/m along the axes of hawser_statics_damper, */
+	int damper_local; /* 1: those of the cable at rest, */
 	int damper_to;    /* to the ground (0), or to what end A (1) or B (2) is fixed to */
 	/* Of the absorber, whose mass is part of `mass` and `m`: */
 	double absorber;           /* its share of m, scaled; 0: none */
@@ -292,6 +293,10 @@ struct hawser_frame_point {
 	double axis[3][3];
 };
 struct hawser_frame_point hawser_statics_frame(const struct hawser_statics *statics, double s);
+
+/* Unit vectors along which the dampers of attachment i act: x, y, z, or the local axes, of which at a
+ * kink the tangent halves the angle. */
+void hawser_statics_damper(double axis[3][3], const struct hawser_statics *statics, int i);
 
 /* --- approximate static models, to be compared with the elastic catenary --- */
 

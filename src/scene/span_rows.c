@@ -179,7 +179,10 @@
 	    "springs to ground along x, y, z, unstressed in the static equilibrium") \
 	TO##_VECTOR("span.attach[].damper", 3, OPTIONAL, "N.s/m", NOT_NEGATIVE, PLACE_AT(damper), \
 	    "[0, 0, 0]", \
-	    "viscous dampers along x, y, z") \
+	    "viscous dampers along the axes of damper_frame") \
+	TO##_WORD("span.attach[].damper_frame", OPTIONAL, "global|local", PLACE_AT(damper_local), \
+	    "global", "axes of the dampers: global is x, y, z; local is tangent, normal, binormal of " \
+	    "the cable at rest (e, n, z), for a damper across a stay") \
 	TO##_WORD("span.attach[].damper_to", OPTIONAL, "ground|A|B", PLACE_AT(damper_to), "ground", \
 	    "what they are fixed to: the ground, or what end A or B is fixed to, such as a deck that " \
 	    "moves with it") \

@@ -295,6 +295,7 @@ enum hawser_status hawser__loaded_place(struct hawser_statics *st, const struct 
 		jump_of(to, cable->load[i].force, a->force, st);
 		memcpy(to->spring, a->spring, sizeof to->spring);
 		memcpy(to->damper, a->damper, sizeof to->damper);
+		to->damper_local = a->damper_local;
 		to->damper_to = a->damper_to;
 		if (!absorber(to, a, st))
 			return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,

@@ -7,6 +7,7 @@
 #include "config.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "statics/catenary.h"
 #include "statics/profile.h"
@@ -157,4 +158,25 @@ double hawser__statics_closure(const struct hawser_statics *st)
 	else
 		advance(st, &x, &y, st->eta, st->eta + st->delta*st->l, st->l);
 	return st->span.d*hypot(x - 1.0, y - st->hs);
+}
+
+void hawser_statics_damper(double axis[3][3], const struct hawser_statics *st, int i)
+{
+	static const double plain[3][3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
+	const double beside = 1e-9; /* of the arclength: on both sides of a kink; chosen above round-off */
+	struct hawser_frame_point before, after;
+	double ex, ey, length, s;
+
+	memcpy(axis, plain, sizeof plain);
+	if (i >= st->attachments || !st->attached[i].damper_local)
+		return;
+	s = st->attached[i].s;
+	before = hawser_statics_frame(st, s*(1.0 - beside));
+	after = hawser_statics_frame(st, s*(1.0 + beside));
+	ex = before.ex + after.ex;
+	ey = before.ey + after.ey;
+	length = hypot(ex, ey);
+	axis[0][0] = axis[1][1] = ex/length;
+	axis[0][1] = ey/length;
+	axis[1][0] = -axis[0][1];
 }

@@ -327,4 +327,27 @@ refuses_like 1 "contradicts attach.force" modes "$scene" --set "$force" --set "t
 refuses_like 1 "or attach.force, take out of one plane" modes "$scene" --set "$force" --set "tension=$t0" --damped
 refuses_like 1 "motion. of a cable that masses or springs in a wind, or attach.force" rom "$scene" --set "$force" --set "tension=$t0" --set 'support={B: {motion: [0, 1 cm, 0]}}'
 refuses_like 1 "attachments are at rest, and a cable" irvine "$scene" -n 2 --points 3 --speeds "0, 3"
+cat >across.yaml <<'END'
+cable: {EA: 900 MN, rho: 45 kg/m}
+span: {d: 120 m, h: 60 m}
+tension: {T0: 3.2 MN}
+g: 1e-6 m/s^2
+attach: [{name: d, at: 3 %, damper: [0, 90 kN.s/m, 90 kN.s/m], damper_frame: local}]
+load: {frame: local, per_length: [0, 4 N/m, 0]}
+support: {B: {motion: [3 mm, -2 mm, 5 mm]}}
+END
+works "a damper across a taut stay" modes across.yaml -n 4 --damped --json across.json -q
+for frame in local global; do
+	works "equal ones along all axes, $frame" frf across.yaml --set "attach.0.damper=[90 kN.s/m, 90 kN.s/m, 90 kN.s/m]" \
+		--set attach.0.damper_frame=$frame -n 3 --set g=9.81 --from 0.99w1 --to 1.01w1 --max-points 2 --json $frame.json -q
+done
+python "acts the same in both planes; equal ones have no axes" <<'END'
+import json
+modes = json.load(open("across.json"))["damped"]
+for a, b in zip(modes[::2], modes[1::2]):
+    assert abs(a["damping_ratio"]/b["damping_ratio"] - 1) < 1e-9 and a["damping_ratio"] > 0.014, (a, b)
+one, other = (json.load(open(n + ".json"))["points"] for n in ("local", "global"))
+for a, b in zip(one, other):
+    assert abs(a["Omega"]/b["Omega"] - 1) < 1e-9 and abs(a["amplitude"]["y_mid"]/b["amplitude"]["y_mid"] - 1) < 1e-7, (a, b)
+END
 done_testing

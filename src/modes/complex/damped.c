@@ -28,6 +28,7 @@
 
 #include "core/hold.h"
 #include "core/report.h"
+#include "core/vec3.h"
 #include "modes/cable.h"
 #include "modes/complex/damped.h"
 #include "modes/complex/wind.h"
@@ -114,20 +115,21 @@ static int joins(const struct hawser_modes *modes, const struct hawser_statics *
 {
 	for (int i = 0; i < st->attachments; i++)
 		for (int c = 0; c < 3; c++) {
-			double most[2] = {0.0};
+			double most[2] = {0.0}, axis[3][3];
 
+			hawser_statics_damper(axis, st, i);
 			for (int k = 0; k < modes->n; k++) {
 				double *of = &most[modes->mode[k].plane == HAWSER_OUT_OF_PLANE];
 
-				*of = fmax(*of, fabs(u[3*(k*hawser__points(st) + i) + c]));
+				*of = fmax(*of, fabs(hawser__dot(axis[c], u + 3*(k*hawser__points(st) + i))));
 			}
 			if (st->attached[i].damper[c] > 0.0 && most[0] > 0.0 && most[1] > 0.0)
 				return 1;
 		}
 	for (int i = 0; i < st->attachments; i++) {
-		const double *axis = st->attached[i].absorber_axis;
+		const double *way = st->attached[i].absorber_axis;
 
-		if (st->attached[i].absorber > 0.0 && axis[2] != 0.0 && (axis[0] != 0.0 || axis[1] != 0.0))
+		if (st->attached[i].absorber > 0.0 && way[2] != 0.0 && (way[0] != 0.0 || way[1] != 0.0))
 			return 1;
 	}
 	return 0;
@@ -175,6 +177,7 @@ static void point_damping(struct block *t, const struct hawser_modes *modes,
                           double mass)
 {
 	int points = hawser__points(st);
+	double axis[3][3];
 
 	for (int i = 0; i < points; i++)
 		for (int c = 0; c < 3; c++) {
@@ -183,11 +186,12 @@ static void point_damping(struct block *t, const struct hawser_modes *modes,
 			double held = i < st->attachments ? mass*st->attached[i].absorber : 0.0;
 			double weight = damper/sqrt(st->span.rho*st->H) - alpha*hawser__point(st, i).m - held;
 
-			if (weight == 0.0)
-				continue;
+			hawser_statics_damper(axis, st, i);
 			for (int k = 0; k < t->n; k++)
-				b[k] = u[3*(t->mode[k]*points + i) + c]/modes->mode[t->mode[k]].omega;
-			t->weight[t->vectors++] = weight;
+				b[k] = hawser__dot(axis[c], u + 3*(t->mode[k]*points + i))/
+				       modes->mode[t->mode[k]].omega;
+			t->weight[t->vectors] = weight;
+			t->vectors += weight != 0.0;
 		}
 }
 

@@ -185,6 +185,30 @@ static double fixed_to(const struct field *field, const struct hawser_attached *
 	return at->damper_to ? end : 0.0;
 }
 
+/* The force of the dampers of attachment i on what they are fixed to, scaled; returns whether there are
+ * any. */
+static int damper_force(double force[3], const struct field *field, const struct hawser_statics *st,
+                        int i)
+{
+	const struct hawser_attached *at = &st->attached[i];
+	double axis[3][3], moved[3];
+	int any = 0;
+
+	hawser_statics_damper(axis, st, i);
+	for (int c = 0; c < 3; c++) {
+		moved[c] = field->at[i][c] - fixed_to(field, at, c);
+		force[c] = 0.0;
+	}
+	for (int c = 0; c < 3; c++) {
+		double pull = at->damper[c]/sqrt(st->span.rho*st->H)*hawser__dot(axis[c], moved);
+
+		for (int k = 0; k < 3; k++)
+			force[k] += pull*axis[c][k];
+		any |= at->damper[c] > 0.0;
+	}
+	return any;
+}
+
 /* Forces of unit inertia (rate = 0) or damping (1) of r, times `factor`; those of dampers of
  * attachments only with `dampers`. Returns whether there are any. */
 static int set_force(struct field *field, const struct hawser_scene *scene,
@@ -210,18 +234,16 @@ static int set_force(struct field *field, const struct hawser_scene *scene,
 		field->stroke[i] = rate ? 0.0 : factor*st->attached[i].absorber*
 		                                (a[0]*r[0] + a[1]*r[1] + a[2]*r[2]);
 	}
-	for (int i = 0; i < hawser__points(st); i++)
-		for (int c = 0; c < 3; c++) {
-			double each = on_mass*(rate ? hawser__point_bare(st, i) : hawser__point(st, i).m);
-			double force = each*field->at[i][c], damper = 0.0;
+	for (int i = 0; i < hawser__points(st); i++) {
+		double each = on_mass*(rate ? hawser__point_bare(st, i) : hawser__point(st, i).m);
+		double force[3] = {0.0};
 
-			if (rate && dampers && i < st->attachments)
-				damper = st->attached[i].damper[c]/sqrt(st->span.rho*st->H);
-			if (damper > 0.0)
-				force += damper*(field->at[i][c] - fixed_to(field, &st->attached[i], c));
-			field->point[i][c] = factor*force;
-			any |= each != 0.0 || damper > 0.0;
-		}
+		any |= each != 0.0;
+		if (rate && dampers && i < st->attachments)
+			any |= damper_force(force, field, st, i);
+		for (int c = 0; c < 3; c++)
+			field->point[i][c] = factor*(each*field->at[i][c] + force[c]);
+	}
 	return any;
 }
 

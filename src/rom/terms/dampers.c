@@ -28,6 +28,7 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "core/vec3.h"
 #include "modes/label.h"
 #include "rom/terms/absorbers.h"
 #include "rom/build/build.h"
@@ -61,8 +62,30 @@ int hawser__has_springs(const struct hawser_statics *st)
 	return any;
 }
 
-/* to [n][n] += for every point of label.h the sum over axes of factor[axis] times the displacements
- * of two modes. */
+static double damping(const struct hawser_statics *st, int i, int axis, double alpha)
+{
+	double drag = alpha*hawser__point_bare(st, i); /* D has it, but still air acts on the cable only */
+
+	return i < st->attachments ? st->attached[i].damper[axis]/sqrt(st->span.rho*st->H) - drag : -drag;
+}
+
+/* Displacement of a mode at point i along x, y, z, or along the axes of its dampers. */
+static void displaced(double u[3], const struct hawser_modes *modes, int mode, int i, int of_dampers)
+{
+	double axis[3][3], global[3];
+
+	hawser__modes_attached(u, modes, mode, i);
+	hawser_statics_to_global(&modes->statics, global, u);
+	memcpy(u, global, sizeof global);
+	if (!of_dampers)
+		return;
+	hawser_statics_damper(axis, &modes->statics, i);
+	for (int c = 0; c < 3; c++)
+		u[c] = hawser__dot(axis[c], global);
+}
+
+/* to [n][n] += for every point of label.h the sum over axes, of dampers their own, of factor[axis]
+ * times the displacements of two modes. */
 static void add_points(double *to, const struct hawser_modes *modes,
                        double (*factor)(const struct hawser_statics *st, int i, int axis,
                                         double value), double value)
@@ -74,22 +97,13 @@ static void add_points(double *to, const struct hawser_modes *modes,
 		for (int j = 0; j < n; j++) {
 			double u[3], v[3];
 
-			hawser__modes_attached(u, modes, j, i);
-			hawser_statics_to_global(st, u, u);
+			displaced(u, modes, j, i, factor == damping);
 			for (int k = 0; k < n; k++) {
-				hawser__modes_attached(v, modes, k, i);
-				hawser_statics_to_global(st, v, v);
+				displaced(v, modes, k, i, factor == damping);
 				for (int c = 0; c < 3; c++)
 					to[j*n + k] += factor(st, i, c, value)*u[c]*v[c];
 			}
 		}
-}
-
-static double damping(const struct hawser_statics *st, int i, int axis, double alpha)
-{
-	double drag = alpha*hawser__point_bare(st, i); /* D has it, but still air acts on the cable only */
-
-	return i < st->attachments ? st->attached[i].damper[axis]/sqrt(st->span.rho*st->H) - drag : -drag;
 }
 
 static double stiffness(const struct hawser_statics *st, int i, int axis, double unused)
@@ -132,8 +146,11 @@ static void respond(struct work *work, double *row, int i, int axis)
 {
 	struct hawser__stations *stations = &work->stations;
 	const struct hawser_statics *st = &work->modes->statics;
-	const double pull[3] = {-(axis == 0), -(axis == 1), -(axis == 2)};
+	double own[3][3], pull[3] = {0.0};
 
+	hawser_statics_damper(own, st, i);
+	for (int c = 0; c < 3 && axis != STROKE; c++)
+		pull[c] = -own[axis][c];
 	for (int p = 0; p < stations->count; p++) {
 		struct hawser_frame_point at = hawser_statics_frame(st, stations->s[p]);
 
@@ -143,7 +160,10 @@ static void respond(struct work *work, double *row, int i, int axis)
 	}
 	memset(stations->beyond, 0, sizeof stations->beyond);
 	memset(stations->load, 0, sizeof stations->load);
-	*(axis == STROKE ? &stations->load[i] : &stations->beyond[axis]) = 1.0;
+	if (axis == STROKE)
+		stations->load[i] = 1.0;
+	else
+		memcpy(stations->beyond, own[axis], sizeof stations->beyond);
 	hawser__follow(stations);
 	hawser__basis_put(&work->basis, row, stations->z, stations->start, stations->stroke);
 }
