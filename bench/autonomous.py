@@ -99,7 +99,7 @@ class Model:
 
 
 def hawser(program, path, span, *more):
-    out = subprocess.run(["timeout", "60", program, "frf", path, "--over", "p=%r:%r" % span, "-q", "--json", "-", *more],
+    out = subprocess.run(["timeout", "300", program, "frf", path, "--over", "p=%r:%r" % span, "-q", "--json", "-", *more],
                          capture_output=True, text=True, check=False)
     return json.loads(out.stdout) if out.stdout else None
 

@@ -104,12 +104,13 @@ enum hawser_status hawser__curve_step(struct hawser__curve *curve, double *taken
                                       enum hawser__outcome *outcome);
 
 /* settings.c: of a branch of periodic orbits, of a curve of folds, of a backbone, of a boundary of
- * stability of a beam, of invariant circles. */
+ * stability of a beam, of a locus of an autonomous model, of invariant circles. */
 extern const struct hawser__step_settings hawser__frf_steps;
 extern const struct hawser__step_settings hawser__exact_steps;
 extern const struct hawser__step_settings hawser__folds_steps;
 extern const struct hawser__step_settings hawser__backbone_steps;
 extern const struct hawser__step_settings hawser__boundary_steps;
+extern const struct hawser__step_settings hawser__own_steps;
 extern const struct hawser__step_settings hawser__torus_steps;
 
 #endif

@@ -46,6 +46,12 @@ const struct hawser__step_settings hawser__boundary_steps = {
 	.goal_angle = 0.1, .distance_order = 2
 };
 
+/* Lengths are parts of the parameters' ranges; a chord, which lags behind, is taken for the tangent. */
+const struct hawser__step_settings hawser__own_steps = {
+	.smallest = 2e-7, .after_failure = 0.5, .after_refusal = 0.5, .slowest = 0.4, .fastest = 1.5,
+	.goal_angle = 0.1, .distance_order = 2
+};
+
 /* A circle costs hundreds of orbits, and near resonances the corrector fails whatever the step is: a
  * shorter one than 1e-5 would only tell how narrow they are. Circles grow with the square root of Omega
  * from torus points, where the tangent turns fast. */

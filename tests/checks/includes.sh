@@ -41,11 +41,9 @@ awk "$table"' /^[ \t]*#[ \t]*include/ { split(FILENAME, part, "/"); look(part[2]
 	FNR == 1 { split(FILENAME, part, "/")
 		if (!(part[2] in rank)) print FILENAME ":1: unknown stage " part[2] }
 ' $(find src -name '*.[ch]' | sort) | nothing "no stage includes a later one"
-# Everything that follows a curve leaves the length of its steps to src/continuation, but for three: the boundaries
-# of hill and the loci of models without a load, plane curves without an orbit of their own, and the first orbit, for which the
-# load is raised in steps.
+# Everything that follows a curve leaves the length of its steps to src/continuation, but for two: the boundaries of
+# hill, plane curves without an orbit of their own, and the first orbit, for which the load is raised in steps.
 find src/modes src/beam src/response src/study -name '*.[ch]' ! -path src/study/hill/hill.c ! -path src/response/orbit/start.c \
-	! -path src/response/locus/locus_own.c \
 	-exec grep -nE '\<(ds|step) [*/]=|\<(ds|step) = .*[0-9]\*([a-z]+->)?(ds|step)\>|GOAL_(ANGLE|CONTRACTION)' {} + |
 	nothing "steps along curves are adapted in src/continuation only"
 # The handler belongs to the process, so to the program that links the library.

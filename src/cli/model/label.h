@@ -33,9 +33,9 @@ int cli_label_plain(const struct hawser_frf *frf, const struct cli_model *model)
 /* Split FILE#LABEL, into path [size]. Returns the label, or 0 if the text has none. */
 int cli_label_split(char *path, size_t size, const char *text);
 
-/* Read text, which is FILE#LABEL, given with `option`, or FILE for its last point (option
- * continue); the result must be of this model, but for the value of the key `over` (or NULL).
- * Release by cli_label_clear. HAWSER_ERR_ARGUMENT. */
+/* Read text, which is FILE#LABEL, given with `option`, or FILE for its last point (option continue);
+ * the result must be of this model, but for the value of the key `over` (or NULL). Release by
+ * cli_label_clear. HAWSER_ERR_ARGUMENT. */
 enum hawser_status cli_label_open(struct cli_label *label, const char *option, const char *text,
                                   const char *over, const struct cli_model *model,
                                   const struct cli_common *common,

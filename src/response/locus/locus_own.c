@@ -17,15 +17,14 @@
 
 #include <hawser/branches.h>
 
+#include "continuation/curve.h"
 #include "core/grow.h"
 #include "core/report.h"
 #include "response/locus/locus_own.h"
 
 #define BEND 0.3      /* rad between chords, at which a step is made again; chosen */
-#define SMOOTH 0.1    /* below which the next one is longer; chosen */
-#define LONGER 1.5    /* by this; chosen */
-#define SHORTEST 1e-5 /* step at which a curve is given up, relative to the longest; chosen */
-#define UNEXPLAINED 0.01 /* the same of a step in which eigenvalues change their kind; chosen */
+/* Step in which eigenvalues may change their kind, relative to the longest; chosen. */
+#define UNEXPLAINED 0.01
 #define AWAY 0.2      /* least distance on the first line, in longest steps; chosen */
 #define ASIDE 0.01    /* of the line that gives the first direction, in longest steps; chosen */
 #define KNOWN 1e-6    /* distance of bifurcations that are one; chosen */
@@ -91,41 +90,21 @@ static int outside(const struct hawser__own *own, double *part, enum hawser_locu
 	return *part < 1.0;
 }
 
+/* The direction of the curve here, of length 1. */
+static void set_along(struct hawser__own *own, double x, double y)
+{
+	double length = hypot(x, y);
+
+	own->along[0] = x/length;
+	own->along[1] = y/length;
+}
+
 static int is_closed(const struct hawser__own *own)
 {
 	return own->list->points > FEWEST && hawser__own_distance(own->next.at, own->start.at) <
 	       0.6*hawser__own_distance(own->next.at, own->here.at) &&
 	       (own->next.at[0] - own->here.at[0])*(own->start.at[0] - own->here.at[0]) +
 	       (own->next.at[1] - own->here.at[1])*(own->start.at[1] - own->here.at[1]) > 0.0;
-}
-
-/* own->next, at most *step from here in the direction; *step is what it was, and 0 where there is
- * none. */
-static enum hawser_status advance(struct hawser__own *own, double *step, const double direction[2],
-                                  struct hawser_report *report)
-{
-	double length = hypot(direction[0], direction[1]), shortest = SHORTEST*own->o->step_max;
-
-	for (; *step >= shortest; *step *= 0.5) {
-		double base[2], bend, chord[2];
-		int found;
-		enum hawser_status status;
-
-		for (int k = 0; k < 2; k++)
-			base[k] = own->here.at[k] + *step/length*direction[k];
-		status = hawser__own_across(own, &own->next, &found, base, direction, *step, &own->here,
-		                            report);
-		if (status)
-			return status;
-		for (int k = 0; k < 2; k++)
-			chord[k] = own->next.at[k] - own->here.at[k];
-		bend = fabs(atan2(chord[0]*direction[1] - chord[1]*direction[0],
-		                  chord[0]*direction[0] + chord[1]*direction[1]));
-		if (found && (bend < BEND || own->list->points < 2))
-			return HAWSER_OK;
-	}
-	*step = 0.0;
-	return HAWSER_OK;
 }
 
 /* The last point, at the end of the ranges. */
@@ -144,68 +123,123 @@ static enum hawser_status end_at(struct hawser__own *own, double part, struct ha
 	return status ? status : add_point(own, &own->next, report);
 }
 
-static int stops(struct hawser__own *own)
+/* --- operations of continuation/curve.h --- */
+
+static enum hawser_status prepare(void *owner, int *ended)
 {
+	struct hawser__own *own = owner;
 	struct hawser_progress_state state = {.stage = "locus", .unit = "points",
 		.done = own->locus->points + own->list->points};
 
 	own->stopped |= hawser__told_to_stop(&own->o->progress, &state);
-	return own->stopped;
+	own->list->end = own->stopped ? HAWSER_LOCUS_INTERRUPTED : HAWSER_LOCUS_MAX_POINTS;
+	*ended = own->stopped || own->list->points >= own->o->max_points;
+	return HAWSER_OK;
 }
+
+static int predict(void *owner, double ds)
+{
+	struct hawser__own *own = owner;
+
+	for (int k = 0; k < 2; k++)
+		own->next.at[k] = own->here.at[k] + ds*own->along[k];
+	return 0;
+}
+
+static enum hawser_status correct(void *owner, double ds, struct hawser__correction *correction,
+                                  int *failed)
+{
+	struct hawser__own *own = owner;
+	double base[2] = {own->next.at[0], own->next.at[1]};
+	int found;
+	enum hawser_status status = hawser__own_across(own, &own->next, &found, base, own->along, ds,
+	                                               &own->here, own->report);
+
+	*correction = (struct hawser__correction){.iterations = 1};
+	*failed = !found;
+	return status;
+}
+
+/* The tangent is the chord; the first one is not known well. */
+static enum hawser_status finish(void *owner, double ds, double *angle)
+{
+	struct hawser__own *own = owner;
+	double x = own->next.at[0] - own->here.at[0], y = own->next.at[1] - own->here.at[1];
+
+	(void)ds;
+	*angle = fabs(atan2(x*own->along[1] - y*own->along[0], x*own->along[0] + y*own->along[1]));
+	if (own->list->points < 2)
+		*angle = 0.0;
+	return HAWSER_OK;
+}
+
+static enum hawser_status judge(void *owner, double ds, double angle, enum hawser__verdict *verdict)
+{
+	struct hawser__own *own = owner;
+	int unexplained = !hawser__own_explained(own) && ds > UNEXPLAINED*own->o->step_max;
+
+	*verdict = angle >= BEND || unexplained ? HAWSER__SHORTEN : HAWSER__KEEP;
+	return HAWSER_OK;
+}
+
+static double longest(void *owner)
+{
+	return ((struct hawser__own *)owner)->o->step_max;
+}
+
+static enum hawser_status arrive(void *owner, enum hawser__arrival *arrival, double taken, double *ds)
+{
+	struct hawser__own *own = owner;
+	double part;
+	enum hawser_status status;
+
+	(void)ds;
+	(void)taken;
+	*arrival = HAWSER__AT_END;
+	if (outside(own, &part, &own->list->end))
+		return end_at(own, part, own->report);
+	if (is_closed(own)) {
+		own->list->end = HAWSER_LOCUS_CLOSED;
+		return add_point(own, &own->start, own->report);
+	}
+	status = hawser__own_specials(own, own->report);
+	if (!status)
+		status = add_point(own, &own->next, own->report);
+	set_along(own, own->next.at[0] - own->here.at[0], own->next.at[1] - own->here.at[1]);
+	hawser__own_copy(&own->prev, &own->here, own->line.n);
+	hawser__own_copy(&own->here, &own->next, own->line.n);
+	*arrival = HAWSER__GO_ON;
+	return status;
+}
+
+static const struct hawser__curve_ops own_ops = {
+	.prepare = prepare, .predict = predict, .correct = correct, .finish = finish, .judge = judge,
+	.longest = longest, .arrive = arrive
+};
 
 static enum hawser_status follow(struct hawser__own *own, struct hawser__locus_list *list,
                                  const double tangent[2], int sign, struct hawser_report *report)
 {
-	double direction[2] = {sign*tangent[0], sign*tangent[1]};
-	double step = own->o->step_max, part;
+	struct hawser__curve curve = {.ops = &own_ops, .settings = &hawser__own_steps, .owner = own,
+		.ds = own->o->step_max};
+	enum hawser__outcome outcome;
 	enum hawser_status status;
 
 	own->list = list;
-	list->end = HAWSER_LOCUS_MAX_POINTS;
+	own->report = report;
+	set_along(own, sign*tangent[0], sign*tangent[1]);
 	hawser__own_copy(&own->here, &own->start, own->line.n);
 	hawser__own_copy(&own->prev, &own->start, own->line.n);
 	status = add_point(own, &own->here, report);
-	while (!status && list->points < own->o->max_points) {
-		double wanted = step, bend;
-
-		if (stops(own)) {
-			list->end = HAWSER_LOCUS_INTERRUPTED;
-			return HAWSER_OK;
-		}
-		if ((status = advance(own, &step, direction, report)))
-			return status;
-		if (step == 0.0) {
-			list->end = HAWSER_LOCUS_FAILED;
-			snprintf(list->message, sizeof list->message, "no %s was found near the parameters %.9g, "
-			         "%.9g: the curve may turn sharply there, as at a cusp, or end",
-			         hawser_event_name(own->line.kind), own->here.at[0]*own->line.extent[0],
-			         own->here.at[1]*own->line.extent[1]);
-			return hawser__own_takens(own, report);
-		}
-		if (!hawser__own_explained(own) && step > UNEXPLAINED*own->o->step_max) {
-			step *= 0.5;
-			continue;
-		}
-		if (outside(own, &part, &list->end))
-			return end_at(own, part, report);
-		if (is_closed(own)) {
-			list->end = HAWSER_LOCUS_CLOSED;
-			return add_point(own, &own->start, report);
-		}
-		if ((status = hawser__own_specials(own, report)) ||
-		    (status = add_point(own, &own->next, report)))
-			return status;
-		bend = fabs(atan2((own->next.at[0] - own->here.at[0])*direction[1] -
-		                  (own->next.at[1] - own->here.at[1])*direction[0],
-		                  (own->next.at[0] - own->here.at[0])*direction[0] +
-		                  (own->next.at[1] - own->here.at[1])*direction[1]));
-		for (int k = 0; k < 2; k++)
-			direction[k] = own->next.at[k] - own->here.at[k];
-		hawser__own_copy(&own->prev, &own->here, own->line.n);
-		hawser__own_copy(&own->here, &own->next, own->line.n);
-		step = fmin(own->o->step_max, step < wanted || bend > SMOOTH ? step : LONGER*step);
-	}
-	return status;
+	if (!status)
+		status = hawser__curve_follow(&curve, &outcome);
+	if (status || outcome != HAWSER__LOST)
+		return status;
+	list->end = HAWSER_LOCUS_FAILED;
+	snprintf(list->message, sizeof list->message, "no %s was found near the parameters %.9g, %.9g: the "
+	         "curve may turn sharply there, as at a cusp, or end", hawser_event_name(own->line.kind),
+	         own->here.at[0]*own->line.extent[0], own->here.at[1]*own->line.extent[1]);
+	return hawser__own_takens(own, report);
 }
 
 /* --- where curves begin --- */
@@ -229,10 +263,12 @@ static void begin(struct hawser__own *own, const struct hawser_frf *frf, int e)
 	}
 	own->start.at[0] = event->parameter/own->line.extent[0];
 	own->start.at[1] = own->o->at/own->line.extent[1];
-	own->start.t_away = t;
-	own->start.omega_away = frf->point[i].omega;
 	own->start.omega = event->kind == HAWSER_HOPF || own->line.cycles ? event->omega : 0.0;
-	memcpy(own->start.away, frf->state + m*(size_t)i, m*sizeof(double));
+	for (int k = 0; k < 2; k++) {
+		own->start.beside[k].t = t;
+		own->start.beside[k].omega = frf->point[i].omega;
+		memcpy(own->start.beside[k].state, frf->state + m*(size_t)i, m*sizeof(double));
+	}
 	memcpy(own->start.state, frf->event_state + m*(size_t)e, m*sizeof(double));
 }
 
@@ -358,7 +394,8 @@ static enum hawser_status open_own(struct hawser__own *own, const struct hawser_
 	own->time = rom->time;
 	for (size_t i = 0; i < sizeof spot/sizeof *spot; i++) {
 		spot[i]->state = hawser__hold(&own->hold, m, sizeof(double));
-		spot[i]->away = hawser__hold(&own->hold, m, sizeof(double));
+		for (int k = 0; k < 2; k++)
+			spot[i]->beside[k].state = hawser__hold(&own->hold, m, sizeof(double));
 	}
 	own->line.family = (struct hawser_rom_family){0.0, model_on, &own->line};
 	return own->hold.short_of_memory ? hawser__no_memory(report, "locus") : HAWSER_OK;

@@ -23,7 +23,10 @@ struct hawser__own_spot {
 	double test[HAWSER__OWN_TESTS];
 	int unstable;               /* besides the critical ones */
 	double *state;              /* [2n] of it */
-	double *away, t_away, omega_away; /* [2n] an equilibrium or cycle on the line, beside it */
+	struct hawser__own_beside {
+		double *state, t, omega; /* [2n] an equilibrium or cycle on the line, beside it */
+	} beside[2];                /* far, from which the branch on the next line begins, and near, from
+	                            * which it does if that fails */
 };
 
 /* A line in the plane of the parameters: base + t normal. */
@@ -50,7 +53,9 @@ struct hawser__own {
 	struct hawser_locus *locus;
 	struct hawser__own_line line;
 	struct hawser__own_spot prev, here, next, trial, start;
+	double along[2];            /* direction of the curve here */
 	struct hawser__locus_list *list;
+	struct hawser_report *report;
 	double first_omega, time; /* of the first model, s */
 	int stopped;
 	struct hawser__hold hold;

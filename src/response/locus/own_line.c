@@ -18,6 +18,7 @@
 #include "response/locus/locus_own.h"
 
 enum { POINTS = 300 }; /* of a branch along a line, at most; chosen */
+#define NEAR 0.25 /* distance of the nearer state from the event, to that of the other; chosen */
 
 /* --- eigenvalues besides the critical ones --- */
 
@@ -118,9 +119,26 @@ static double pair_angle(const double *multiplier, int m)
 	return best < 0 ? 0.0 : fabs(multiplier[2*best + 1]);
 }
 
-/* *to from event e of the branch, which begins at t_away. */
+/* The first point of the branch to event e, and one that is nearer. */
+static void take_beside(struct hawser__own_spot *to, const struct hawser_frf *frf, int e)
+{
+	double at = frf->event[e].parameter;
+	int i = frf->event[e].after;
+
+	while (i > 0 && fabs(frf->point[i].parameter - at) < NEAR*fabs(frf->point[0].parameter - at))
+		i--;
+	for (int k = 0; k < 2; k++) {
+		size_t m = 2*(size_t)frf->n, which = k ? (size_t)i : 0;
+
+		to->beside[k].t = frf->point[which].parameter;
+		to->beside[k].omega = frf->point[which].omega;
+		memcpy(to->beside[k].state, frf->state + m*which, m*sizeof(double));
+	}
+}
+
+/* *to from event e of the branch. */
 static enum hawser_status take_event(struct hawser__own_spot *to, const struct hawser_frf *frf, int e,
-                                     const struct hawser__own_line *line, double t_away,
+                                     const struct hawser__own_line *line,
                                      struct hawser_report *report)
 {
 	const struct hawser_frf_event *event = &frf->event[e];
@@ -128,9 +146,7 @@ static enum hawser_status take_event(struct hawser__own_spot *to, const struct h
 	const struct hawser_rom *rom;
 
 	memcpy(to->state, frf->event_state + m*(size_t)e, m*sizeof *to->state);
-	memcpy(to->away, frf->state, m*sizeof *to->away);
-	to->t_away = t_away;
-	to->omega_away = frf->point[0].omega;
+	take_beside(to, frf, e);
 	to->omega = line->cycles ? event->omega : 0.0;
 	to->angle = event->kind == HAWSER_PERIOD_DOUBLING ? M_PI : 0.0;
 	if (event->kind == HAWSER_TORUS)
@@ -144,18 +160,32 @@ static enum hawser_status take_event(struct hawser__own_spot *to, const struct h
 	return judge_rest(to, rom, report);
 }
 
+/* The branch on the line from a state beside that of another line: *e, its event, or -1. */
+static enum hawser_status trace_line(struct hawser_frf *frf, int *e,
+                                     const struct hawser__own_line *line,
+                                     const struct hawser__own_beside *beside, double reach)
+{
+	struct hawser_frf_options choice = {.family = &line->family, .start = beside->state,
+		.omega = beside->omega, .from = beside->t, .begin = beside->t, .to = -beside->t,
+		.tolerance = line->tolerance, .step_max = 0.2, .max_points = POINTS,
+		.samples = HAWSER_NONE};
+	const struct hawser_rom *rom;
+	enum hawser_status status = HAWSER_OK;
+
+	*frf = (struct hawser_frf){.n = 0};
+	if (!line->family.model(line->family.context, &rom, choice.begin, NULL))
+		status = hawser_frf_trace(frf, rom, &choice, NULL);
+	*e = frf->points > 0 ? nearest_event(frf, line->kind, reach) : -1;
+	return status;
+}
+
 enum hawser_status hawser__own_meet(struct hawser__own_spot *to, int *found,
                                     struct hawser__own_line *line,
                                     const struct hawser__own_spot *from, double reach,
                                     struct hawser_report *report)
 {
-	struct hawser_frf_options choice = {.family = &line->family, .start = from->away,
-		.omega = from->omega_away, .from = from->t_away, .begin = from->t_away,
-		.to = -from->t_away, .tolerance = line->tolerance, .step_max = 0.2, .max_points = POINTS,
-		.samples = HAWSER_NONE};
-	const struct hawser_rom *rom;
-	struct hawser_frf frf = {.n = 0};
-	enum hawser_status status;
+	struct hawser_frf frf;
+	enum hawser_status status = HAWSER_OK;
 	int e;
 
 	for (int k = 0; k < HAWSER__OWN_TESTS; k++)
@@ -163,29 +193,30 @@ enum hawser_status hawser__own_meet(struct hawser__own_spot *to, int *found,
 	if (line->kind == HAWSER_HOPF)
 		return meet_hopf(to, found, line, from, reach, report);
 	*found = 0;
-	if (line->family.model(line->family.context, &rom, choice.begin, NULL))
-		return HAWSER_OK;
-	status = hawser_frf_trace(&frf, rom, &choice, NULL);
-	e = frf.points > 0 ? nearest_event(&frf, line->kind, reach) : -1;
-	*found = e >= 0;
-	to->time = frf.time;
-	if (status == HAWSER_ERR_MEMORY)
-		status = hawser__no_memory(report, "locus");
-	else
-		status = *found ? take_event(to, &frf, e, line, from->t_away, report) : HAWSER_OK;
-	hawser_frf_clear(&frf);
+	for (int k = 0; k < 2 && !*found && status != HAWSER_ERR_MEMORY; k++) {
+		status = trace_line(&frf, &e, line, &from->beside[k], reach);
+		*found = e >= 0 && status != HAWSER_ERR_MEMORY;
+		to->time = frf.time;
+		if (status == HAWSER_ERR_MEMORY)
+			status = hawser__no_memory(report, "locus");
+		else
+			status = *found ? take_event(to, &frf, e, line, report) : HAWSER_OK;
+		hawser_frf_clear(&frf);
+	}
 	return status;
 }
 
 void hawser__own_copy(struct hawser__own_spot *to, const struct hawser__own_spot *from, int n)
 {
-	double *state = to->state, *away = to->away;
+	double *const own[] = {to->state, to->beside[0].state, to->beside[1].state};
+	const double *const other[] = {from->state, from->beside[0].state, from->beside[1].state};
 
 	*to = *from;
-	to->state = state;
-	to->away = away;
-	memcpy(state, from->state, 2*(size_t)n*sizeof *state);
-	memcpy(away, from->away, 2*(size_t)n*sizeof *away);
+	to->state = own[0];
+	for (int k = 0; k < 3; k++)
+		memcpy(own[k], other[k], 2*(size_t)n*sizeof **own);
+	for (int k = 0; k < 2; k++)
+		to->beside[k].state = own[k + 1];
 }
 
 double hawser__own_distance(const double a[2], const double b[2])

@@ -343,7 +343,8 @@ enum hawser_status hawser__start(double *y, struct hawser__orbit *orbit,
 		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "frf",
 		                       correction->iterations, correction->residual,
 		                       "the given start does not lead to a periodic orbit at Omega "
-		                       "%.9g%s (residual %.2g)",
+		                       "%.9g%s (residual %.2g): it is to be a state at phase 0 of the "
+		                       "load, as after whole periods",
 		                       HAWSER_SHOWN(orbit->rom, omega), correction->residual);
 	status = raise_load(y, orbit, &failed, correction, omega, tolerance, raised, report);
 	if (status != HAWSER_ERR_CONVERGENCE || failed == 2 || raised->lone)
