@@ -41,6 +41,8 @@ struct hawser_surface {
 	double normal[3];   /* unit vector towards the free side, of planes and segments */
 	double radius;      /* m */
 	double friction;    /* coefficient */
+	double axial;       /* of a plane that moves, coefficient along cables, `friction` is across;
+	                     * 0: one for both */
 	double stiffness;   /* Pa/m, of a plane: force per length over diameter and depth; 0: rigid */
 	double damping;     /* Pa*s/m, the same over the rate of the depth */
 	double velocity[3]; /* m/s of the surface of a plane, along it */

@@ -244,6 +244,11 @@ static const struct hawser__tree_key net_rows[] = {
 	     "them, and supports need not hold the net")
 	NUMBER("net.obstacles[].friction", OPTIONAL, "1", NOT_NEGATIVE, SURFACE_AT(friction), "0",
 	       "coefficient of friction")
+	SECTION("net.obstacles[].friction", OPTIONAL, "of a plane that moves: an ellipse")
+	NUMBER("net.obstacles[].friction.axial", REQUIRED, "1", POSITIVE, SURFACE_AT(axial), NULL,
+	       "coefficient along cables")
+	NUMBER("net.obstacles[].friction.transverse", REQUIRED, "1", POSITIVE, SURFACE_AT(friction), NULL,
+	       "coefficient across them")
 	NUMBER("net.obstacles[].stiffness", OPTIONAL, "Pa/m", POSITIVE, SURFACE_AT(stiffness), "rigid",
 	       "of a plane that gives way, as a seabed: force per unstretched length over the diameter and "
 	       "the depth")

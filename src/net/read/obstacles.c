@@ -99,6 +99,11 @@ enum hawser_status hawser__net_contact(struct hawser__reader *reader, struct haw
 	if (!net->surfaces)
 		return hawser__reader_fail(reader, &tree->at, "contact is of obstacles, and the scene has "
 		                           "none: add the section obstacles");
+	for (int i = 0; i < net->surfaces && net->contact.history; i++)
+		if (net->surface[i].axial > 0.0)
+			return hawser__reader_fail(reader, &tree->at, "contact.sliding does not know the axial and "
+			                           "transverse friction of obstacles.%s: give one number",
+			                           net->surface[i].name);
 	if (!one && net->contact.history == HAWSER_NET_PULLED)
 		return hawser__net_pulled(reader, net, tree);
 	if (!status && !one && net->contact.history)
