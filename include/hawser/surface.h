@@ -16,7 +16,10 @@ extern "C" {
 
 enum { HAWSER_SURFACE_NAME = 32 }; /* size of a name, with the NUL at its end */
 
-enum hawser_surface_kind { HAWSER_SURFACE_PLANE = 0, HAWSER_SURFACE_SEGMENT, HAWSER_SURFACE_CIRCLE };
+enum hawser_surface_kind {
+	HAWSER_SURFACE_PLANE = 0, HAWSER_SURFACE_SEGMENT, HAWSER_SURFACE_CIRCLE,
+	HAWSER_SURFACE_PROFILE /* of scenes alone, which are read as segments and circles */
+};
 
 /* Where cables are. ABOVE, BELOW: of a circle, which way they pass it; LEFT, RIGHT: of a segment
  * that is vertical; INSIDE: of a circle, which is then a pipe; AROUND: of a circle, where the

@@ -103,6 +103,33 @@ static void drawn(void)
 	hawser_net_clear(&net);
 }
 
+/* Down a slope of 4 degrees from x = 150 on; and the chain of the scene hauled in. A corner is rounded
+ * over an element: of first order. */
+static void corner(void)
+{
+	static const char *const bed[] = {
+		"g=9.81", "nodes.B=[800, 140, 0]", "obstacles=[{name: bed, profile: [[-10, 0], [150, 0], "
+		"[900, -52.44510895763281]]}]",
+		"cables=[{name: line, from: A, to: B, EA: 753.6e6, rho: 108.62641988118506, length0: 835.5, "
+		"elements: 400}]"};
+	static const char *const hauled[] = {PLANE("0", "1"), "g=9.4011927657697393",
+		"cables.chain.length0=833.4385", "cables.chain.elements=400"};
+	struct hawser_net net;
+	struct hawser_net_statics st = {0};
+
+	if (solved(&net, &st, bed, 4)) {
+		close_to(st.member[0].T_from, 650423.0, 2e-4, "over a corner: tension at the anchor, N");
+		close_to(st.reaction[1][0], 634895.0, 1e-4, "pull along x, N");
+		close_to(st.reaction[1][1], 485855.0, 1e-4, "pull upwards, N");
+	}
+	hawser_net_statics_clear(&st);
+	hawser_net_clear(&net);
+	if (solved(&net, &st, hauled, 4))
+		close_to(st.member[0].T_to, 1.2e6, 1e-5, "hauled in: tension at the fairlead, N");
+	hawser_net_statics_clear(&st);
+	hawser_net_clear(&net);
+}
+
 #define SOFT "cables.chain.diameter=0.0766", WEIGHT, \
 	"obstacles=[{plane: {point: [0, 0], normal: [0, 1]}, stiffness: 3e6, damping: 3e5}]"
 
@@ -176,6 +203,7 @@ CASE(reference_net_bed)
 {
 	chains();
 	drawn();
+	corner();
 	gives_way();
 	heaves();
 	return done_testing();
