@@ -16,7 +16,10 @@ extern "C" {
 
 enum { HAWSER_SURFACE_NAME = 32 }; /* size of a name, with the NUL at its end */
 
-enum hawser_surface_kind { HAWSER_SURFACE_PLANE = 0, HAWSER_SURFACE_SEGMENT, HAWSER_SURFACE_CIRCLE };
+enum hawser_surface_kind {
+	HAWSER_SURFACE_PLANE = 0, HAWSER_SURFACE_SEGMENT, HAWSER_SURFACE_CIRCLE,
+	HAWSER_SURFACE_PROFILE /* of scenes alone, which are read as segments and circles */
+};
 
 /* Where cables are. ABOVE, BELOW: of a circle, which way they pass it; LEFT, RIGHT: of a segment
  * that is vertical; INSIDE: of a circle, which is then a pipe; AROUND: of a circle, where the
@@ -41,6 +44,8 @@ struct hawser_surface {
 	double normal[3];   /* unit vector towards the free side, of planes and segments */
 	double radius;      /* m */
 	double friction;    /* coefficient */
+	double axial;       /* of a plane that moves, coefficient along cables, `friction` is across;
+	                     * 0: one for both */
 	double stiffness;   /* Pa/m, of a plane: force per length over diameter and depth; 0: rigid */
 	double damping;     /* Pa*s/m, the same over the rate of the depth */
 	double velocity[3]; /* m/s of the surface of a plane, along it */

@@ -198,6 +198,11 @@ enum hawser_status hawser_surface_settle(struct hawser_surface *surface, struct 
 		if (!isfinite(all[i]))
 			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "contact", "%s has a number that is not "
 			                    "finite: give finite ones", kinds[surface->kind]);
+	if (!(surface->axial >= 0.0) || !isfinite(surface->axial) ||
+	    (surface->axial > 0.0 && (surface->kind != HAWSER_SURFACE_PLANE ||
+	                              hawser__norm(surface->velocity) == 0.0)))
+		return fail(report, "friction: axial and transverse are of a plane with velocity: give it, or "
+		            "one number");
 	if (surface->friction < 0.0 || surface->radius < 0.0)
 		return fail(report, "friction and radius must not be negative");
 	if (!(surface->stiffness >= 0.0) || !(surface->damping >= 0.0) ||

@@ -76,6 +76,7 @@ struct hawser__touch {
 	const struct hawser_surface *surface; /* of the net */
 	int number;            /* of that surface */
 	int node, element, end; /* the node is this end of this element */
+	int other;             /* another element of the node; -1: there is none */
 	double give;           /* m/N: how far the obstacle gives way; 0: rigid */
 	int curved;            /* 1: the matrix has the second derivatives of the gap */
 	double g, n[3], H[3][3]; /* gap, its gradient and second derivatives, at mesh->q */

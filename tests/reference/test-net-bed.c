@@ -31,7 +31,8 @@ static int solved(struct hawser_net *net, struct hawser_net_statics *st, const c
 
 #define WEIGHT "g=9.4011927657697393"
 #define PLANE(x, y) "obstacles=[{plane: {point: [0, 0], normal: [" x ", " y "]}}]"
-#define ROUGH(more) "obstacles=[{plane: {point: [0, 0], normal: [0, 1]}, friction: 0.6" more "}]"
+#define ROUGH_OF(mu, more) "obstacles=[{plane: {point: [0, 0], normal: [0, 1]}, friction: " mu more "}]"
+#define ROUGH(more) ROUGH_OF("0.6", more)
 
 /* The chain of the scene: tension at the anchor, pull along x and y at the fairlead. */
 static void chains(void)
@@ -72,6 +73,10 @@ static void chains(void)
 static void drawn(void)
 {
 	static const char *const across[] = {LINE("80", "600e6", "100"), ROUGH(", velocity: [0, 0, -1]")};
+	static const char *const round[] = {LINE("80", "600e6", "100"),
+		ROUGH_OF("{axial: 0.6, transverse: 0.6}", ", velocity: [0, 0, -1]")};
+	static const char *const ellipse[] = {LINE("80", "600e6", "100"),
+		ROUGH_OF("{axial: 0.5, transverse: 0.9}", ", velocity: [0, 0, -1]")};
 	static const char *const along[] = {
 		LINE("1000.0960861", "4e8", "1000"), ROUGH(""),
 		"contact={sliding: history, path: {B: [[1000.00001, 0, 0]]}, steps: 2}"};
@@ -79,18 +84,48 @@ static void drawn(void)
 	struct hawser_net_statics st = {0};
 	double slid = 0.0;
 
-	if (solved(&net, &st, across, 4)) {
-		close_to(st.reaction[1][0], 17596.75, 1e-5, "pull along, N");
-		close_to(st.reaction[0][2] + st.reaction[1][2], 52036.67, 1e-6, "pull across, N");
+	for (int i = 0; i < 3; i++) {
+		if (solved(&net, &st, i == 2 ? ellipse : i ? round : across, 4)) {
+			close_to(st.reaction[1][0], i == 2 ? 19274.57 : 17596.75, 1e-5, "pull along, N");
+			close_to(st.reaction[0][2] + st.reaction[1][2], i == 2 ? 67995.52 : 52036.67,
+			         i == 2 ? 1e-5 : 1e-6, "pull across, N");
+		}
+		hawser_net_statics_clear(&st);
+		hawser_net_clear(&net);
 	}
-	hawser_net_statics_clear(&st);
-	hawser_net_clear(&net);
 	if (solved(&net, &st, along, 5)) {
 		for (int i = 0; i < st.contacts; i++)
 			slid += st.contact[i].sticks ? 0.0 : st.contact[i].length0;
 		close_to(st.reaction[1][0], 2e5, 1e-4, "pull, N");
 		close_to(slid, 384.344, 1e-2, "length that slides, m");
 	}
+	hawser_net_statics_clear(&st);
+	hawser_net_clear(&net);
+}
+
+/* Down a slope of 4 degrees from x = 150 on; and the chain of the scene hauled in. A corner is rounded
+ * over an element: of first order. */
+static void corner(void)
+{
+	static const char *const bed[] = {
+		"g=9.81", "nodes.B=[800, 140, 0]", "obstacles=[{name: bed, profile: [[-10, 0], [150, 0], "
+		"[900, -52.44510895763281]]}]",
+		"cables=[{name: line, from: A, to: B, EA: 753.6e6, rho: 108.62641988118506, length0: 835.5, "
+		"elements: 400}]"};
+	static const char *const hauled[] = {PLANE("0", "1"), "g=9.4011927657697393",
+		"cables.chain.length0=833.4385", "cables.chain.elements=400"};
+	struct hawser_net net;
+	struct hawser_net_statics st = {0};
+
+	if (solved(&net, &st, bed, 4)) {
+		close_to(st.member[0].T_from, 650423.0, 2e-4, "over a corner: tension at the anchor, N");
+		close_to(st.reaction[1][0], 634895.0, 1e-4, "pull along x, N");
+		close_to(st.reaction[1][1], 485855.0, 1e-4, "pull upwards, N");
+	}
+	hawser_net_statics_clear(&st);
+	hawser_net_clear(&net);
+	if (solved(&net, &st, hauled, 4))
+		close_to(st.member[0].T_to, 1.2e6, 1e-5, "hauled in: tension at the fairlead, N");
 	hawser_net_statics_clear(&st);
 	hawser_net_clear(&net);
 }
@@ -168,6 +203,7 @@ CASE(reference_net_bed)
 {
 	chains();
 	drawn();
+	corner();
 	gives_way();
 	heaves();
 	return done_testing();

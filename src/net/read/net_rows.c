@@ -260,12 +260,21 @@ static const struct hawser__tree_key net_rows[] = {
 	CIRCLE("net.obstacles[].circle", ONE_OF, SURFACE_AT(kind), SURFACE_AT(at), SURFACE_AT(radius))
 	VECTOR("net.obstacles[].circle.centre", 3, REQUIRED, "m", ANY, SURFACE_AT(at), NULL,
 	       "[x, y, z] of its centre, with that of its groove")
+	ROW("net.obstacles[].profile", LIST, 0, "", ANY, 0, 0, ONE_OF, NOWHERE, 1, SURFACE_AT(kind), NULL,
+	    "a bed along x below the net, which extends along z: its places, between them straight; "
+	    "corners that point upwards are rounded over an element")
+	VECTOR("net.obstacles[].profile[]", 2, OPTIONAL, "m", ANY, NOWHERE, NULL, "[x, y], x rising")
 	WORD("net.obstacles[].side", OPTIONAL, "above|below|left|right|inside|around", SURFACE_AT(side),
 	     "above", "side where the net is: left or right of a vertical segment, inside a circle, or "
 	     "around one, as a belt: then all nodes must have places, cables begin straight between "
 	     "them, and supports need not hold the net")
 	NUMBER("net.obstacles[].friction", OPTIONAL, "1", NOT_NEGATIVE, SURFACE_AT(friction), "0",
 	       "coefficient of friction")
+	SECTION("net.obstacles[].friction", OPTIONAL, "of a plane that moves: an ellipse")
+	NUMBER("net.obstacles[].friction.axial", REQUIRED, "1", POSITIVE, SURFACE_AT(axial), NULL,
+	       "coefficient along cables")
+	NUMBER("net.obstacles[].friction.transverse", REQUIRED, "1", POSITIVE, SURFACE_AT(friction), NULL,
+	       "coefficient across them")
 	NUMBER("net.obstacles[].stiffness", OPTIONAL, "Pa/m", POSITIVE, SURFACE_AT(stiffness), "rigid",
 	       "of a plane that gives way, as a seabed: force per unstretched length over the diameter and "
 	       "the depth")

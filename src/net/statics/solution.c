@@ -9,6 +9,7 @@
 
 #include "core/append.h"
 #include "core/report.h"
+#include "core/vec3.h"
 #include "net/statics/exact.h"
 #include "net/statics/solution.h"
 #include "net/statics/tension.h"
@@ -133,8 +134,8 @@ static void rests(struct hawser_net_statics *st, const struct hawser__tensions *
 			contact->friction[k] = f[k] - contact->r*n[k];
 			st->reaction[i][k] -= f[k];
 		}
-		contact->sticks = hypot(hypot(contact->friction[0], contact->friction[1]),
-		                        contact->friction[2]) <
+		contact->sticks = !(of->net->surface[surface].axial > 0.0) &&
+		                  hawser__norm(contact->friction) <
 		                  of->net->surface[surface].friction*contact->r*(1.0 - SLIDES);
 		st->contacts++;
 	}

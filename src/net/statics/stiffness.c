@@ -128,6 +128,7 @@ static void contact(struct tangent *at, const struct hawser__touch *touch)
 	if (touch->surface->groove)
 		block[2][2] += stiff;
 	hawser__klu_node(at->klu, touch->element, touch->end, (const double (*)[3])block);
+	hawser__touch_oval_matrix(at->klu, &at->mesh, touch);
 }
 
 static void assemble(struct tangent *at)

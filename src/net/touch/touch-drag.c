@@ -44,6 +44,7 @@ static void assemble(struct hawser__net_work *work)
 			block[k/3][k%3] = touch->block[k/3][k%3] + touch->turn[k/3][k%3] +
 			                  touch->stiff*touch->drag[k/3]*touch->n[k%3];
 		hawser__klu_node(work->klu, touch->element, touch->end, block);
+		hawser__touch_oval_matrix(work->klu, mesh, touch);
 	}
 }
 

@@ -52,7 +52,7 @@ enum hawser_status hawser__touch_open(struct hawser__mesh *mesh, const struct ha
                                       struct hawser_report *report)
 {
 	size_t pairs = (size_t)mesh->nodes*(size_t)net->surfaces;
-	int *at;
+	int (*at)[2]; /* of a node, the last element with its end, and the one before */
 
 	mesh->around = hawser__touch_around(net);
 	if (!pairs)
@@ -60,15 +60,19 @@ enum hawser_status hawser__touch_open(struct hawser__mesh *mesh, const struct ha
 	at = malloc((size_t)mesh->nodes*sizeof *at);
 	mesh->touch = calloc(pairs, sizeof *mesh->touch);
 	for (int i = 0; at && i < mesh->nodes; i++)
-		at[i] = -1;
+		at[i][0] = at[i][1] = -1;
 	for (int e = 0; at && e < mesh->elements; e++)
-		for (int end = 0; end < 2; end++)
-			at[mesh->end[e][end]] = 2*e + end;
+		for (int end = 0; end < 2; end++) {
+			int *last = at[mesh->end[e][end]];
+
+			last[1] = last[0];
+			last[0] = 2*e + end;
+		}
 	for (int i = 0; at && mesh->touch && i < mesh->nodes; i++)
-		for (int s = 0; s < net->surfaces && at[i] >= 0 && movable(mesh, i); s++)
+		for (int s = 0; s < net->surfaces && at[i][0] >= 0 && movable(mesh, i); s++)
 			mesh->touch[mesh->touches++] = (struct hawser__touch){
-				.surface = &net->surface[s], .number = s, .node = i, .element = at[i]/2,
-				.end = at[i] % 2};
+				.surface = &net->surface[s], .number = s, .node = i, .element = at[i][0]/2,
+				.end = at[i][0] % 2, .other = at[i][1] < 0 ? -1 : at[i][1]/2};
 	pairs = at && mesh->touch;
 	free(at);
 	return pairs ? give_way(mesh, net, report) : hawser__no_memory(report, "net");

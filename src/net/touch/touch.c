@@ -150,13 +150,16 @@ static int dragged(const struct hawser__mesh *mesh, struct hawser__touch *touch)
 {
 	double v[3], size = hawser__touch_friction(touch) > 0.0 ? moving(v, mesh, touch) : 0.0;
 
-	for (int k = 0; size > 0.0 && k < 3; k++) {
+	if (!(size > 0.0))
+		return 0;
+	for (int k = 0; k < 3; k++)
 		touch->drag[k] = hawser__touch_friction(touch)*v[k]/size;
+	if (touch->surface->axial > 0.0)
+		hawser__touch_oval(touch->drag, mesh, touch, v);
+	for (int k = 0; k < 3; k++)
 		touch->friction[k] = touch->drag[k]*fmax(touch->r, 0.0);
-	}
-	if (size > 0.0)
-		turn(touch);
-	return size > 0.0;
+	turn(touch);
+	return 1;
 }
 
 /* No friction that follows r, before it is set. */
@@ -418,7 +421,7 @@ static int agrees(const struct hawser__net_work *work, const struct hawser__touc
 	if (!(bound > 0.0))
 		return size == 0.0;
 	if (moving(d, work->mesh, touch) > 0.0)
-		return fabs(size - bound) <= work->wanted;
+		return fabs(size - hawser__norm(touch->drag)*touch->r) <= work->wanted;
 	if (!work->rubs)
 		return 1;
 	slip_of(d, work->mesh, touch);

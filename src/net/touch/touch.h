@@ -26,6 +26,13 @@ enum hawser_status hawser__touch_flow(struct hawser__net_work *work, int *done,
  * *good is 0 if it is singular. */
 enum hawser_status hawser__touch_divide(struct hawser__net_work *work, int *good,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+/* touch-oval.c: D = friction over r of a plane with two coefficients that moves at v; and what follows
+ * from the direction of the elements, in the matrix. */
+void hawser__touch_oval(double D[3], const struct hawser__mesh *mesh, const struct hawser__touch *touch,
+                        const double v[3]);
+struct hawser__klu;
+void hawser__touch_oval_matrix(struct hawser__klu *klu, const struct hawser__mesh *mesh,
+                               const struct hawser__touch *touch);
 /* No blocks; the right sides are the forces as they are. */
 void hawser__touch_fixed(struct hawser__mesh *mesh);
 /* 1 if the obstacles leave a convex space. */

@@ -37,7 +37,8 @@ int hawser__touch_sticks(const struct hawser__touch *touch)
 	double bound = hawser__touch_friction(touch)*touch->r;
 	const double *f = touch->friction;
 
-	return bound > 0.0 && !touch->slides && hawser__norm(f) < (1.0 - AT_BOUND)*bound;
+	return bound > 0.0 && !touch->slides && !(touch->surface->axial > 0.0) &&
+	       hawser__norm(f) < (1.0 - AT_BOUND)*bound;
 }
 
 /* Elements of one cable are of one length: form finding does not go with obstacles. */
