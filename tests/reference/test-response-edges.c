@@ -218,6 +218,7 @@ static void three_ways(void)
 		   response, log(map), log_modulus[0]);
 		decay = log_modulus[0]*at[k][0]/(2.0*M_PI);
 	}
+	source.orbit = 1e-9; /* as hill has it */
 	source.quantity = "growth";
 	growth = by_map(&source, at[2][0], at[2][1]);
 	close_to(growth, decay, 1e-10, "growth from the multipliers");
