@@ -51,8 +51,12 @@ static void measure(struct drawing *of)
 	of->real = of->low < 0.0 || of->high > 0.0;
 	of->from = campbell->station[0].speed;
 	of->to = campbell->criticals ? campbell->limit : campbell->station[campbell->stations - 1].speed;
-	if (!of->real)
-		hawser__append(of->im.title, sizeof of->im.title, "; ", "all real parts 0");
+	if (!of->real) { /* before the title, which ends with its unit */
+		of->im.title[0] = '\0';
+		hawser__append(of->im.title, sizeof of->im.title, "", "all real parts 0");
+		hawser__append(of->im.title, sizeof of->im.title, "; ", "%s",
+		               cli_campbell_axis("im", of->result).title);
+	}
 	of->tics = campbell->in_plane > 0 && campbell->in_plane < campbell->branches &&
 	           of->to - of->from < 0.05*of->to ? 4 : 8;
 }
