@@ -179,6 +179,7 @@ for name, cubic, tolerance in (("sink.json", k3, 0.012), ("soft.json", 0, 1e-4))
     assert worst < tolerance, (name, worst)
 r = json.load(open("sink.json"))
 assert {"fold", "torus"} <= {e["kind"] for e in r["events"]}, r["events"]
+assert json.load(open("soft.json"))["model_error"]["estimated"] < 0.01, "by the exact energy"
 top = [max(x for _, x, _ in points(name)) for name in ("sink.json", "soft.json")]
 assert 0.5 < top[0]/top[1] < 0.6, top
 END

@@ -125,8 +125,8 @@ static void locate(struct cli_frf_result *result)
 {
 	struct cli_model_error *error = &result->error;
 
-	if (result->located && error->stated && !error->compared && !error->corrected &&
-	    isfinite(error->fixed.estimated))
+	if (result->located && error->stated && !error->corrected &&
+	    !(error->compared && result->model->exact.functions) && isfinite(error->fixed.estimated))
 		hawser_accuracy_locate(&error->fixed, result->peak, result->peaks);
 }
 

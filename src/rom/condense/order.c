@@ -21,7 +21,8 @@
  * r, with the resonance of the coordinate: harmonic h times
  * omega_s^2/(omega_s^2 - h^2 Omega^2 + i h Omega D). omitted[1] is the effect of the energy alone:
  * restoring force at y minus that of the condensed model at u, which is
- * d/du [V(u, 0) - sum p_s^2/(2 omega_s^2)] with V the energy to fourth order.
+ * d/du [V(u, 0) - sum p_s^2/(2 omega_s^2)] with V the energy to fourth order. Where the
+ * cable travels, the gyroscopic force of what r moves is added to W'r, which is a tenth of it.
  *
  * Why the others are relaxed: a motion that keeps the length of the cable to second order stretches it
  * in higher orders, and its energy grows with 1/epsilon. The exact energy at (u, v) would be that of a

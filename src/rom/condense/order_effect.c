@@ -90,6 +90,21 @@ static void resonate(struct hawser__omitted *w, int s)
 	}
 }
 
+/* Add to G the gyroscopic force on the kept modes by what w->rate moves coordinate s, whose row of D is
+ * minus its column there. */
+static void push_back(struct hawser__omitted *w, int s)
+{
+	const double *row = w->exact->D + (size_t)s*w->N;
+	double K = w->exact->K[(size_t)s*w->N + s];
+
+	for (int t = 0; t < w->rows && w->choice->modes->statics.motion.nu > 0.0; t++) {
+		double speed = w->omega*turned(w, w->rate, 1, t, 0)/K;
+
+		for (int k = 0; k < w->held; k++)
+			w->G[(size_t)t*w->held + k] -= speed*hawser__omitted_twin(w, k, row);
+	}
+}
+
 /* Coordinate k of the modes by coordinate e of the model. */
 static double part(const struct hawser__omitted *w, int k, int e)
 {
@@ -121,8 +136,10 @@ static void set_omitted(struct hawser__omitted *w, const double *a, int all_of_t
 	for (int i = 0; i < w->relax.frees; i++) {
 		int s = w->relax.freed[i], moves = all_of_them || w->beyond[i];
 
-		if (moves)
+		if (moves) {
 			resonate(w, s);
+			push_back(w, s);
+		}
 		for (int t = 0; t < w->rows; t++)
 			cblas_daxpy(held, -(moves ? w->rate[t] : w->pull[(size_t)t*N + s]),
 			            w->led + ((size_t)t*w->relax.frees + i)*held, 1, w->G + (size_t)t*held, 1);

@@ -37,8 +37,8 @@ void hawser__law_at(struct hawser__law *law, struct hawser_law_point *point);
 /* The part that is exact alone. */
 void hawser__law_exact(struct hawser__law *law, struct hawser_law_point *point);
 
-/* The law of coordinate `held` at u, relax->freed being relaxed, and the tensions; NAN and 0 if
- * there is no minimum: then the tensions are those where it was sought last. */
+/* The law of coordinate `held` at u, relax->freed being relaxed, and the tensions; NAN and 0 if there
+ * is no minimum: then the tensions are those where it was sought last. */
 int hawser__law_force(double *law, double tension[2], struct hawser__relax *relax, int held,
                       double u);
 

@@ -53,8 +53,9 @@
                           * chosen */
 #define NEAR 0.1        /* largest distance of marks from the curve that they are carried from: others
                           * are of another curve; chosen */
-#define MARGIN 1.3      /* on the distance of two bases at the marks, by bench/practical.py: there are
-                         * points between, and peaks are read there */
+#define MARGIN 1.3      /* on the distance of two bases at the marks, and on that of a response whose
+                         * error is wanted, by bench/practical.py: there are points between, and peaks
+                         * are read there */
 #define AT_LEAST 0.5    /* of what can be borne, for the response whatever the drafts took; chosen */
 #define PART 0.1        /* of the accuracy: error of a basis, and */
 #define EACH 6          /* fewest functions between attachments, where the error of a response is
@@ -182,7 +183,7 @@ static enum hawser_status compare_condensed(struct condensed *condensed,
 	                            HAWSER__LOCATED*enough_of(condensed, a), report);
 	if (!status)
 		status = hawser__marks_distance(&condensed->off, condensed->marks, &found, report);
-	condensed->off += hawser__marks_located(&found);
+	condensed->off = (condensed->lent ? MARGIN : 1.0)*condensed->off + hawser__marks_located(&found);
 	hawser__marks_clear(&found);
 	return status;
 }

@@ -36,6 +36,7 @@ static const double uneven = 100.0; /* ratio of successive steps above which the
 static const double apart = 0.4, small = 0.02; /* arclength between two marks, relative amplitude from
                                                  * which on there are marks; chosen */
 static const double counted_peak = 0.2; /* smallest that counts, of the component; as of landmarks */
+static const double singular = 1e-6; /* smallest determinant, of equations scaled to 1; chosen */
 static const double faintest = 0.5; /* smallest relevant component, relative to the largest one:
                                      * peaks are compared down to the same size */
 
@@ -262,9 +263,39 @@ static double off(const struct hawser__drawn_curve *curve, const int *at_point,
 }
 
 /* By how much an extreme of component c near point at_point[i] is higher in the other response, where
- * that point's counterpart lies beside the top: from the curve and the parabola through what three
- * counterparts are off. Relative to a peak that counts, or to the component. */
+ * that point's counterpart lies beside the top: with the factor 1 + h and moved by m in log Omega the
+ * curve goes through the counterparts of three points, to first order
+ *
+ *    w' da - a' dw = w' a h - a' m,    w', a' its derivatives by arclength, dw, da what they are off
+ *
+ * by least squares. Relative to a peak that counts, or to the component. */
 static double extreme_change(const struct hawser__drawn_curve *curve, const int *at_point,
+                             const struct hawser__drawn_curve *a,
+                             const struct hawser__drawn_curve *b, int i, int c, double scale)
+{
+	double top = at(curve, at_point[i], c), xx = 0.0, xy = 0.0, yy = 0.0, xz = 0.0, yz = 0.0;
+	int highest = top >= at(curve, at_point[i] - 1, c);
+
+	for (int k = i - 1; k <= i + 1 && i > 0 && i + 1 < b->points; k++) {
+		double rise = slope(curve, at_point[k], c), pace = slope(curve, at_point[k], 0);
+		double x = pace*at(curve, at_point[k], c), y = -rise;
+		double z = pace*off(curve, at_point, a, b, k, c) - rise*off(curve, at_point, a, b, k, 0);
+
+		xx += x*x;
+		xy += x*y;
+		yy += y*y;
+		xz += x*z;
+		yz += y*z;
+	}
+	top = highest ? top/fmax(top, counted_peak*scale) : top/scale;
+	if (!(xx*yy - xy*xy > singular*xx*yy))
+		return fabs(off(curve, at_point, a, b, i, c))/scale;
+	return fabs((xz*yy - yz*xy)/(xx*yy - xy*xy))*top;
+}
+
+/* The same from the curve and the parabola through what three
+ * counterparts are off. */
+static double extreme_read(const struct hawser__drawn_curve *curve, const int *at_point,
                              const struct hawser__drawn_curve *a,
                              const struct hawser__drawn_curve *b, int i, int c, double scale)
 {
@@ -325,7 +356,8 @@ enum hawser_status hawser__curve_points_distance(double *distance,
 				*distance = fmax(*distance, to_line(&line, w, size/scale, end));
 			/* below a peak the curve's flanks are nearer than its top, and more so the sharper it is */
 			if (end > *distance && at_point && turns(curve, at_point[i], c))
-				*distance = fmax(*distance, extreme_change(curve, at_point, a, b, i, c, scale));
+				*distance = fmax(*distance, fmax(extreme_change(curve, at_point, a, b, i, c, scale),
+				                                 extreme_read(curve, at_point, a, b, i, c, scale)));
 		}
 		free(line.wa);
 	}
