@@ -160,8 +160,9 @@ static enum hawser_status carry(struct hawser__certifying *w, struct hawser__fin
 }
 
 /* Where the error of fourth order may be as large as the distance, a third mesh takes that out too, and
- * tells how large it is. */
-static enum hawser_status sharpen(struct hawser__certifying *w, struct hawser_certified *item,
+ * *rest follows from how large it is. */
+static enum hawser_status sharpen(struct hawser__certifying *w, double *rest,
+                                  struct hawser_certified *item,
                                   const struct hawser_certified *second, struct hawser_certified own,
                                   struct hawser_report *report)
 {
@@ -178,7 +179,7 @@ static enum hawser_status sharpen(struct hawser__certifying *w, struct hawser_ce
 		return status;
 	item->exact_omega += (item->exact_omega - (4.0*second->exact_omega - own.exact_omega)/3.0)/15.0;
 	item->exact_size += (item->exact_size - (4.0*second->exact_size - own.exact_size)/3.0)/15.0;
-	w->to->lengths = fmax(w->to->lengths, distance_of(before.exact_omega, before.exact_size, item));
+	*rest = left*distance_of(before.exact_omega, before.exact_size, item);
 	return HAWSER_OK;
 }
 
@@ -190,18 +191,19 @@ static enum hawser_status extrapolate(struct hawser__certifying *w, struct hawse
 	struct hawser_certified own = *item, first = *item;
 	int found = 0;
 	enum hawser_status status = carry(w, &w->second, w->both.mesh[1].from, &own, &found, report);
-	double part;
+	double part, rest;
 
 	if (status || !found) {
 		item->exact_omega = NAN;
 		return status;
 	}
 	part = distance_of(own.exact_omega, own.exact_size, item);
-	w->to->lengths = fmax(w->to->lengths, w->left*part);
+	rest = w->left*part;
 	item->exact_omega = (4.0*item->exact_omega - own.exact_omega)/3.0;
 	item->exact_size = (4.0*item->exact_size - own.exact_size)/3.0;
 	if (!w->by->halved && fourth*part > distance_of(omega, size, item))
-		status = sharpen(w, item, &own, first, report);
+		status = sharpen(w, &rest, item, &own, first, report);
+	w->to->lengths = fmax(w->to->lengths, rest);
 	part = hawser__finite_last(&w->second);
 	if (part > w->worst) {
 		w->worst = part;
