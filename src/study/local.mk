@@ -3,6 +3,7 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/accuracy/certificate.c \
 	%D%/accuracy/certificate.h \
 	%D%/accuracy/certificate_mesh.c \
+	%D%/accuracy/certificate_start.c \
 	%D%/accuracy/certificate_span.c \
 	%D%/accuracy/certify.c \
 	%D%/accuracy/certify.h \

@@ -70,32 +70,6 @@ a, b = (json.load(open(n + ".json"))["D"] for n in ("axial", "damper"))
 most = max(abs(x) for row in a for x in row)
 assert max(abs(x - y) for r, s in zip(a, b) for x, y in zip(r, s)) < 1e-12*most
 END
-# A mass between two strings with a damper to the ground, of one degree of freedom in each direction.
-cat >damped.yaml <<'END'
-kind: net
-g: 0
-nodes: {A: [0, 0, 0], J: {}, B: [80, 0, 0]}
-cables:
-  - {name: c1, from: A, to: J, EA: 1 MN, rho: 0, length0: 39.2 m, elements: 1}
-  - {name: c2, from: J, to: B, EA: 1 MN, rho: 0, length0: 39.2 m, elements: 1}
-supports: {A: fixed, B: fixed}
-masses: {J: 23.85 kg}
-dampers: {J: [0, 31 N.s/m, 17 N.s/m]}
-loads: {J: {force: [0, 2, 0], harmonic: {multiple: 1}}}
-END
-works "a damper to the ground" rom damped.yaml -n 2 --json damped.json -q
-works "  in the response and in the mesh" frf damped.yaml -n 2 --from 0.9w1 --to 1.1w1 --json peak.json -q
-python "is that of one degree of freedom" <<'END'
-import json
-m = json.load(open("damped.json"))
-time, D = m["scale"]["time"], m["D"]
-assert abs(sorted([D[0][0]/time, D[1][1]/time])[0] - 17/23.85) < 1e-9
-assert abs(sorted([D[0][0]/time, D[1][1]/time])[1] - 31/23.85) < 1e-9
-omega = (2*1e6*0.8/39.2/40/23.85)**0.5
-mesh = [l for l in json.load(open("peak.json"))["certified"]["landmarks"] if l["kind"] == "peak"][0]
-exact = 2/(31*(omega**2 - (31/23.85)**2/4)**0.5) # the largest is beside omega
-assert abs(mesh["size_mesh"]/exact - 1) < 1e-5, (mesh, exact)
-END
 # An absorber in the middle of a span.
 cat >span.yaml <<'END'
 cable: {EA: 120 MN, rho: 6 kg/m}

@@ -79,8 +79,9 @@ static const struct cli_option options[] = {
 	 .needs = "backbone"},
 	CLI_HEADING("Model, steps and ends"),
 	CLI_LIBRARY_OPTION,
-	{"certificate", 0, "WHICH", "nets, spans: correct folds and peaks in the mesh: auto (nets, if it "
-	 "takes some seconds), yes or no (auto)", CLI_TEXT_FOR(certificate, CLI_NET | CLI_CABLE),
+	{"certificate", 0, "WHICH", "nets, spans: correct folds and peaks in the mesh: auto (if it takes "
+	 "some seconds; spans: see the manual), yes or no (auto)",
+	 CLI_TEXT_FOR(certificate, CLI_NET | CLI_CABLE),
 	 .words = "auto|yes|no"},
 	CLI_STEP_OPTION,
 	CLI_POINTS_OPTION("end after this many points (20000); of waves, so many (200)"),

@@ -11,17 +11,19 @@
 #include "cli/model/made.h"
 
 static const double bearable = 10.0; /* s of processor time that nobody asked for; chosen */
+static const double large = 0.05; /* error beyond which starts are too far; chosen */
 
 /* What a mesh does not have is a warning: the response is there. */
 static enum hawser_status certify_span(struct cli_certificate *certificate,
-                                       const struct cli_frf_result *result,
+                                       const struct cli_frf_result *result, int asked,
                                        struct hawser_report *report)
 {
 	static const struct hawser_modes none; /* of modes that were chosen, or of exact energy */
 	const struct cli_model *model = result->model;
 	enum hawser_status status =
 		hawser_span_certify(&certificate->own, &model->scene, model->automatic ? &none : &model->modes,
-		                    certificate->rom, result->frf, result->peak, result->peaks, 0.0, report);
+		                    certificate->rom, result->frf, result->peak, result->peaks,
+		                    asked ? 0.0 : bearable, report);
 	char text[CLI_WARNING_SIZE];
 
 	for (int k = 0; k < certificate->own.count; k++)
@@ -30,9 +32,25 @@ static enum hawser_status certify_span(struct cli_certificate *certificate,
 		return status;
 	snprintf(text, sizeof text, "folds and peaks are not corrected in a mesh: %.400s",
 	         report->message);
-	if (result->frf->branch <= 1)
+	if (result->frf->branch <= 1 && asked)
 		cli_warn(text);
 	return HAWSER_OK;
+}
+
+/* Unless asked for, of models of modes whose error is not large, or not known because of attachments:
+ * the exact energy has its own comparison. Damping ratios are of other motions in a mesh than in the
+ * exact energy (doc/theory-rom.md). */
+static int of_span(const struct cli_frf_result *result, int asked)
+{
+	const struct cli_model *model = result->model;
+	double estimate = result->error.fixed.estimated;
+
+	if (!model->has_scene || asked)
+		return model->has_scene;
+	return !model->automatic && !result->error.compared &&
+	       model->scene.damping.kind != HAWSER_DAMPING_RATIO &&
+	       (isfinite(estimate) ? estimate < large : model->scene.attachments > 0 &&
+	        model->scene.model.condense == HAWSER_CONDENSE_STATIC);
 }
 
 /* Of further branches, which result->certificate has only if the first one has no landmarks. */
@@ -45,17 +63,18 @@ enum hawser_status cli_certify(struct cli_frf_result *result, struct hawser_repo
 	enum hawser_status status;
 
 	if (!shown || !result->located || strcmp(shown->how, "no") == 0 ||
-	    !(made ? made->by->certify != NULL : result->model->has_scene && asked) || cli_interrupted())
+	    !(made ? made->by->certify != NULL : of_span(result, asked)) || cli_interrupted())
 		return HAWSER_OK;
 	own = *shown;
 	own.rom = &result->model->rom;
 	status = made ? made->by->certify(&own, result, asked ? 0.0 : bearable, report)
-	         : certify_span(&own, result, report);
+	         : certify_span(&own, result, asked, report);
 	if (result->common->reproducible)
 		own.own.seconds = NAN;
 	if (result->frf->branch <= 1 || shown->own.count == 0)
 		*shown = own;
-	if (status || !isfinite(own.own.distance))
+	if (status || !isfinite(own.own.distance) ||
+	    (own.own.refused > 0 && !isfinite(error->fixed.estimated)))
 		return status;
 	error->corrected = 1;
 	error->before = error->fixed.estimated;

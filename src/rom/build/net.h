@@ -87,8 +87,9 @@ enum hawser_status hawser__net_inertia_find(struct hawser__net_source *source,
 enum hawser_status hawser__net_inertia_make(struct hawser__net_source *source,
                                             struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* net_finer.c: the net with the elements that models have, or half of them; free its `cable`. */
-enum hawser_status hawser__net_finer(struct hawser_net *to, const struct hawser_net *net, int half,
+/* net_finer.c: the net with the elements that models have, halved up to three times; free its
+ * `cable`. */
+enum hawser_status hawser__net_finer(struct hawser_net *to, const struct hawser_net *net, int halvings,
                                      struct hawser_report *report) HAWSER_MUST_CHECK;
 /* The modes of a mesh most like the coordinates of a finer one, in kept and mode; *aligned 0: there are
  * none. */

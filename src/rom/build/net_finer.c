@@ -27,7 +27,7 @@ static const double alike = 0.9;  /* least product of two modes of the mass 1 th
 
 /* --- meshes --- */
 
-enum hawser_status hawser__net_finer(struct hawser_net *to, const struct hawser_net *net, int half,
+enum hawser_status hawser__net_finer(struct hawser_net *to, const struct hawser_net *net, int halvings,
                                      struct hawser_report *report)
 {
 	enum hawser_status status = hawser__mesh_lawless(net, "a model", report);
@@ -44,7 +44,7 @@ enum hawser_status hawser__net_finer(struct hawser_net *to, const struct hawser_
 
 		*cable = net->cable[c];
 		if (cable->elements > 1 || cable->rho > 0.0)
-			cable->elements = (cable->elements + PARTS - 1)/PARTS*PARTS/(half ? 2 : 1);
+			cable->elements = (cable->elements + PARTS - 1)/PARTS*PARTS/(1 << halvings);
 	}
 	return HAWSER_OK;
 }

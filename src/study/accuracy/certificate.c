@@ -3,7 +3,8 @@
  * The motions of the model near a landmark are lifted to the mesh (rom/build/net_lift.c), and from
  * there the landmark of the mesh is found (certify.c) by harmonic balance of all its nodes
  * (net/balance). From that of a mesh with half as many elements, whose start is the first one at the
- * nodes of both, the error of second order by their length is taken out, as it is of the model. Four
+ * nodes of both, the error of second order by their length is taken out, as it is of the model; where
+ * one of fourth order might be as large as the distance, a third mesh takes that out too. Four
  * more harmonics on the second mesh, a quarter of the work, tell what the others do.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -22,39 +23,23 @@
 #include "study/accuracy/certificate.h"
 #include "study/accuracy/motions.h"
 
-enum { LEAST = 5, MOST = HAWSER__CERTIFIED_ORDER, MORE = HAWSER__CERTIFIED_MORE }; /* harmonics */
+enum { MOST = HAWSER__CERTIFIED_ORDER, MORE = HAWSER__CERTIFIED_MORE }; /* harmonics */
 static const double small = 0.05;  /* least peak over the largest one; chosen */
 enum { NEAR = 5 }; /* points of a curve between peaks of one resonance, at most; chosen */
-enum { PHASES = 32, WIDTH = 2*(MOST + 1) + 1 }; /* of a motion of the model; coefficients */
-static const double faint = 3e-5;  /* part of a motion by the harmonics that are left out; chosen */
 static const double trusted = 0.1; /* part of a distance that more harmonics may be, */
 static const double counted = 1e-4; /* of the least distance that counts; chosen */
 static const double speed = 4e9;   /* operations per second with blocks, on a core of 2 GHz */
-static const double chain = 12.7*33.0*33.0*33.0; /* of an inner node of a cable, with LEAST harmonics */
+static const double chain = 12.7*33.0*33.0*33.0; /* of an inner node, with 5 harmonics */
 static const double factors = 5.0; /* matrices of the mesh for a landmark, those of the other meshes and
                                     * what is solved with them included */
 static const double left = 0.5;   /* of the difference of two meshes, what is of higher order, with 8
                                    * elements a cable: it falls by their square; chosen */
+static const double fourth = 4.0/15.0; /* of the difference of two meshes, an error of fourth order
+                                   * that their extrapolation enlarges: h^2 taken for h^4 */
 static const double margin = 1.02; /* of a distance, what meshes leave in landmarks whose error is not
                                     * of second order yet; chosen by bench/nets.py */
 static const double far_omega = 0.03; /* relative: another landmark; chosen */
 static const double far_size = 0.35;
-
-struct work {
-	struct hawser_certificate *to;
-	const struct hawser_rom *rom;
-	const struct hawser_frf *frf;
-	struct hawser__finites both;
-	struct hawser__finite first, second, checked;
-	double *row, *series;          /* [PHASES][unknowns], [unknowns][WIDTH] m */
-	double *start[3];              /* [size of first] */
-	double *u;                     /* [PHASES][n] */
-	double left;                   /* of the difference of the meshes */
-	double worst;                  /* largest part of the last harmonics in a motion of `second`: */
-	struct hawser_certified at;    /* its landmark, */
-	double *worst_y, *worst_along, worst_bend; /* motion and tangent */
-	struct hawser__hold hold, ordered; /* ordered: what depends on the number of harmonics */
-};
 
 static double now(void)
 {
@@ -62,85 +47,6 @@ static double now(void)
 
 	clock_gettime(CLOCK_MONOTONIC, &time);
 	return (double)time.tv_sec + 1e-9*(double)time.tv_nsec;
-}
-
-/* --- starts --- */
-
-/* The series of the displacements. */
-static void transform(struct work *w)
-{
-	double project[PHASES*WIDTH];
-	int unknowns = w->both.source.modal.mesh.unknowns;
-
-	for (int i = 0; i < PHASES*WIDTH; i++) {
-		int t = i/WIDTH, c = i%WIDTH, k = (c + 1)/2;
-		double angle = 2.0*M_PI*(k*t%PHASES)/PHASES;
-
-		project[i] = (c ? 2.0 : 1.0)/PHASES*(c > 0 && c%2 == 0 ? sin(angle) : cos(angle));
-	}
-	cblas_dgemm(CblasRowMajor, CblasTrans, CblasNoTrans, unknowns, WIDTH, PHASES, 1.0, w->row, unknowns,
-	            project, WIDTH, 0.0, w->series, WIDTH);
-}
-
-/* Displacements of the mesh in a period of the model's motion from that state. */
-static enum hawser_status lift(struct work *w, const double *state, double omega,
-                               struct hawser_report *report)
-{
-	double period = 2.0*M_PI/omega;
-	const struct hawser_integrate_options options = {.omega = omega, .until = period,
-		.every = period/PHASES, .rtol = 1e-8, .atol = 1e-12, .initial = state};
-	size_t n = (size_t)w->rom->n;
-	struct hawser_trajectory run;
-	enum hawser_status status = hawser_integrate(&run, w->rom, &options, report);
-
-	for (size_t t = 0; !status && t < PHASES; t++) {
-		const double *own = run.state + 2*t*n;
-		int to = w->both.source.n;
-
-		if (w->both.turn)
-			cblas_dgemv(CblasRowMajor, CblasNoTrans, to, w->both.turned, 1.0, w->both.turn,
-			            w->both.turned, own, 1, 0.0, w->u + t*(size_t)to, 1);
-		else
-			memcpy(w->u + t*n, own, n*sizeof *w->u);
-	}
-	hawser_trajectory_clear(&run);
-	if (!status)
-		status = hawser__net_lift(w->row, &w->both.source, &w->both.answers, w->u, PHASES, 1,
-		                          report);
-	if (!status)
-		transform(w);
-	return status;
-}
-
-/* The highest harmonic that is not faint in the displacements. */
-static int order_of(const struct work *w)
-{
-	double square[MOST + 2] = {0.0}, all = 0.0, rest;
-	int order = MOST;
-
-	for (int i = 0; i < w->both.source.modal.mesh.unknowns*WIDTH; i++) {
-		square[(i%WIDTH + 1)/2] += w->series[i]*w->series[i];
-		all += w->series[i]*w->series[i];
-	}
-	for (rest = square[MOST + 1]; order > LEAST; order--) {
-		rest += square[order];
-		if (rest > faint*faint*all)
-			break;
-	}
-	return order;
-}
-
-static void take_start(double *y, const struct work *w, double omega)
-{
-	const struct hawser__mesh_balance *balance = &w->first.balance;
-	const struct hawser__mesh *mesh = w->first.mesh;
-
-	memset(y, 0, balance->size*sizeof *y);
-	for (int i = 0; i < 3*mesh->nodes; i++)
-		if (mesh->unknown[i/3][i%3] >= 0)
-			memcpy(y + (3*balance->blocks.row[i/3] + i%3)*balance->width,
-			       w->series + mesh->unknown[i/3][i%3]*WIDTH, (size_t)balance->width*sizeof *y);
-	y[balance->size - 1] = omega/w->rom->time;
 }
 
 /* --- landmarks --- */
@@ -160,7 +66,7 @@ static int point_of(const struct hawser_frf *frf, const struct hawser_landmark *
 	return best < 1 ? 1 : best > frf->points - 2 ? frf->points - 2 : best;
 }
 
-static void add(struct work *w, int *point, const struct hawser_landmark *landmark)
+static void add(struct hawser__certifying *w, int *point, const struct hawser_landmark *landmark)
 {
 	struct hawser_certificate *to = w->to;
 
@@ -176,7 +82,8 @@ static void add(struct work *w, int *point, const struct hawser_landmark *landma
 }
 
 /* Whether no larger peak is of the same resonance. */
-static int is_new(const struct work *w, const int *point, const struct hawser_landmark *peak)
+static int is_new(const struct hawser__certifying *w, const int *point,
+                  const struct hawser_landmark *peak)
 {
 	int own = point_of(w->frf, peak), good = 1;
 
@@ -193,8 +100,9 @@ static int larger(const void *a, const void *b)
 }
 
 /* Those that are corrected, and points of the curve near them. */
-static enum hawser_status choose(struct work *w, int *point, const struct hawser_landmark *peak,
-                                 int peaks, struct hawser_report *report)
+static enum hawser_status choose(struct hawser__certifying *w, int *point,
+                                 const struct hawser_landmark *peak, int peaks,
+                                 struct hawser_report *report)
 {
 	struct hawser_landmark *fold, *sorted = calloc((size_t)peaks + 1, sizeof *sorted);
 	int count = 0, displacements = 0;
@@ -234,28 +142,68 @@ static int is_found(const struct hawser_certified *item, double omega, double si
 	       (item->kind == HAWSER_LANDMARK_FOLD || fabs(log(item->exact_size/size)) < far_size);
 }
 
-/* The second mesh from the first one, whose error is taken out of the item. */
-static enum hawser_status extrapolate(struct work *w, struct hawser_certified *item,
-                                      struct hawser_report *report)
+/* The landmark in a mesh with fewer elements, from that in the first one; *found 0: it is not there. */
+static enum hawser_status carry(struct hawser__certifying *w, struct hawser__finite *to,
+                                const int *from, struct hawser_certified *item, int *found,
+                                struct hawser_report *report)
 {
-	const struct hawser__corrector corrector = hawser__finite_corrector(&w->second);
-	struct hawser_certified own = *item;
+	const struct hawser__corrector corrector = hawser__finite_corrector(to);
+	double omega = item->exact_omega, size = item->exact_size;
 	enum hawser_status status;
-	double part;
 
-	hawser__finite_copy(w->second.y, &w->second, w->first.y, &w->first, w->both.from);
-	hawser__finite_copy(w->second.along, &w->second, w->first.along, &w->first, w->both.from);
-	w->second.bend = w->first.bend;
-	status = hawser__certify_from(&own, w->second.y, w->second.along, &w->second.bend, &corrector,
-	                              report);
-	if (status || !is_found(&own, item->exact_omega, item->exact_size)) {
+	hawser__finite_copy(to->y, to, w->first.y, &w->first, from);
+	hawser__finite_copy(to->along, to, w->first.along, &w->first, from);
+	to->bend = w->first.bend;
+	status = hawser__certify_from(item, to->y, to->along, &to->bend, &corrector, report);
+	*found = !status && is_found(item, omega, size);
+	return status;
+}
+
+/* Where the error of fourth order may be as large as the distance, a third mesh takes that out too, and
+ * *rest follows from how large it is. */
+static enum hawser_status sharpen(struct hawser__certifying *w, double *rest,
+                                  struct hawser_certified *item,
+                                  const struct hawser_certified *second, struct hawser_certified own,
+                                  struct hawser_report *report)
+{
+	struct hawser_certified before = *item;
+	int found = 0;
+	enum hawser_status status = hawser__finites_third(&w->both, w->by, report);
+
+	if (!status && !w->third.mesh)
+		status = hawser__finite_open(&w->third, &w->both, 2, w->to->order, report);
+	w->third.balance.factored = 0;
+	if (!status)
+		status = carry(w, &w->third, w->both.mesh[2].from, &own, &found, report);
+	if (status || !found)
+		return status;
+	item->exact_omega += (item->exact_omega - (4.0*second->exact_omega - own.exact_omega)/3.0)/15.0;
+	item->exact_size += (item->exact_size - (4.0*second->exact_size - own.exact_size)/3.0)/15.0;
+	*rest = left*distance_of(before.exact_omega, before.exact_size, item);
+	return HAWSER_OK;
+}
+
+/* The second mesh from the first one, whose error is taken out of the item; that of the model is omega,
+ * size. */
+static enum hawser_status extrapolate(struct hawser__certifying *w, struct hawser_certified *item,
+                                      double omega, double size, struct hawser_report *report)
+{
+	struct hawser_certified own = *item, first = *item;
+	int found = 0;
+	enum hawser_status status = carry(w, &w->second, w->both.mesh[1].from, &own, &found, report);
+	double part, rest;
+
+	if (status || !found) {
 		item->exact_omega = NAN;
 		return status;
 	}
-	w->to->lengths = fmax(w->to->lengths,
-	                      w->left*distance_of(own.exact_omega, own.exact_size, item));
+	part = distance_of(own.exact_omega, own.exact_size, item);
+	rest = w->left*part;
 	item->exact_omega = (4.0*item->exact_omega - own.exact_omega)/3.0;
 	item->exact_size = (4.0*item->exact_size - own.exact_size)/3.0;
+	if (!w->by->halved && fourth*part > distance_of(omega, size, item))
+		status = sharpen(w, &rest, item, &own, first, report);
+	w->to->lengths = fmax(w->to->lengths, rest);
 	part = hawser__finite_last(&w->second);
 	if (part > w->worst) {
 		w->worst = part;
@@ -264,11 +212,11 @@ static enum hawser_status extrapolate(struct work *w, struct hawser_certified *i
 		memcpy(w->worst_y, w->second.y, w->second.balance.size*sizeof(double));
 		memcpy(w->worst_along, w->second.along, w->second.balance.size*sizeof(double));
 	}
-	return HAWSER_OK;
+	return status;
 }
 
-static enum hawser_status correct_one(struct work *w, struct hawser_certified *item, int point,
-                                      struct hawser_report *report)
+static enum hawser_status correct_one(struct hawser__certifying *w, struct hawser_certified *item,
+                                      int point, struct hawser_report *report)
 {
 	const struct hawser__corrector corrector = hawser__finite_corrector(&w->first);
 	const struct hawser__neighbours near = {.y = w->start[1], .around = {w->start[0], w->start[2]}};
@@ -278,9 +226,10 @@ static enum hawser_status correct_one(struct work *w, struct hawser_certified *i
 
 	for (int i = 0; i < 3 && !status; i++) {
 		int p = point + i - 1;
+		double at = w->frf->point[p].omega;
 
-		status = lift(w, w->frf->state + 2*(size_t)p*(size_t)w->rom->n, w->frf->point[p].omega, report);
-		take_start(w->start[i], w, w->frf->point[p].omega);
+		status = hawser__certifying_lift(w, w->frf->state + 2*(size_t)p*(size_t)w->rom->n, at, report);
+		hawser__certifying_start(w->start[i], w, at);
 	}
 	w->first.balance.factored = 0;
 	if (!status)
@@ -294,7 +243,7 @@ static enum hawser_status correct_one(struct work *w, struct hawser_certified *i
 	item->tension = hawser__mesh_balance_tension(&w->first.balance, w->first.y, &element);
 	item->cable = w->first.mesh->cable[element];
 	w->second.balance.factored = 0;
-	status = extrapolate(w, item, report);
+	status = extrapolate(w, item, omega, size, report);
 	w->to->refused += isnan(item->exact_omega);
 	item->distance = distance_of(omega, size, item);
 	item->exact_omega *= w->rom->time;
@@ -303,7 +252,7 @@ static enum hawser_status correct_one(struct work *w, struct hawser_certified *i
 }
 
 /* Four more harmonics, where the last ones are largest. */
-static enum hawser_status add_harmonics(struct work *w, struct hawser_report *report)
+static enum hawser_status add_harmonics(struct hawser__certifying *w, struct hawser_report *report)
 {
 	struct hawser__corrector corrector;
 	struct hawser_certified own = w->at;
@@ -323,7 +272,8 @@ static enum hawser_status add_harmonics(struct work *w, struct hawser_report *re
 	return status;
 }
 
-static enum hawser_status correct_all(struct work *w, const int *point, struct hawser_report *report)
+static enum hawser_status correct_all(struct hawser__certifying *w, const int *point,
+                                      struct hawser_report *report)
 {
 	struct hawser_certificate *to = w->to;
 	enum hawser_status status = HAWSER_OK;
@@ -342,12 +292,13 @@ static enum hawser_status correct_all(struct work *w, const int *point, struct h
 /* --- all --- */
 
 /* Both meshes, with the present number of harmonics. */
-static enum hawser_status reopen(struct work *w, struct hawser_report *report)
+static enum hawser_status reopen(struct hawser__certifying *w, struct hawser_report *report)
 {
 	enum hawser_status status;
 
 	hawser__finite_clear(&w->first);
 	hawser__finite_clear(&w->second);
+	hawser__finite_clear(&w->third);
 	hawser__finite_clear(&w->checked);
 	hawser__hold_clear(&w->ordered);
 	status = hawser__finite_open(&w->first, &w->both, 0, w->to->order, report);
@@ -376,7 +327,7 @@ static double left_of(const struct hawser__mesh *mesh)
 	return sum > 0.0 ? left*pow(8.0*all/sum, 2) : 0.0;
 }
 
-static enum hawser_status open_meshes(struct work *w, struct hawser_report *report)
+static enum hawser_status open_meshes(struct hawser__certifying *w, struct hawser_report *report)
 {
 	struct hawser__nodal pattern;
 	struct hawser__mesh *mesh = &w->both.source.modal.mesh;
@@ -390,32 +341,34 @@ static enum hawser_status open_meshes(struct work *w, struct hawser_report *repo
 }
 
 /* The number of harmonics that the motions at the landmarks have. */
-static enum hawser_status find_order(struct work *w, const int *point, struct hawser_report *report)
+static enum hawser_status find_order(struct hawser__certifying *w, const int *point,
+                                     struct hawser_report *report)
 {
 	size_t unknowns = (size_t)w->both.source.modal.mesh.unknowns;
 	enum hawser_status status = HAWSER_OK;
 
-	w->row = hawser__hold(&w->hold, PHASES*unknowns, sizeof *w->row);
-	w->series = hawser__hold(&w->hold, WIDTH*unknowns, sizeof *w->series);
-	w->u = hawser__hold(&w->hold, PHASES*(size_t)(w->both.turn ? w->both.source.n : w->rom->n),
-	                    sizeof *w->u);
+	w->row = hawser__hold(&w->hold, HAWSER__CERTIFIED_PHASES*unknowns, sizeof *w->row);
+	w->series = hawser__hold(&w->hold, HAWSER__CERTIFIED_WIDTH*unknowns, sizeof *w->series);
+	w->u = hawser__hold(&w->hold, HAWSER__CERTIFIED_PHASES*
+	                    (size_t)(w->both.turn ? w->both.source.n : w->rom->n), sizeof *w->u);
 	if (w->hold.short_of_memory)
 		return hawser__no_memory(report, "certificate");
 	for (int i = 0; i < w->to->count && !status; i++) {
 		int order;
 
-		status = lift(w, w->frf->state + 2*(size_t)point[i]*(size_t)w->rom->n,
+		status = hawser__certifying_lift(w, w->frf->state + 2*(size_t)point[i]*(size_t)w->rom->n,
 		              w->frf->point[point[i]].omega, report);
-		order = order_of(w);
+		order = hawser__certifying_order(w);
 		w->to->order = order > w->to->order ? order : w->to->order;
 	}
 	return status;
 }
 
-static void clear(struct work *w)
+static void clear(struct hawser__certifying *w)
 {
 	hawser__finite_clear(&w->first);
 	hawser__finite_clear(&w->second);
+	hawser__finite_clear(&w->third);
 	hawser__finite_clear(&w->checked);
 	hawser__finites_clear(&w->both);
 	hawser__hold_clear(&w->ordered);
@@ -423,15 +376,14 @@ static void clear(struct work *w)
 	free(w);
 }
 
-static enum hawser_status certify(struct work *w, const int *point,
-                                  const struct hawser__certified_by *by, double bearable,
+static enum hawser_status certify(struct hawser__certifying *w, const int *point, double bearable,
                                   struct hawser_report *report)
 {
 	struct hawser_certificate *to = w->to;
-	enum hawser_status status = hawser__finites_open(&w->both, by, report);
+	enum hawser_status status = hawser__finites_open(&w->both, w->by, report);
 
-	if (!status && by->modes)
-		status = hawser__finites_turn(&w->both, by->modes, w->rom, report);
+	if (!status && w->by->modes)
+		status = hawser__finites_turn(&w->both, w->by->modes, w->rom, report);
 	if (!status)
 		status = find_order(w, point, report);
 	if (!status)
@@ -455,7 +407,7 @@ enum hawser_status hawser__certified(struct hawser_certificate *certificate,
                                    int peaks, double bearable, struct hawser_report *report)
 {
 	double start = now(), elements = 0.0;
-	struct work *w = calloc(1, sizeof *w);
+	struct hawser__certifying *w = calloc(1, sizeof *w);
 	int point[HAWSER_CERTIFIED_MOST];
 	enum hawser_status status = HAWSER_OK;
 
@@ -463,6 +415,7 @@ enum hawser_status hawser__certified(struct hawser_certificate *certificate,
 	if (!w)
 		return hawser__no_memory(report, "certificate");
 	w->to = certificate;
+	w->by = by;
 	w->rom = rom;
 	w->frf = frf;
 	if (frf->points > 2 && frf->period == 1)
@@ -473,7 +426,7 @@ enum hawser_status hawser__certified(struct hawser_certificate *certificate,
 	if (bearable > 0.0 && certificate->foreseen > bearable)
 		certificate->count = 0;
 	if (!status && certificate->count > 0)
-		status = certify(w, point, by, bearable, report);
+		status = certify(w, point, bearable, report);
 	clear(w);
 	certificate->error = margin*certificate->distance + certificate->harmonics + certificate->lengths;
 	certificate->seconds = now() - start;

@@ -7,8 +7,10 @@
 #include "rom/build/net.h"
 #include "study/accuracy/certify.h"
 
-enum { HAWSER__CERTIFIED_ORDER = 11, HAWSER__CERTIFIED_MORE = 4 }; /* harmonics, at most; in the check
-                                                                    * of these */
+/* Harmonics, at least and at most, and in the check of these; phases of a motion of the model, and the
+ * coefficients of its series. */
+enum { HAWSER__CERTIFIED_LEAST = 5, HAWSER__CERTIFIED_ORDER = 11, HAWSER__CERTIFIED_MORE = 4,
+       HAWSER__CERTIFIED_PHASES = 32, HAWSER__CERTIFIED_WIDTH = 2*(HAWSER__CERTIFIED_ORDER + 1) + 1 };
 /* A point of the model: sum of weights times the motions of nodes, 0 where there are fewer. */
 enum { HAWSER__FINITE_NODES = 4 };
 struct hawser__finite_place {
@@ -16,14 +18,19 @@ struct hawser__finite_place {
 	double weight[HAWSER__FINITE_NODES];
 };
 
-/* The mesh that the model was made of, and one with half as many elements. */
+/* The mesh that the model was made of, and ones with half and a quarter of its elements. */
+enum { HAWSER__FINITE_MESHES = 3 };
 struct hawser__finites {
-	struct hawser_net fine, half;
+	struct hawser_net fine;
 	struct hawser__net_source source; /* of the model, with the first mesh */
 	struct hawser__answers answers;
-	struct hawser__mesh coarse;       /* in equilibrium, as that one */
-	int *from;                        /* [nodes of coarse] the same ones of the other mesh */
-	struct hawser__finite_place *place[2]; /* [probes] the model's points, of both meshes */
+	struct hawser__finite_mesh {      /* the first one is that of `source` */
+		struct hawser_net net;
+		struct hawser__mesh own;      /* in equilibrium, as that one */
+		int *from;                    /* [nodes] the same ones of the first mesh */
+		struct hawser__finite_place *place; /* [probes] the model's points */
+		int opened;
+	} mesh[HAWSER__FINITE_MESHES];
 	double *turn;                     /* [source.n][turned] coordinates of the mesh by those of a
 	                                   * span's model; NULL: they are the same */
 	int turned;
@@ -35,10 +42,13 @@ struct hawser__certified_by {
 	const struct hawser_net_rom_options *options; /* of the model, or of one of the same mesh */
 	const struct hawser_modes *modes; /* of a span's model; NULL: it is the net's */
 };
-/* *all is zero; it must not be moved. Clear it, on failure too. */
+/* Both meshes, and the third one. *all is zero; it must not be moved. Clear it, on failure too. */
 enum hawser_status hawser__finites_open(struct hawser__finites *all,
                                         const struct hawser__certified_by *by,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+enum hawser_status hawser__finites_third(struct hawser__finites *all,
+                                         const struct hawser__certified_by *by,
+                                         struct hawser_report *report) HAWSER_MUST_CHECK;
 /* certificate_span.c: the coordinates and the points of a span's model. */
 enum hawser_status hawser__finites_turn(struct hawser__finites *all, const struct hawser_modes *modes,
                                         const struct hawser_rom *rom,
@@ -60,9 +70,9 @@ struct hawser__finite {
 	double *y, *along, bend;
 	struct hawser__hold hold;
 };
-/* second 1: the mesh with fewer elements. *finite is zero. Clear it, on failure too. */
+/* number: of the mesh. *finite is zero. Clear it, on failure too. */
 enum hawser_status hawser__finite_open(struct hawser__finite *finite, struct hawser__finites *all,
-                                       int second, int order,
+                                       int number, int order,
                                        struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser__finite_clear(struct hawser__finite *finite);
 struct hawser__corrector hawser__finite_corrector(struct hawser__finite *finite);
@@ -71,5 +81,30 @@ void hawser__finite_copy(double *to, const struct hawser__finite *of, const doub
                          const struct hawser__finite *other, const int *from);
 /* Part of the motion by its two last harmonics. */
 double hawser__finite_last(const struct hawser__finite *finite);
+
+/* The corrections of a response. */
+struct hawser__certifying {
+	struct hawser_certificate *to;
+	const struct hawser_rom *rom;
+	const struct hawser_frf *frf;
+	struct hawser__finites both;
+	const struct hawser__certified_by *by;
+	struct hawser__finite first, second, third, checked; /* third: where it is needed */
+	double *row, *series;          /* [PHASES][unknowns], [unknowns][WIDTH] m */
+	double *start[3];              /* [size of first] */
+	double *u;                     /* [PHASES][n] */
+	double left;                   /* of the difference of the meshes */
+	double worst;                  /* largest part of the last harmonics in a motion of `second`: */
+	struct hawser_certified at;    /* its landmark, */
+	double *worst_y, *worst_along, worst_bend; /* motion and tangent */
+	struct hawser__hold hold, ordered; /* ordered: what depends on the number of harmonics */
+};
+/* certificate_start.c: displacements of the mesh in a period of the model's motion from that state, in
+ * `series`; their highest harmonic that is not faint; and they as a motion of the first mesh. */
+enum hawser_status hawser__certifying_lift(struct hawser__certifying *w, const double *state,
+                                           double omega, struct hawser_report *report)
+	HAWSER_MUST_CHECK;
+int hawser__certifying_order(const struct hawser__certifying *w);
+void hawser__certifying_start(double *y, const struct hawser__certifying *w, double omega);
 
 #endif

@@ -135,21 +135,22 @@ static enum hawser_status set_ratio(struct hawser__finite *finite,
 }
 
 enum hawser_status hawser__finite_open(struct hawser__finite *finite, struct hawser__finites *w,
-                                       int second, int order, struct hawser_report *report)
+                                       int number, int order, struct hawser_report *report)
 {
+	const struct hawser__finite_mesh *of = &w->mesh[number];
 	const struct hawser__net_source *source = &w->source;
 	enum hawser_status status;
 	double *phi = NULL;
 
-	finite->mesh = second ? &w->coarse : &w->source.modal.mesh;
-	finite->place = w->place[second];
+	finite->mesh = number ? &w->mesh[number].own : &w->source.modal.mesh;
+	finite->place = of->place;
 	status = hawser__mesh_balance_open(&finite->balance, finite->mesh, source->net->mass_rate, order,
 	                                   report);
 	if (status)
 		return status;
 	finite->y = hawser__hold(&finite->hold, finite->balance.size, sizeof *finite->y);
 	finite->along = hawser__hold(&finite->hold, finite->balance.size, sizeof *finite->along);
-	if (second && source->net->ratio > 0.0)
+	if (number && source->net->ratio > 0.0)
 		phi = hawser__hold(&finite->hold, (size_t)source->n*(size_t)finite->mesh->unknowns,
 		                   sizeof *phi);
 	if (finite->hold.short_of_memory)
@@ -161,7 +162,7 @@ enum hawser_status hawser__finite_open(struct hawser__finite *finite, struct haw
 		if (at >= 0)
 			phi[j*finite->mesh->unknowns + at] = source->mode[
 				(size_t)j*(size_t)source->modal.mesh.unknowns +
-				(size_t)source->modal.mesh.unknown[w->from[node]][k]];
+				(size_t)source->modal.mesh.unknown[of->from[node]][k]];
 	}
 	return source->net->ratio > 0.0 ? set_ratio(finite, source, phi ? phi : source->mode, report)
 	                                : HAWSER_OK;
@@ -174,52 +175,65 @@ void hawser__finite_clear(struct hawser__finite *finite)
 	*finite = (struct hawser__finite){.mesh = NULL};
 }
 
-/* Nodes of the second mesh among those of the first. */
-static void pair_nodes(struct hawser__finites *w)
+/* Nodes of a mesh among those of the first, and the points of the model there. */
+static void pair_nodes(struct hawser__finites *w, struct hawser__finite_mesh *to)
 {
-	const struct hawser__mesh *fine = &w->source.modal.mesh;
+	const struct hawser__mesh *fine = &w->source.modal.mesh, *own = &to->own;
 
 	for (int i = 0; i < w->fine.nodes; i++)
-		w->from[i] = i;
-	for (int i = 0; i < w->coarse.absorbers; i++)
-		w->from[w->coarse.absorber[i].at] = fine->absorber[i].at;
-	for (int c = 0; c < w->coarse.cables; c++) {
-		int count = w->coarse.first[c + 1] - w->coarse.first[c];
+		to->from[i] = i;
+	for (int i = 0; i < own->absorbers; i++)
+		to->from[own->absorber[i].at] = fine->absorber[i].at;
+	for (int c = 0; c < own->cables; c++) {
+		int count = own->first[c + 1] - own->first[c];
 		int ratio = (fine->first[c + 1] - fine->first[c])/count;
 
 		for (int i = 1; i < count; i++)
-			w->from[w->coarse.inner[c] + i - 1] = fine->inner[c] + ratio*i - 1;
+			to->from[own->inner[c] + i - 1] = fine->inner[c] + ratio*i - 1;
 	}
+	for (int i = 0; i < own->nodes*w->source.shapes; i++)
+		if (to->from[i%own->nodes] == w->mesh[0].place[i/own->nodes].node[0])
+			to->place[i/own->nodes] = (struct hawser__finite_place){{i%own->nodes}, {1.0}};
 }
 
-/* The second mesh, in equilibrium. */
-static enum hawser_status open_second(struct hawser__finites *w,
-                                      const struct hawser__certified_by *by,
-                                      struct hawser_report *report)
+/* A further mesh, in equilibrium. */
+static enum hawser_status open_mesh(struct hawser__finites *w, int number, const struct hawser_net *net,
+                                    int halvings, struct hawser_report *report)
 {
 	const struct hawser__mesh_options choice = {.method = NULL};
+	struct hawser__finite_mesh *to = &w->mesh[number];
 	struct hawser__equilibrium found;
 	double *T;
-	enum hawser_status status = hawser__net_finer(&w->half, by->halved ? by->halved : by->net,
-	                                              !by->halved, report);
+	enum hawser_status status = hawser__net_finer(&to->net, net, halvings, report);
 
 	if (!status)
-		status = hawser__mesh_build(&w->coarse, &w->half, report);
+		status = hawser__mesh_build(&to->own, &to->net, report);
 	if (status)
 		return status;
-	T = hawser__hold(&w->hold, (size_t)w->coarse.elements, sizeof *T);
-	w->from = hawser__hold(&w->hold, (size_t)w->coarse.nodes, sizeof *w->from);
+	T = hawser__hold(&w->hold, (size_t)to->own.elements, sizeof *T);
+	to->from = hawser__hold(&w->hold, (size_t)to->own.nodes, sizeof *to->from);
+	to->place = hawser__hold(&w->hold, hawser__net_points(&w->fine), sizeof *to->place);
 	if (w->hold.short_of_memory)
 		return hawser__no_memory(report, "certificate");
-	status = hawser__mesh_form(&w->coarse, T, &found, &w->half, &choice, report);
-	hawser__absorbers_release(&w->coarse, HAWSER__NET_SPACE);
+	status = hawser__mesh_form(&to->own, T, &found, &to->net, &choice, report);
+	hawser__absorbers_release(&to->own, HAWSER__NET_SPACE);
 	if (!status)
-		status = hawser__net_multiples(&w->coarse, by->net->name, report);
-	pair_nodes(w);
+		status = hawser__net_multiples(&to->own, net->name, report);
+	pair_nodes(w, to);
 	return status;
 }
 
-/* The nodes of the model's points: all are nodes of both meshes. */
+enum hawser_status hawser__finites_third(struct hawser__finites *w,
+                                         const struct hawser__certified_by *by,
+                                         struct hawser_report *report)
+{
+	if (w->mesh[2].opened)
+		return HAWSER_OK;
+	w->mesh[2].opened = 1;
+	return open_mesh(w, 2, by->net, 2, report);
+}
+
+/* The nodes of the model's points: all are nodes of all meshes. */
 static enum hawser_status find_nodes(struct hawser__finites *w, struct hawser_report *report)
 {
 	struct hawser__net_source *source = &w->source;
@@ -231,18 +245,12 @@ static enum hawser_status find_nodes(struct hawser__finites *w, struct hawser_re
 	for (size_t i = 0; name && i < most; i++)
 		free(name[i]);
 	free(name);
-	w->place[0] = hawser__hold(&w->hold, most, sizeof *w->place[0]);
-	w->place[1] = hawser__hold(&w->hold, most, sizeof *w->place[1]);
+	w->mesh[0].place = hawser__hold(&w->hold, most, sizeof *w->mesh[0].place);
 	if (!status && w->hold.short_of_memory)
 		status = hawser__no_memory(report, "certificate");
-	for (int p = 0; !status && p < source->shapes; p++) {
-		int node = source->place[p].node[source->place[p].share > 0.5];
-
-		w->place[0][p] = (struct hawser__finite_place){{node}, {1.0}};
-		for (int i = 0; i < w->coarse.nodes; i++)
-			if (w->from[i] == node)
-				w->place[1][p] = (struct hawser__finite_place){{i}, {1.0}};
-	}
+	for (int p = 0; !status && p < source->shapes; p++)
+		w->mesh[0].place[p] = (struct hawser__finite_place){
+			{source->place[p].node[source->place[p].share > 0.5]}, {1.0}};
 	return status;
 }
 
@@ -254,17 +262,19 @@ enum hawser_status hawser__finites_open(struct hawser__finites *w,
 	                                                    by->options, report);
 
 	if (!status)
-		status = open_second(w, by, report);
-	return status ? status : find_nodes(w, report);
+		status = find_nodes(w, report);
+	return status ? status : open_mesh(w, 1, by->halved ? by->halved : by->net, !by->halved, report);
 }
 
 void hawser__finites_clear(struct hawser__finites *w)
 {
 	hawser__answers_clear(&w->answers);
 	hawser__net_source_clear(&w->source);
-	hawser__mesh_clear(&w->coarse);
+	for (int i = 0; i < HAWSER__FINITE_MESHES; i++) {
+		hawser__mesh_clear(&w->mesh[i].own);
+		free(w->mesh[i].net.cable);
+	}
 	free(w->fine.cable);
-	free(w->half.cable);
 	hawser__hold_clear(&w->hold);
 }
 
