@@ -16,6 +16,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/append.h"
 #include "core/report.h"
 #include "response/floquet/linear_margin.h"
 #include "rom/build/build.h"
@@ -60,6 +61,20 @@ void hawser__map_cable_file(struct hawser_rom_source *to, struct hawser_paramete
 			hawser_rom_source_set(to, cable->source.key[k], at[k], &known);
 }
 
+static enum hawser_status refuse_key(const struct hawser_map_source *source, const char *key,
+                                     struct hawser_report *report)
+{
+	char names[160] = "";
+
+	for (int i = 0; source->file && i < source->file->parameters; i++)
+		hawser__append(names, sizeof names, ", ", "%s",
+		               source->file->parameter[i].name);
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
+	                    "%.60s: the keys of reduced models and of ropeways are Omega, factor.load, "
+	                    "factor.damping and the parameters of a model's file%s%s", key,
+	                    *names ? ", here " : "", names);
+}
+
 static enum hawser_status reach_of(enum hawser__reach *reach,
                                    const struct hawser_map_source *source, int k,
                                    struct hawser_report *report)
@@ -77,9 +92,7 @@ static enum hawser_status reach_of(enum hawser__reach *reach,
 	else if (is_parameter(source->file, key))
 		*reach = HAWSER__REACH_PARAMETER;
 	else if (source->rom)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
-		                    "%.60s: the keys of reduced models and of ropeways are Omega, factor.load, "
-		                    "factor.damping and the parameters that a file has", key);
+		return refuse_key(source, key, report);
 	else if (strncmp(key, "damping.", 8) == 0)
 		/* with point masses the damping is not diagonal, and dampers add coordinates */
 		*reach = source->scene->attachments > 0 || hawser_statics_held(held, source->scene)
