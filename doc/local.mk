@@ -44,10 +44,12 @@ dist_doc_DATA += \
 	%D%/theory-travel.md \
 	%D%/theory.md \
 	%D%/tutorial.md \
+	%D%/tutorial-chairlift.md \
 	%D%/tutorial-galloping.md \
 	%D%/tutorial-models.md \
 	%D%/tutorial-mooring.md \
 	%D%/tutorial-nets.md \
+	%D%/tutorial-stay.md \
 	%D%/waves.md \
 	%D%/water.md
 # The list of all messages, from the sources. It is not in the repository, and not in a build without python3.

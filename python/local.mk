@@ -6,7 +6,9 @@ EXTRA_DIST += \
 	%D%/hawser/_headers.py \
 	%D%/hawser/_interrupts.py \
 	%D%/hawser/_library.py \
+	%D%/hawser/_stubs.py \
 	%D%/hawser/errors.py \
+	%D%/hawser/interactive.py \
 	%D%/hawser/models.py \
 	%D%/hawser/objects.py \
 	%D%/hawser/pictures.py \

@@ -25,6 +25,7 @@ import manual
 PAGES = (
     ("Begin", (("doc/tutorial.md", "tutorial"), ("doc/tutorial-nets.md", "tutorial-nets"),
                ("doc/tutorial-mooring.md", "tutorial-mooring"), ("doc/tutorial-galloping.md", "tutorial-galloping"),
+               ("doc/tutorial-stay.md", "tutorial-stay"), ("doc/tutorial-chairlift.md", "tutorial-chairlift"),
                ("doc/tutorial-models.md", "tutorial-models"), ("doc/gallery.md", "gallery"), ("doc/coming-from.md", "coming-from"),
                ("doc/commands.md", "commands"), ("doc/spans.md", "spans"), ("doc/moorings.md", "moorings"), ("doc/install.md", "install"))),
     ("Reference", (("doc/water.md", "water"), ("doc/waves.md", "waves"), ("man", "man/index"), ("notebooks-data/scenes", "scenes"), ("doc/python.md", "python"), ("doc/library.md", "library"),
@@ -37,6 +38,7 @@ PAGES = (
 )
 # Titles in the navigation, where that of the page is not one.
 TITLES = {"tutorial": "Ten minutes", "tutorial-nets": "Nets in ten minutes", "tutorial-galloping": "Galloping in ten minutes",
+          "tutorial-stay": "A stay with a damper in ten minutes", "tutorial-chairlift": "A chairlift in ten minutes",
           "tutorial-models": "Equations in ten minutes", "tutorial-mooring": "Moorings in ten minutes",
           "install": "Installation", "coming-from": "Coming from other programs",
           "library": "The library", "api/index": "Headers", "python": "Python", "cluster": "Large maps", "messages": "Messages", "robustness": "Robustness"}

@@ -15,6 +15,7 @@
 
 #include <hawser/progress.h>
 #include <hawser/rom.h>
+#include <hawser/rom_source.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -218,6 +219,7 @@ const struct hawser_map_quantity *hawser_map_quantity(int index);
 struct hawser_map_source {
 	const struct hawser_scene *scene;
 	const struct hawser_rom *rom;
+	const struct hawser_rom_source *file; /* of the model, whose parameters may be keys; or NULL */
 	const char *key[2];    /* [2] of x and of y */
 	double from[2], to[2]; /* [2] their ranges */
 	double omega;          /* forcing frequency, unless "Omega" is one of the keys; 0: none */

@@ -226,6 +226,12 @@ class Result:
 
         return plots.result(self, x, y, ax)
 
+    def plotly(self, x: Optional[str] = None, y: Union[str, List[str], None] = None) -> Any:
+        """The same as a figure of plotly, which shows values under the pointer and zooms."""
+        from . import interactive
+
+        return interactive.result(self, x, y)
+
 
 def run(command: str, scene: Union[scenes.SceneLike, None] = None, *more: str,
         set: Optional[Mapping[str, Any]] = None, timeout: Optional[float] = None, progress: Progress = None,

@@ -2,15 +2,17 @@
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
+import ast
 import ctypes
 import os
+import pathlib
 import shutil
 import subprocess
 
 import pytest
 
 import hawser
-from hawser import _library
+from hawser import _library, _stubs, objects
 
 TREE = _library.TREE
 PUBLIC = [name for name in _library.layout["structs"] if "." not in name]
@@ -62,3 +64,17 @@ def test_a_wrong_size_is_refused(monkeypatch):
     monkeypatch.delitem(_library._structs, "hawser_modes_options", raising=False)
     with pytest.raises(hawser.SystemFailure, match="hawser_modes_options has .* bytes"):
         _library.struct("hawser_modes_options")
+
+
+def test_stubs_name_members_and_keys(tmp_path):
+    source = pathlib.Path(objects.__file__).parent
+    kinds = {"Span": objects.Span.kind, "Net": objects.Net.kind, "Ropeway": objects.Ropeway.kind}
+    _stubs.write(source, tmp_path, _library.layout["structs"], {name: objects.schema(kind) for name, kind in kinds.items()})
+    for name, of, known in (("models", "Statics", {"H", "T0", "sag"}), ("objects", "Span", {"EA", "d", "T0", "damping"})):
+        tree = ast.parse((tmp_path / (name + ".pyi")).read_text())
+        body = next(item.body for item in tree.body if isinstance(item, ast.ClassDef) and item.name == of)
+        listed = {item.target.id for item in body if isinstance(item, ast.AnnAssign)}
+        for item in body:
+            if isinstance(item, ast.FunctionDef) and item.name in ("__init__", "set"):
+                listed |= {argument.arg for argument in item.args.kwonlyargs}
+        assert known <= listed and not any(getattr(item, "name", "") == "__getattr__" for item in body), (name, listed)

@@ -9,7 +9,7 @@ import subprocess
 import pytest
 
 import hawser
-from hawser import _library, pictures
+from hawser import _library, interactive, pictures
 
 LONG = bool(os.environ.get("HAWSER_LONG"))
 # command | arguments | of each panel title of x, title of y: number of lines (panels in space are listed last)
@@ -105,3 +105,24 @@ def test_without_a_picture_it_is_an_error(scenes):
         result.plot()
     with pytest.raises(hawser.InputError, match="no column w.*it has tensor"):
         result.plot("tensor", "w")
+
+
+def test_interactive_pictures_have_the_same_curves(scenes, monkeypatch):
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    monkeypatch.chdir(scenes)
+    result, figure = drawn("frf", "duffing.json --from 0.8 --to 1.8")
+    spec = interactive.spec(figure)
+    lines = [one for one in spec["data"] if one["mode"] == "lines"]
+    assert [one["line"]["dash"] for one in lines] == ["solid", "dash"] and lines[0]["line"]["color"] == lines[1]["line"]["color"]
+    assert max(y for one in lines for y in one["y"] if y) == pytest.approx(result["u_1"].max(), rel=1e-12)
+    marks = [one for one in spec["data"] if one["mode"] == "markers"]
+    assert sum(len(one["x"]) for one in marks) == len(result.json["events"]) and spec["layout"]["xaxis"]["title"]["text"].startswith("Forcing")
+    matplotlib.pyplot.close(figure)
+    try:
+        import plotly
+    except ImportError:
+        with pytest.raises(hawser.Error, match="need plotly"):
+            result.plotly()
+    else:
+        assert plotly and len(result.plotly().data) == len(spec["data"])

@@ -97,6 +97,10 @@ enum hawser_status hawser_scene_get(const struct hawser_scene *scene, double *va
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hawser_scene_get",
 		                    "%s is a word, not a number", path);
 	count = hawser__count(scene, index);
+	if (count > 1 && element < 0)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hawser_scene_get",
+		                    "%s has %d values: give one of them, %s[0] to %s[%d]", path, count, path,
+		                    path, count - 1);
 	if (count ? element < 0 || element >= count : element >= 0)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hawser_scene_get",
 		                    "%s: %s has %d value%s, counted from 0", path,

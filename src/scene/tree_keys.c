@@ -166,7 +166,8 @@ const char *hawser__tree_suggest(char hint[HAWSER__TEXT_ROOM], const char *name,
 		const char *own = strrchr(row->path, '.') + 1;
 		int cost = 2*hawser__edit_distance(leaf, own) + (strncmp(row->path, of, strlen(of)) != 0);
 
-		if (cost >= least || strpbrk(own, "[*") || row->need == HAWSER__TREE_MESH)
+		if (cost >= least || strpbrk(own, "[*") || row->need == HAWSER__TREE_MESH ||
+		    (cost > 1 && !leaf[1])) /* one letter is near every other */
 			continue;
 		least = cost;
 		near = row;

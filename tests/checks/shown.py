@@ -46,7 +46,7 @@ INSTALLED = "/usr/local/share/hawser/scenes"
 ELSEWHERE = re.compile(r"\./quickstart")
 COPY = "copy of the folder of scenes"
 DOCUMENTS = ("README.md", "doc/tutorial.md", "doc/tutorial-nets.md", "doc/tutorial-mooring.md", "doc/tutorial-galloping.md",
-             "doc/tutorial-models.md", "doc/commands.md", "doc/gallery.md", "doc/moorings.md", "doc/water.md")
+             "doc/tutorial-stay.md", "doc/tutorial-chairlift.md", "doc/tutorial-models.md", "doc/commands.md", "doc/gallery.md", "doc/moorings.md", "doc/water.md")
 
 source = os.path.abspath(os.environ["SRCDIR"])
 program = os.path.abspath(os.environ["HAWSER"])

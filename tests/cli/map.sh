@@ -46,7 +46,7 @@ refuses 1 '--coarse: a map of amplitudes has no cells that are split: it follows
 	map "$chairlift" --x Omega=1:2 --y factor.load=0.2:2 --quantity amplitude --coarse 4
 refuses 1 '--stable: only the responses of the quantity amplitude are stable or not: the number of instabilities is a column of every map' \
 	map "$chairlift" --x Omega=1:2 --y factor.load=0.2:2 --quantity multiplier --stable
-refuses 1 'span.h: the parameters of reduced-model files and of ropeways are Omega, factor.load and factor.damping' \
+refuses 1 'span.h: the keys of reduced models and of ropeways are Omega, factor.load, factor.damping and the parameters of a model'"'s file" \
 	map hill.json --x span.h=0:5 --y Omega=1:2
 refuses 1 '--json and --checkpoint both write to a' map hill.json $axes --json a --checkpoint a
 refuses_like 2 'least one with which this span can hang' map "$chairlift" --set tension.T0=5e3 \
@@ -262,4 +262,27 @@ END
 else
 	skip "python3 is not installed"
 fi
+cat >file.json <<'END'
+{"hawser_rom": 1, "n": 1, "parameters": {"zeta": 0.02, "alpha": 0.5, "F": 1}, "D": [["2*zeta"]], "K": [[1]],
+ "C": [[0, 0, 0, 0, "alpha"]], "harmonics": [{"k": 1, "f": ["F"]}]}
+END
+plane="--x Omega=0.8:1.6 --points 5x3 --quantity amplitude -q"
+# shellcheck disable=SC2086 # words
+{
+works "a map over a parameter of a file" map file.json --y F=0.1:0.4 $plane --json parameter.json
+works "  and over the factor that is the same" map file.json --y factor.load=0.1:0.4 $plane --json factor.json
+works "  and over two parameters" map file.json --x F=0.1:0.4 --y alpha=0.25:0.75 --Omega 1.2 --points 3x3 --quantity amplitude \
+	--json both.json -q
+works "growth over the damping of a file" map file.json --x zeta=-0.01:0.03 --y alpha=0.2:0.4 --points 3x3 --quantity growth --json growth.json -q
+}
+python "agree" <<'END'
+import json
+def values(name):
+    p = json.load(open(name + ".json"))["points"]
+    return {(round(x, 9), round(y, 9)): value for x, y, value in zip(p["x"], p["y"], p["value"])}
+a, b, c = (values(n) for n in ("parameter", "factor", "both"))
+assert len(a) == 15 and a.keys() == b.keys() and all(abs(a[k]/b[k] - 1) < 1e-6 for k in a), (a, b)
+assert all(abs(value + zeta) < 1e-12 for (zeta, alpha), value in values("growth").items())
+assert all(abs(c[F, 0.5]/a[1.2, F] - 1) < 1e-6 for F in (0.1, 0.25, 0.4)), (a, c)
+END
 done_testing

@@ -224,7 +224,8 @@ static void questions(void)
 	refuse_get(&scene, "tension.H", "this scene does not give tension.H" ADD_IT);
 	refuse_get(&scene, "damping.ratio", "this scene does not give damping.ratio" ADD_IT);
 	refuse_get(&scene, "load.frame", "load.frame is a word, not a number");
-	refuse_get(&scene, "load.extent", "load.extent: load.extent has 2 values, counted from 0");
+	refuse_get(&scene, "load.extent",
+	           "load.extent has 2 values: give one of them, load.extent[0] to load.extent[1]");
 	refuse_get(&scene, "load.extent[2]", "load.extent[2]: load.extent has 2 values, counted from 0");
 	refuse_get(&scene, "cable.EA[0]", "cable.EA[0]: cable.EA has 1 value, counted from 0");
 	hawser_scene_clear(&scene);

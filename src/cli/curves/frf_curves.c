@@ -140,13 +140,13 @@ static void draw_events(struct cli_frf_picture *of, int c)
 	static const struct {
 		const char *title, *symbol;
 	} kind[] = {
-		[HAWSER_FOLD] = {"fold", "pt 6 ps 0.55"},
-		[HAWSER_PERIOD_DOUBLING] = {"period doubling", "pt 8 ps 0.65"},
-		[HAWSER_TORUS] = {"torus", "pt 4 ps 0.5"},
-		[HAWSER_BRANCH_POINT] = {"branch point", "pt 12 ps 0.65"},
+		[HAWSER_FOLD] = {"fold", "pt 6 ps 0.9"},
+		[HAWSER_PERIOD_DOUBLING] = {"period doubling", "pt 8 ps 1.0"},
+		[HAWSER_TORUS] = {"torus", "pt 4 ps 0.85"},
+		[HAWSER_BRANCH_POINT] = {"branch point", "pt 12 ps 1.05"},
 		[HAWSER_UNEXPLAINED] = {"unexplained", "pt 3 ps 0.6"},
 		[HAWSER_SLACK] = {"slack", "pt 2 ps 0.7"},
-		[HAWSER_HOPF] = {"Hopf point", "pt 14 ps 0.65"},
+		[HAWSER_HOPF] = {"Hopf point", "pt 14 ps 1.0"},
 	};
 	const struct hawser_frf *frf = of->result->frf;
 
@@ -156,7 +156,7 @@ static void draw_events(struct cli_frf_picture *of, int c)
 		for (int e = 0; e < frf->events; e++)
 			if ((int)frf->event[e].kind == k)
 				put_event(of, c, &frf->event[e]);
-		hawser__figure_draw(&of->figure, kind[k].title, "with points %s lw 0.6 lc rgb 'black'",
+		hawser__figure_draw(&of->figure, kind[k].title, "with points %s lw 1.0 lc rgb 'black'",
 		                    kind[k].symbol);
 	}
 }

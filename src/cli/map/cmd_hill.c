@@ -55,7 +55,8 @@ static const char *const notes[] = {
 	"--Omega alone: Floquet multipliers and exponents of the motion.",
 	"Both are of the periodic response, or of rest where nothing moves the model, or with --rest.",
 	"--mathieu: boundaries of x'' + 2 c x' + (delta + 2 epsilon cos 2t) x = 0 over delta and epsilon.",
-	"KEY: a numeric key of the scene (man hawser-scene), Omega, factor.load or factor.damping.",
+	"KEY: a numeric key of the scene (man hawser-scene) or parameter of the model's file, Omega,",
+	"factor.load or factor.damping.",
 	NULL,
 };
 
@@ -198,6 +199,7 @@ static enum hawser_status boundaries(struct cli_hill_result *result, struct cli_
 		return status;
 	source.scene = model->has_scene ? &model->scene : NULL;
 	source.rom = model->has_scene ? NULL : &model->rom;
+	source.file = model->has_scene ? NULL : &model->source;
 	source.omega = result->omega;
 	for (int k = 0; k < 2; k++) {
 		source.key[k] = result->axis[k].key;

@@ -63,8 +63,8 @@ static const struct cli_option options[] = {
 static const char *const notes[] = {
 	"Computes a quantity over two parameters. Cells are split where stability changes, down to the",
 	"resolution, and the boundary is then bracketed on their edges.",
-	"KEY: a numeric key of the scene (man hawser-scene), Omega, factor.load (of all excitation) or",
-	"factor.damping. FROM and TO: numbers in SI, or with a unit; for Omega also 0.6w1.",
+	"KEY: a numeric key of the scene (man hawser-scene), a parameter of the model's file, Omega,",
+	"factor.load (of all excitation) or factor.damping. FROM and TO: in SI, or with a unit, or 0.6w1.",
 	"With a forcing frequency stability is that of the periodic response, or of rest where nothing",
 	"moves the model, or with --rest.",
 	NULL,
@@ -174,7 +174,8 @@ static enum hawser_status trace(struct hawser_map *map, struct cli_map_result *r
 {
 	struct hawser_map_source source = {
 		.scene = model->has_scene ? &model->scene : NULL,
-		.rom = model->has_scene ? NULL : &model->rom, .key = {result->key[0], result->key[1]},
+		.rom = model->has_scene ? NULL : &model->rom,
+		.file = model->has_scene ? NULL : &model->source, .key = {result->key[0], result->key[1]},
 		.from = {result->options.from[0], result->options.from[1]},
 		.to = {result->options.to[0], result->options.to[1]}, .omega = result->omega,
 		.quantity = result->quantity->name, .rest = settings->rest,

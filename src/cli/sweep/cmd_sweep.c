@@ -125,7 +125,9 @@ static enum hawser_status check_command(const struct cli_study *sweep, int words
 
 	if (!common)
 		return hawser__no_memory(report, "sweep");
-	status = cli_parse(common, command, sweep->words - words, sweep->word + words, report);
+	status = cli_sweep_place(sweep, words, report);
+	if (!status)
+		status = cli_parse(common, command, sweep->words - words, sweep->word + words, report);
 	file = common->json ? "json" : common->tsv ? "tsv" : common->plot ? "plot"
 	       : common->gp ? "gp" : NULL;
 	for (int i = words; i < sweep->words && !file; i++)

@@ -141,6 +141,9 @@ enum hawser_status cli_sweep_compute(struct cli_sweep_packed *packed, const stru
 enum hawser_status cli_sweep_run(struct cli_study *sweep, struct hawser_report *report)
 	HAWSER_MUST_CHECK;
 
+/* Refuse options of the sweep among the words, from `words` on, of its command. */
+enum hawser_status cli_sweep_place(const struct cli_study *sweep, int words,
+                                   struct hawser_report *report) HAWSER_MUST_CHECK;
 /* HAWSER_ERR_SCENE where no variation can be read: a key or a unit is wrong. */
 enum hawser_status cli_sweep_check(const struct cli_study *sweep, const struct cli_common *common,
                                    struct hawser_report *report) HAWSER_MUST_CHECK;

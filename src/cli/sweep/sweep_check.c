@@ -1,5 +1,5 @@
-/* cli/sweep/sweep_check.c - keys and values of a sweep against its scene, before anything is
- * computed. See sweep.h.
+/* cli/sweep/sweep_check.c - keys and values of a sweep against its scene, and the place of its options,
+ * before anything is computed. See sweep.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -10,6 +10,32 @@
 #include "core/report.h"
 
 enum { TRIES = 16 }; /* variations that are read */
+
+static int has_option(const struct cli_command *command, const char *name, size_t length)
+{
+	const struct cli_option *row;
+
+	for (int i = 0; (row = cli_option_row(command, i)); i++)
+		if (strlen(row->name) == length && strncmp(row->name, name, length) == 0)
+			return 1;
+	return 0;
+}
+
+enum hawser_status cli_sweep_place(const struct cli_study *sweep, int words,
+                                   struct hawser_report *report)
+{
+	for (int i = words; i < sweep->words; i++) {
+		const char *name = sweep->word[i] + 2;
+		size_t length = strncmp(sweep->word[i], "--", 2) == 0 ? strcspn(name, "=") : 0;
+
+		if (length > 0 && !has_option(sweep->choice.command, name, length) &&
+		    has_option(&cli_sweep, name, length))
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "sweep",
+			                    "--%.*s is an option of the sweep: write it before the --",
+			                    (int)length, name);
+	}
+	return HAWSER_OK;
+}
 
 enum hawser_status cli_sweep_reads(const struct cli_common *own, char (*set)[CLI_SWEEP_SET], int sets,
                                    struct hawser_report *report)

@@ -68,7 +68,8 @@ static enum hawser_status failure(struct hawser__reader *reader, struct hawser_n
 	*to = (struct hawser_net_failure){.time = -1.0};
 	status = hawser__tree_fill(reader, to, tree, what, "net.failures[]");
 	if (!status && (!cable || !at))
-		status = hawser__reader_fail(reader, &tree->at, "%s needs cable and at", what);
+		status = hawser__reader_fail(reader, &tree->at, "%s needs cable, at (where it parts, a node "
+		                             "or a part of its length), and time or tension", what);
 	if (!status && (to->time >= 0.0) == (to->tension > 0.0))
 		status = hawser__reader_fail(reader, &tree->at, "%s needs time or tension, and not both", what);
 	if (!status)

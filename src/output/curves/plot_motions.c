@@ -54,7 +54,7 @@ enum hawser_status hawser__plot_motions(const char *path, const struct hawser__m
 		hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.13, 0.97, low,
 			low + (tall - gap)/height,
 			.x = {&of->axis, of->time[0], of->time[of->rows - 1], .bare = p < of->panels - 1},
-			.y = {.axis = &of->panel[p].axis, .tics = 6}});
+			.y = {.axis = &of->panel[p].axis, .tics = 6, .room = 0.04}});
 		for (int c = 0; c < of->panel[p].curves; c++)
 			put_curve(&figure, of, &of->panel[p], &of->panel[p].curve[c]);
 	}

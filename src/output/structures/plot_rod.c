@@ -115,7 +115,7 @@ enum hawser_status hawser__plot_rod(const char *path, const struct hawser_rod *r
 		hawser__figure_panel(&figure, &(struct hawser__panel_frame){
 			0.13, 0.97, moments ? 0.18 : 0.35, moments ? 0.33 : 0.50,
 			.x = {&frame.s, 0.0, st->point[st->points - 1].s, .bare = !moments},
-			.y = {.axis = moments ? &frame.M : &frame.N}});
+			.y = {.axis = moments ? &frame.M : &frame.N, .tics = 6, .room = 0.04}});
 		draw_forces(&figure, &frame, 3*moments);
 	}
 	add_forces(&figure.legend, &frame);

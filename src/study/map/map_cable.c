@@ -16,6 +16,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/append.h"
 #include "core/report.h"
 #include "response/floquet/linear_margin.h"
 #include "rom/build/build.h"
@@ -38,6 +39,42 @@ enum { LISTED = 8 }; /* coordinates of a full-order model whose tongues are sear
 
 /* --- opening --- */
 
+static int is_parameter(const struct hawser_rom_source *file, const char *name)
+{
+	for (int i = 0; file && i < file->parameters; i++)
+		if (strcmp(file->parameter[i].name, name) == 0)
+			return 1;
+	return 0;
+}
+
+void hawser__map_cable_file(struct hawser_rom_source *to, struct hawser_parameter *parameter,
+                            const struct hawser__map_cable *cable, const double at[2])
+{
+	const struct hawser_rom_source *file = cable->source.file;
+	int known;
+
+	*to = *file;
+	to->parameter = memcpy(parameter, file->parameter,
+	                       (size_t)file->parameters*sizeof *file->parameter);
+	for (int k = 0; k < 2; k++)
+		if (cable->reach[k] == HAWSER__REACH_PARAMETER)
+			hawser_rom_source_set(to, cable->source.key[k], at[k], &known);
+}
+
+static enum hawser_status refuse_key(const struct hawser_map_source *source, const char *key,
+                                     struct hawser_report *report)
+{
+	char names[160] = "";
+
+	for (int i = 0; source->file && i < source->file->parameters; i++)
+		hawser__append(names, sizeof names, ", ", "%s",
+		               source->file->parameter[i].name);
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
+	                    "%.60s: the keys of reduced models and of ropeways are Omega, factor.load, "
+	                    "factor.damping and the parameters of a model's file%s%s", key,
+	                    *names ? ", here " : "", names);
+}
+
 static enum hawser_status reach_of(enum hawser__reach *reach,
                                    const struct hawser_map_source *source, int k,
                                    struct hawser_report *report)
@@ -52,10 +89,10 @@ static enum hawser_status reach_of(enum hawser__reach *reach,
 		*reach = HAWSER__REACH_LOAD;
 	else if (strcmp(key, "factor.damping") == 0)
 		*reach = HAWSER__REACH_DAMPING;
+	else if (is_parameter(source->file, key))
+		*reach = HAWSER__REACH_PARAMETER;
 	else if (source->rom)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
-		                    "%.60s: the parameters of reduced-model files and of ropeways are "
-		                    "Omega, factor.load and factor.damping", key);
+		return refuse_key(source, key, report);
 	else if (strncmp(key, "damping.", 8) == 0)
 		/* with point masses the damping is not diagonal, and dampers add coordinates */
 		*reach = source->scene->attachments > 0 || hawser_statics_held(held, source->scene)
@@ -78,6 +115,8 @@ static int driven(const struct hawser_map_source *source)
 	          : hawser__loaded(source->scene) || hawser__support_moves(source->scene) ||
 	            source->scene->travel.fluctuation > 0.0;
 
+	for (int k = 0; k < 2; k++)
+		any |= is_parameter(source->file, source->key[k]) && source->rom->harmonics > 0;
 	for (int k = 0; k < 2 && source->scene; k++)
 		for (size_t i = 0; i < sizeof moving/sizeof *moving; i++)
 			any |= strncmp(source->key[k], moving[i], strlen(moving[i])) == 0;

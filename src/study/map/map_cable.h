@@ -10,6 +10,7 @@ enum hawser__reach {
 	HAWSER__REACH_OMEGA = 0,
 	HAWSER__REACH_LOAD,
 	HAWSER__REACH_DAMPING,
+	HAWSER__REACH_PARAMETER, /* of a model's file */
 	HAWSER__REACH_RATES, /* the damping of the scene: D only */
 	HAWSER__REACH_MODEL, /* the load of the scene, the motion of its supports */
 	HAWSER__REACH_STRUCTURE
@@ -46,6 +47,15 @@ void hawser__map_worker_close(void *worker);
 enum hawser_status hawser__map_worker_point(void *worker, struct hawser_map_sample *sample,
                                             double *marks, double x, double y,
                                             struct hawser_report *report);
+
+static inline int hawser__map_has_parameter(const struct hawser__map_cable *cable)
+{
+	return cable->reach[0] == HAWSER__REACH_PARAMETER || cable->reach[1] == HAWSER__REACH_PARAMETER;
+}
+/* The file with the values of its parameters at a point, which are put into parameter
+ * [HAWSER_PARAMETERS]. */
+void hawser__map_cable_file(struct hawser_rom_source *to, struct hawser_parameter *parameter,
+                            const struct hawser__map_cable *cable, const double at[2]);
 
 static inline int hawser__map_omega_is_axis(const struct hawser__map_cable *cable)
 {

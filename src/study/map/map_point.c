@@ -260,7 +260,14 @@ static enum hawser_status model_at(const struct hawser_rom **rom, double *omega,
 
 	*steady = 0;
 	release_point(worker);
-	if (cable->source.rom) {
+	if (cable->source.rom && hawser__map_has_parameter(cable)) {
+		struct hawser_parameter parameter[HAWSER_PARAMETERS];
+		struct hawser_rom_source file;
+
+		hawser__map_cable_file(&file, parameter, cable, at);
+		*rom = &worker->built;
+		status = hawser_rom_source_model(&worker->built, &file, report);
+	} else if (cable->source.rom) {
 		*rom = cable->source.rom;
 	} else {
 		if (cable->varies == 2)

@@ -51,6 +51,31 @@ static enum hawser_status over_key(const struct hawser__map_cable *cable, struct
 	return status;
 }
 
+/* Over a parameter of a file, with the other one at its value. */
+static enum hawser_status over_parameter(const struct hawser__map_cable *cable,
+                                         struct hawser__map_row *row, const double at[2], int along,
+                                         struct hawser_report *report)
+{
+	struct hawser_rom_family family = {.context = NULL};
+	struct hawser_parameter parameter[HAWSER_PARAMETERS];
+	struct hawser_rom_source file;
+	struct hawser_rom rom = {.n = 0};
+	double omega = cable->source.omega;
+	const char *name = cable->source.key[along];
+	enum hawser_status status;
+
+	hawser__map_cable_file(&file, parameter, cable, at);
+	status = hawser_rom_source_model(&rom, &file, report);
+	if (!status)
+		status = hawser_parameter_open(&family, &file, name, omega, report);
+	if (!status) {
+		status = hawser__map_row_follow(row, &rom, &family, omega, 0, report);
+		hawser_parameter_close(&family);
+	}
+	hawser_rom_clear(&rom);
+	return status;
+}
+
 static enum hawser_status trace_row(void *worker, const struct hawser__map_cable *cable,
                                     struct hawser__map_row *row, int *steady,
                                     struct hawser_report *report)
@@ -67,8 +92,9 @@ static enum hawser_status trace_row(void *worker, const struct hawser__map_cable
 	                                                        ? 1.0 : last;
 	*steady = 0;
 	if (reach != HAWSER__REACH_OMEGA && reach != HAWSER__REACH_LOAD) {
-		*steady = 1;
-		return over_key(cable, row, at, along, report);
+		*steady = reach != HAWSER__REACH_PARAMETER;
+		return *steady ? over_key(cable, row, at, along, report)
+		               : over_parameter(cable, row, at, along, report);
 	}
 	status = hawser__map_worker_model(worker, &rom, &omega, steady, at[0], at[1], report);
 	*steady = status != HAWSER_OK && *steady;
