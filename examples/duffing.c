@@ -29,7 +29,7 @@ static int acceleration(double *a, double *by_u, double *by_v, double *by_omega,
 const struct hawser_plugin *hawser_plugin(void)
 {
 	static const struct hawser_plugin plugin = {HAWSER_PLUGIN_VERSION, 1, PARAMETERS, name, value,
-	                                            acceleration};
+	                                            acceleration, NULL};
 
 	return &plugin;
 }

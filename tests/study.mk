@@ -27,6 +27,7 @@ tests_study_SOURCES = tests/cases.c \
 	tests/reference/test-accuracy.c \
 	tests/reference/test-certificate.c \
 	tests/reference/test-hill.c \
+	tests/reference/test-map-gallop.c \
 	tests/reference/test-map-mathieu.c \
 	tests/reference/test-span-motion.c \
 	tests/reference/test-response-edges.c \

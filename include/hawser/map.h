@@ -245,6 +245,14 @@ enum hawser_status hawser_map_beam_open(struct hawser_map_field *field,
 	HAWSER_MUST_CHECK;
 void hawser_map_beam_close(struct hawser_map_field *field);
 
+/* The field of a span in a wind, over two keys of its scene but wind.speed: the quantity
+ * critical-speed, the lowest speed up to twice wind.speed from which on one of the scene's modes
+ * grows, all together. HAWSER_ERR_ARGUMENT, HAWSER_ERR_MEMORY; release with _close. */
+enum hawser_status hawser_map_gallop_open(struct hawser_map_field *field,
+                                          const struct hawser_map_source *source,
+                                          struct hawser_report *report) HAWSER_MUST_CHECK;
+void hawser_map_gallop_close(struct hawser_map_field *field);
+
 /* The field of a cable or a model. The source must outlive it; release with hawser_map_cable_close.
  * HAWSER_ERR_ARGUMENT (quantity, key, missing Omega, multipliers about rest of a model with the exact
  * energy),

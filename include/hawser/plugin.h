@@ -14,7 +14,7 @@
 extern "C" {
 #endif
 
-#define HAWSER_PLUGIN_VERSION 1
+#define HAWSER_PLUGIN_VERSION 2 /* of 1, which has no `rate`, libraries are taken too */
 
 struct hawser_plugin {
 	int version;                  /* HAWSER_PLUGIN_VERSION */
@@ -33,6 +33,13 @@ struct hawser_plugin {
 	                    double *by_u, double *by_v, double *by_omega,      /* [n][n], [n][n], [n] */
 	                    const double *u, const double *v,                  /* [n] */
 	                    double tau, double omega, const double *parameter); /* [parameters] */
+
+	/* Instead of it (NULL): equations of first order, u' = rate [n], without an excitation. by_u
+	 * [n][n] is its derivative, and bend [n][n] that of by_u v with v fixed: bend[j*n + k] = sum over l
+	 * of d by_u[j*n + l]/d u[k] v[l]. All are zero on entry. It returns what `acceleration` does. */
+	int (*rate)(double *rate, double *by_u, double *bend,     /* [n], [n][n], [n][n] */
+	            const double *u, const double *v,             /* [n] */
+	            const double *parameter);                     /* [parameters] */
 };
 
 /* The library defines a function without arguments, hawser_plugin, that returns a pointer to a constant

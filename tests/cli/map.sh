@@ -34,7 +34,7 @@ refuses 1 '--depth does not go with --points: leave out one of them' \
 	map "$chairlift" --x span.h=0:5 --y g=1:2 --points 9x5 --depth 3
 refuses 1 '--depth 15: must be at most 14' \
 	map "$chairlift" --x span.h=0:5 --y g=1:2 --depth 15
-refuses 1 '--quantity speed: must be one of growth, multiplier, unstable, amplitude, basin' \
+refuses 1 '--quantity speed: must be one of growth, multiplier, unstable, amplitude, basin, critical-speed' \
 	map "$chairlift" --x span.h=0:5 --y g=1:2 --quantity speed
 refuses 1 'the quantity multiplier needs a forcing frequency: give Omega, or make it an axis' \
 	map "$chairlift" --x span.h=0:5 --y g=1:2 --quantity multiplier

@@ -51,7 +51,11 @@ assert branch["points"][-1]["trivial"] < 1e-8 and branch["born_at"] == event["pa
 END
 echo '{"state": [1, 0]}' >state.json
 works "a limit cycle from a state" frf "$cycles/vdp.json" --over mu=1:1.1 --start state.json --json vdp.json -q
-refuses 1 "limit cycles are followed by shooting: leave out --method" frf "$cycles/vdp.json" --over mu=-1:1 --method balance
+refuses 1 "limit cycles are followed by shooting or by harmonic balance: leave out --method" \
+	frf "$cycles/vdp.json" --over mu=-1:1 --method multiple-scales
+echo '[0.5, 0.1, 0.1, 0.5]' >start.json
+refuses_like 1 "limit cycles of a model that may be rotated are followed by shooting" \
+	frf "$cycles/o2.json" --over mu=0.3:0.5 --start start.json --method balance
 refuses_like 1 "the model has no forcing: .* with --over KEY=FROM:TO" frf "$cycles/vdp.json"
 
 refuses 1 "--set ep=1: named.json has these parameters: eps, F" frf named.json --set ep=1

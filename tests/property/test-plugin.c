@@ -62,7 +62,7 @@ static const double values[] = {0.18};
 static struct hawser_plugin plugin_of(int n, int (*function)(double *, double *, double *, double *,
                                       const double *, const double *, double, double, const double *))
 {
-	return (struct hawser_plugin){HAWSER_PLUGIN_VERSION, n, 1, names, values, function};
+	return (struct hawser_plugin){HAWSER_PLUGIN_VERSION, n, 1, names, values, function, NULL};
 }
 
 static void check_refusals(void)
@@ -231,11 +231,71 @@ static void check_pendulum(void)
 	hawser_rom_source_clear(&source);
 }
 
+/* --- equations of first order: the Brusselator, x' = 1 - (B+1) x + x^2 y, y' = B x - x^2 y --- */
+
+static int brusselator(double *rate, double *by_u, double *bend, const double *u, const double *v,
+                       const double *p)
+{
+	double x = u[0], y = u[1];
+
+	rate[0] = 1.0 - (p[0] + 1.0)*x + x*x*y;
+	rate[1] = p[0]*x - x*x*y;
+	by_u[0] = 2.0*x*y - p[0] - 1.0;
+	by_u[1] = x*x;
+	by_u[2] = p[0] - 2.0*x*y;
+	by_u[3] = -x*x;
+	bend[0] = 2.0*(y*v[0] + x*v[1]);
+	bend[1] = 2.0*x*v[0];
+	bend[2] = wrong ? 0.0 : -bend[0];
+	bend[3] = -bend[1];
+	return 0;
+}
+
+/* Its Hopf point B = 2, and the period at B = 3, by collocation. */
+static void check_first_order(void)
+{
+	static const double first[] = {1.0};
+	static const char *const name[] = {"B"};
+	const struct hawser_plugin plugin = {HAWSER_PLUGIN_VERSION, 2, 1, name, first, NULL, brusselator};
+	struct hawser_rom_source source;
+	struct hawser_rom_family family = {.context = NULL};
+	struct hawser_frf_options options = {.from = 1.0, .to = 3.0, .family = &family,
+		.tolerance = 1e-11};
+	struct hawser_frf frf = {.n = 0}, cycles = {.n = 0};
+	const struct hawser_rom *rom;
+	struct hawser_rom spoilt;
+	enum hawser_status status = hawser_rom_source_plugin(&source, &plugin, "brusselator", &report);
+
+	wrong = 1;
+	ok(!status && hawser_rom_source_model(&spoilt, &source, &report) == HAWSER_ERR_ARGUMENT &&
+	   strstr(report.message, "by_u["), "%s", report.message);
+	wrong = 0;
+	status = hawser_parameter_open(&family, &source, "B", 0.0, &report);
+	if (!status)
+		status = family.model(family.context, &rom, 1.0, &report);
+	ok(!status && hawser_rom_autonomous(rom), "nothing excites it %s", report.message);
+	if (!status)
+		status = hawser_frf_trace(&frf, rom, &options, &report);
+	if (ok(!status && frf.events == 1 && frf.event[0].kind == HAWSER_HOPF, "a Hopf point %s",
+	       report.message)) {
+		ok(fabs(frf.event[0].parameter - 2.0) < 1e-9 && fabs(frf.event[0].omega - 1.0) < 1e-9,
+		   "at B = 2, of frequency 1");
+		status = hawser_branch_switch(&cycles, rom, &frf, 0, &options, &report);
+		ok(!status && fabs(2.0*M_PI/cycles.point[cycles.points - 1].omega/7.156919921180 - 1.0) < 1e-9,
+		   "the period of its cycle at B = 3 %s", report.message);
+	}
+	hawser_frf_clear(&cycles);
+	hawser_frf_clear(&frf);
+	hawser_parameter_close(&family);
+	hawser_rom_source_clear(&source);
+}
+
 CASE(property_plugin)
 {
 	gsl_set_error_handler_off();
 	check_refusals();
 	check_same();
 	check_pendulum();
+	check_first_order();
 	return done_testing();
 }

@@ -27,7 +27,8 @@ struct settings {
 static const struct cli_option options[] = {
 	{"x", 0, "KEY=FROM:TO", "horizontal axis: a key of the scene, or Omega", CLI_TEXT(x)},
 	{"y", 0, "KEY=FROM:TO", "vertical axis", CLI_TEXT(y)},
-	{"quantity", 0, "NAME", "growth, multiplier, unstable, amplitude or basin (by the axes)",
+	{"quantity", 0, "NAME",
+	 "growth, multiplier, unstable, amplitude, basin or critical-speed (by the axes)",
 	 CLI_TEXT(quantity)},
 	{"points", 0, "NXxNY", "resolution (200x200)", CLI_TEXT(points)},
 	{"modes", 'n', "N", "number of modes (the scene's model.modes)", CLI_INTEGER(n)},
@@ -185,13 +186,15 @@ static enum hawser_status trace(struct hawser_map *map, struct cli_map_result *r
 	struct hawser_map_field field;
 	int beam = model->has_scene && model->scene.beam.form;
 	int basin = strcmp(result->quantity->name, "basin") == 0;
+	int gallop = strcmp(result->quantity->name, "critical-speed") == 0;
 	enum hawser_status status = HAWSER_OK;
 
-	if (!result->quantity->nonlinear)
+	if (!result->quantity->nonlinear && !gallop)
 		status = cli_judged_plane(&result->judged, &source, model, cli_judged_free(model, settings->n),
 		                          report);
 	if (!status)
 		status = basin ? hawser_map_basin_open(&field, &source, report)
+		         : gallop ? hawser_map_gallop_open(&field, &source, report)
 		         : beam ? hawser_map_beam_open(&field, &source, settings->n, 0, report)
 		                : hawser_map_cable_open(&field, &source, report);
 
@@ -209,6 +212,7 @@ static enum hawser_status trace(struct hawser_map *map, struct cli_map_result *r
 	if (!status && basin && map->point)
 		status = hawser_basins_count(&result->basins, &field, map, report);
 	basin ? hawser_map_basin_close(&field)
+	      : gallop ? hawser_map_gallop_close(&field)
 	      : beam ? hawser_map_beam_close(&field) : hawser_map_cable_close(&field);
 	return status;
 }

@@ -49,7 +49,7 @@ static const char *quantity_title(const struct hawser_map_quantity *quantity)
 	static const char *const titles[][2] = {
 		{"growth", "Largest growth rate"}, {"multiplier", "Largest modulus of a multiplier"},
 		{"unstable", "Number of unstable multipliers"}, {"amplitude", "Largest peak amplitude"},
-		{"basin", "Response"}};
+		{"basin", "Response"}, {"critical-speed", "Critical speed of the wind"}};
 
 	for (size_t k = 0; k < sizeof titles/sizeof *titles; k++)
 		if (strcmp(titles[k][0], quantity->name) == 0)

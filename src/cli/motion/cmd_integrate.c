@@ -112,28 +112,38 @@ static enum hawser_status sweep(struct hawser_integrate_options *choice,
 	return cli_frequency(&choice->omega_to, settings->omega_to, "Omega-to", model, report);
 }
 
+static int in_periods(const char *text)
+{
+	size_t length = text ? strlen(text) : 0;
+
+	return length > 0 && text[length - 1] == 'T';
+}
+
 static enum hawser_status times(struct hawser_integrate_options *choice, double *period,
                                 const struct settings *settings, const struct cli_model *model,
                                 const struct cli_label *label, struct hawser_report *report)
 {
+	int counted = in_periods(settings->until) || in_periods(settings->every);
 	enum hawser_status status = HAWSER_OK;
 
 	choice->omega = label->omega;
 	if (settings->omega)
 		status = cli_frequency(&choice->omega, settings->omega, "Omega", model, report);
-	else if (!label->state && (model->rom.harmonics > 0 || model->automatic))
+	else if (!label->state && ((model->rom.harmonics > 0 && !hawser_rom_autonomous(&model->rom)) ||
+	                           model->automatic))
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate",
 		                      "the model is forced: give its frequency with --Omega, such as "
 		                      "--Omega 0.9w1");
-	else if (!label->state && model->naturals == 0)
+	else if (!(choice->omega > 0.0) && model->naturals == 0 && counted)
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate",
 		                      "the model has no natural frequency to set the unit of --until and "
-		                      "--every: give --Omega");
+		                      "--every: write plain times, without T, or give --Omega");
 	if (!status && settings->omega_to)
 		status = sweep(choice, settings, model, report);
 	if (status)
 		return status;
-	*period = 2.0*M_PI/(settings->omega || label->state ? choice->omega : model->natural[0]);
+	*period = 2.0*M_PI/(choice->omega > 0.0 ? choice->omega
+	                    : model->naturals > 0 ? model->natural[0] : 1.0);
 	status = cli_time(&choice->until, settings->until, "until", *period, model, report);
 	if (!status)
 		status = cli_time(&choice->every, settings->every, "every", *period, model, report);
@@ -141,6 +151,8 @@ static enum hawser_status times(struct hawser_integrate_options *choice, double 
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate",
 		                      "--until %s --every %s makes %.3g rows: choose a longer interval",
 		                      settings->until, settings->every, choice->until/choice->every);
+	if (!(choice->omega > 0.0) && model->naturals == 0)
+		*period = choice->until;
 	return status;
 }
 

@@ -58,9 +58,11 @@ static enum hawser_status check_family(const struct hawser_rom *rom,
 		                    "and different, and Omega positive", options->from, options->to,
 		                    HAWSER_SHOWN(rom, options->family->omega));
 	if (method && options->family->omega == 0.0 &&
-	    strcmp(method, hawser__shooting_method.about.name) != 0)
+	    strcmp(method, hawser__shooting_method.about.name) != 0 &&
+	    strcmp(method, hawser__balance_method.about.name) != 0)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
-		                    "limit cycles are followed by shooting: leave out --method");
+		                    "limit cycles are followed by shooting or by harmonic balance: leave out "
+		                    "--method");
 	if (method && strcmp(method, hawser__scales_method.about.name) == 0)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
 		                    "motions are followed in a parameter by harmonic balance, or by "

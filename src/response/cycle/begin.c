@@ -46,9 +46,34 @@ static enum hawser_status settle(struct hawser__trace *trace, struct hawser_repo
 	return hawser__cycle_settle(x, &options->omega, rom, report);
 }
 
+/* Balance of large models, or where it is asked for. Equations of first order are stiff by their
+ * relaxation alone, and only shooting has a row for rotations of the model. */
+static enum hawser_status cycle_method(const struct hawser__orbit_method **method,
+                                       const struct hawser_rom *rom,
+                                       const struct hawser_frf_options *options,
+                                       struct hawser_report *report)
+{
+	int asked = options->method && strcmp(options->method, "balance") == 0, turns = 0;
+	int suits = !options->method && !rom->first && !rom->plug && !rom->drag &&
+	            hawser__balance_method.suits(rom, options);
+	double *turn = malloc((size_t)rom->n*(size_t)rom->n*sizeof *turn);
+	enum hawser_status status = turn ? HAWSER_OK : hawser__no_memory(report, "frf");
+
+	if (!status && (asked || suits))
+		status = hawser__cycle_turn(turn, &turns, rom, report);
+	if (!status && turns && asked)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
+		                      "limit cycles of a model that may be rotated are followed by shooting: "
+		                      "leave out --method");
+	*method = (asked || suits) && !turns ? &hawser__balance_method : &hawser__shooting_method;
+	free(turn);
+	return status;
+}
+
 enum hawser_status hawser__own_open(struct hawser__trace *trace, struct hawser_report *report)
 {
 	struct hawser_frf_options options;
+	const struct hawser__orbit_method *method;
 	struct hawser__orbit *inner;
 	enum hawser_status status = HAWSER_OK;
 
@@ -62,10 +87,13 @@ enum hawser_status hawser__own_open(struct hawser__trace *trace, struct hawser_r
 		trace->frf->method = "equilibria";
 	} else {
 		options.from = options.to = options.begin = options.omega;
-		status = hawser__shooting_method.open(&inner, trace->rom, &options, report);
+		status = cycle_method(&method, trace->rom, &options, report);
+		if (!status)
+			status = method->open(&inner, trace->rom, &options, report);
 		if (!status)
 			status = hawser__cycle_open(&trace->orbit, inner, report);
-		trace->frf->method = hawser__shooting_method.about.name;
+		if (!status)
+			trace->frf->method = method->about.name;
 	}
 	if (status)
 		return status;

@@ -30,6 +30,8 @@
 #include "core/report.h"
 #include "response/cycle/cycle.h"
 
+#define ELIMINATED 1e-11 /* relative residual of the block elimination, whose errors are a step's */
+
 struct cycle {
 	struct hawser__orbit base;
 	struct hawser__orbit *inner;
@@ -44,6 +46,7 @@ struct cycle {
 	double *border;               /* [size] c */
 	double *turn;                 /* [n][n] */
 	double a[2], b[2];            /* changes of Omega and p */
+	double turn_p;                /* component of the parameter of the last unit tangent */
 	double below;                 /* last row of the eliminated system */
 	struct hawser__hold hold;
 };
@@ -201,6 +204,7 @@ static int factor(struct hawser__orbit *orbit, const double *row)
 	for (int i = 0; i < cycle->parts; i++)
 		cycle->defect[i] = cycle->b[0]*cycle->by_omega[i] + cycle->b[1]*cycle->by_p[i];
 	inner->held = 0;
+	inner->goal = ELIMINATED;
 	inner->ops->solve(inner, cycle->part, 0, 0.0); /* - A^-1 g */
 	inner->held = !cycle->loose;
 	memcpy(cycle->defect, cycle->kept, (size_t)cycle->parts*sizeof(double));
@@ -208,6 +212,8 @@ static int factor(struct hawser__orbit *orbit, const double *row)
 	cycle->below = across(cycle, cycle->answer);
 	orbit->det_sign = cycle->below < 0.0 ? -inner->det_sign : inner->det_sign;
 	orbit->det_log = inner->det_log + log(fabs(cycle->below));
+	if (inner->counted)
+		orbit->det_sign = 1.0;
 	return cycle->below == 0.0 || !isfinite(cycle->below);
 }
 
@@ -248,6 +254,7 @@ static void solve(struct hawser__orbit *orbit, double *dy, int homogeneous, doub
 	db = product(cycle, cycle->kept, dy)/product(cycle, cycle->kept, cycle->kept);
 	for (int i = 0; i < orbit->size - 2; i++)
 		dy[i] -= db*cycle->kept[i];
+	cycle->turn_p = dy[orbit->size - 1]/sqrt(hawser__orbit_dot(orbit, dy, dy));
 }
 
 static double error(struct hawser__orbit *orbit, double residual)
@@ -272,6 +279,8 @@ static enum hawser_status multipliers(struct hawser__orbit *orbit, struct hawser
 	orbit->trivial = inner->trivial;
 	orbit->product_error = inner->product_error;
 	orbit->product_round_off = inner->product_round_off;
+	if (inner->counted && !status)
+		hawser__orbit_determinant(orbit, ((struct cycle *)orbit)->turn_p);
 	orbit->multiplier_error = inner->multiplier_error;
 	mirror((struct cycle *)orbit);
 	return status;

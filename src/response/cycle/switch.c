@@ -21,6 +21,7 @@
 #define APART_BY 1e-3  /* distance of a first orbit from the other branch, relative to it; chosen */
 #define START 1e-4   /* see above; chosen */
 #define PLAIN 1e-3   /* amplitude, where the normal form says nothing; chosen */
+enum { LARGER = 2 }; /* times ten times as large, where no cycle is found with that; chosen */
 
 /* The eigenvector v [n] of the eigenvalue 0 of the forces' derivative at the equilibrium u [n]. */
 static enum hawser_status null_vector(double *v, const struct hawser_rom *rom, const double *u,
@@ -159,17 +160,24 @@ static enum hawser_status switch_cycles(struct hawser_frf *branch, const struct 
 	double range = fabs(options->to - options->from), extent = fmax(fabs(event->parameter), range);
 	double *wave = malloc(4*(size_t)n*sizeof *wave), size, rate;
 	struct hawser_hopf hopf = {.turning = event->hopf.turning};
+	int known = 0;
 	enum hawser_status status = wave ? hawser__hopf(&hopf, &rate, wave, options->family, options->start,
 	                                                event->parameter, event->hopf.omega, extent, report)
 	                                 : hawser__no_memory(report, "frf");
 
 	if (!status) {
 		size = sqrt(fabs(hopf.swing)*START*range);
-		size = (isfinite(size) && size > 0.0 ? size : PLAIN)/
-		       hypot(wave[hopf.coordinate], wave[n + hopf.coordinate]);
+		known = isfinite(size) && size > 0.0;
+		size = (known ? size : PLAIN)/hypot(wave[hopf.coordinate], wave[n + hopf.coordinate]);
 		cblas_dscal(2*n, size, wave, 1);
 		options->along = wave;
 		options->turn = wave + n;
+		status = hawser_frf_trace(branch, rom, options, report);
+	}
+	for (int i = 0; i < LARGER && !known && status == HAWSER_ERR_CONVERGENCE && branch->points < 2;
+	     i++) {
+		hawser_frf_clear(branch);
+		cblas_dscal(2*n, 10.0, wave, 1);
 		status = hawser_frf_trace(branch, rom, options, report);
 	}
 	free(wave);

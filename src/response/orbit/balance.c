@@ -49,6 +49,7 @@ enum hawser_status hawser__balance_init(struct hawser__balance *balance,
 	memset(balance, 0, sizeof *balance);
 	balance->strict = 1.0;
 	balance->base.ops = &ops;
+	balance->base.counted = 1;
 	hawser__blocks_init(&balance->blocks);
 	/* NOLINTNEXTLINE(bugprone-integer-division): integer division is meant */
 	balance->top = (int)fmin(MOST_HARMONICS*hawser__balance_lowest(rom),
@@ -165,7 +166,7 @@ static void metric(struct hawser__orbit *orbit, const double *y)
 	double floor = orbit->rom->exact ? HAWSER_SCALE_FLOOR_EXACT : HAWSER_SCALE_FLOOR;
 
 	for (int j = 0; j < n; j++) {
-		double u = y[j]*y[j], v = 0.0;
+		double u = orbit->freely ? 0.0 : y[j]*y[j], v = 0.0;
 
 		for (int h = 1; h <= balance->top; h++) {
 			double a = y[hawser__cos(n, h, j)], b = y[hawser__sin(n, h, j)];
@@ -212,6 +213,8 @@ static double defects(struct hawser__orbit *orbit, const double *y, int derive)
 
 	if (hawser__orbit_place(orbit, y[orbit->size - 1]))
 		return NAN;
+	if (orbit->freely) /* of the model at another parameter */
+		hawser__balance_set_damping(balance);
 	hawser__balance_evaluate(balance, y, derive);
 	for (int h = 0; h <= balance->reach; h++)
 		for (int j = 0; j < n; j++) {
@@ -229,33 +232,6 @@ static double defects(struct hawser__orbit *orbit, const double *y, int derive)
 	else
 		orbit->cost.maps++;
 	return sqrt(solved)/orbit->X;
-}
-
-/* The matrix has the active pairs only. Branches in other pairs (out of plane, or with even
- * harmonics) are detected by the multipliers. For the Jacobian J of all pairs and the unit tangent
- * t, det [J; t'] = det(J without Omega)/t_Omega, and the former has the zeros and signs of prod(1 -
- * mu). */
-static void set_determinant(struct hawser__balance *balance)
-{
-	struct hawser__orbit *orbit = &balance->base;
-	double turn = balance->turn*orbit->det_sign; /* the continuation may have reversed the tangent */
-
-	orbit->det_sign = turn < 0.0 ? -1.0 : 1.0;
-	orbit->det_log = -log(fabs(turn));
-	for (int i = 0; i < orbit->m; i++) {
-		double modulus = exp(orbit->log_modulus[i]), angle = orbit->argument[i];
-
-		if (angle != 0.0 && fabs(angle) < M_PI) { /* |1 - mu|^2, once for both */
-			orbit->det_log += log(1.0 - 2.0*modulus*cos(angle) + modulus*modulus);
-			i++;
-		} else if (angle == 0.0) {
-			orbit->det_log += log(fabs(expm1(orbit->log_modulus[i])));
-			if (orbit->log_modulus[i] > 0.0)
-				orbit->det_sign = -orbit->det_sign;
-		} else {
-			orbit->det_log += log1p(modulus);
-		}
-	}
 }
 
 /* Mark the multipliers of the condensed coordinates, which monodromy.c has sorted with the others. */
@@ -277,6 +253,25 @@ static void mark_condensed(struct hawser__balance *balance)
 	}
 }
 
+/* Leave out the multiplier of a cycle that is 1: the nearest to it. */
+static void take_trivial(struct hawser__orbit *orbit)
+{
+	int least = 0;
+
+	for (int i = 1; i < orbit->m; i++)
+		if (hypot(orbit->log_modulus[i], orbit->argument[i]) <
+		    hypot(orbit->log_modulus[least], orbit->argument[least]))
+			least = i;
+	orbit->trivial = hypot(orbit->log_modulus[least], orbit->argument[least]);
+	for (int i = least; i + 1 < orbit->m; i++) {
+		orbit->log_modulus[i] = orbit->log_modulus[i + 1];
+		orbit->argument[i] = orbit->argument[i + 1];
+		orbit->condensed[i] = orbit->condensed[i + 1];
+	}
+	orbit->condensed[orbit->m - 1] = 0;
+	hawser__orbit_idle(orbit, orbit->m - 1);
+}
+
 static enum hawser_status multipliers(struct hawser__orbit *orbit, struct hawser_report *report)
 {
 	struct hawser__balance *balance = (struct hawser__balance *)orbit;
@@ -294,8 +289,34 @@ static enum hawser_status multipliers(struct hawser__orbit *orbit, struct hawser
 	if (status)
 		return status;
 	mark_condensed(balance);
-	set_determinant(balance);
+	if (orbit->freely)
+		take_trivial(orbit);
+	else
+		hawser__orbit_determinant(orbit, balance->turn);
 	return HAWSER_OK;
+}
+
+/* The cosines and sines of a cycle that is shifted along its motion change into each other. */
+static void shift(struct hawser__orbit *orbit, double *dy, const double *y)
+{
+	const struct hawser__balance *balance = (const struct hawser__balance *)orbit;
+	int n = orbit->n;
+
+	memset(dy, 0, (size_t)orbit->size*sizeof *dy);
+	for (int h = 1; h <= balance->top; h++)
+		for (int j = 0; j < n; j++) {
+			dy[hawser__cos(n, h, j)] = h*y[hawser__sin(n, h, j)];
+			dy[hawser__sin(n, h, j)] = -h*y[hawser__cos(n, h, j)];
+		}
+}
+
+static int parts(struct hawser__orbit *orbit, double **defect, double **column)
+{
+	struct hawser__balance *balance = (struct hawser__balance *)orbit;
+
+	*defect = balance->defect;
+	*column = balance->by_omega;
+	return (2*balance->reach + 1)*orbit->n;
 }
 
 static void add_wave(struct hawser__orbit *orbit, double *y, const double *pq, int k, double omega)
@@ -329,7 +350,7 @@ static const struct hawser__orbit_ops ops = {
 	metric, defects, hawser__balance_factor, hawser__balance_solve,
 	hawser__balance_error, multipliers, hawser__balance_refine, hawser__balance_relax,
 	hawser__balance_enrich, hawser__balance_sharpen, add_wave, hawser__balance_from_state, state,
-	clear, NULL, NULL, NULL, NULL,
+	clear, NULL, NULL, parts, shift,
 };
 
 static enum hawser_status open_method(struct hawser__orbit **orbit, const struct hawser_rom *rom,

@@ -93,6 +93,7 @@ struct hawser__orbit {
 	double patience;      /* contraction that the corrector bears; 0: its own limit (newton.c) */
 	double goal;          /* largest relative residual of the next solutions, where the method solves by
 	                       * iteration; 0: what a step of the corrector needs */
+	int counted;          /* 1: det_sign and det_log are those of the multipliers */
 	int unjudged;         /* not 0: no multipliers are wanted: each orbit counts as stable */
 	double rate;          /* factor by which a step with a guessed Jacobian reduces the defects */
 	double *step, *spare; /* [size] workspace of the corrector and of the metric */
@@ -182,6 +183,12 @@ static inline double hawser__orbit_omega(const struct hawser__orbit *orbit, cons
 		return orbit->own == HAWSER__CYCLES ? y[orbit->size - 2] : 1.0;
 	return orbit->family ? hawser__orbit_frequency(orbit, p) : p;
 }
+
+/* det_sign and det_log of a method whose matrix has the active pairs only. Branches in other pairs
+ * (out of plane, or with even harmonics) are detected by the multipliers. For the Jacobian J of all
+ * pairs and the unit tangent t, of which `turn` is the component of the parameter, det [J; t'] =
+ * det(J without the parameter)/turn, and the former has the zeros and signs of prod(1 - mu). */
+void hawser__orbit_determinant(struct hawser__orbit *orbit, double turn);
 
 /* The multipliers from index `from` on are none: they are far inside the unit circle. */
 void hawser__orbit_idle(struct hawser__orbit *orbit, int from);

@@ -77,6 +77,28 @@ void hawser__orbit_idle(struct hawser__orbit *orbit, int from)
 	}
 }
 
+void hawser__orbit_determinant(struct hawser__orbit *orbit, double turn)
+{
+	turn *= orbit->det_sign; /* the continuation may have reversed the tangent */
+
+	orbit->det_sign = turn < 0.0 ? -1.0 : 1.0;
+	orbit->det_log = -log(fabs(turn));
+	for (int i = 0; i < orbit->m; i++) {
+		double modulus = exp(orbit->log_modulus[i]), angle = orbit->argument[i];
+
+		if (angle != 0.0 && fabs(angle) < M_PI) { /* |1 - mu|^2, once for both */
+			orbit->det_log += log(1.0 - 2.0*modulus*cos(angle) + modulus*modulus);
+			i++;
+		} else if (angle == 0.0) {
+			orbit->det_log += log(fabs(expm1(orbit->log_modulus[i])));
+			if (orbit->log_modulus[i] > 0.0)
+				orbit->det_sign = -orbit->det_sign;
+		} else {
+			orbit->det_log += log1p(modulus);
+		}
+	}
+}
+
 double hawser__orbit_frequency(const struct hawser__orbit *orbit, double p)
 {
 	const struct hawser_rom_family *family = orbit->family;

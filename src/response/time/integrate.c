@@ -168,7 +168,8 @@ static enum hawser_status check_problem(const struct hawser__stepper *problem,
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, WHERE,
 		                    "the limit on steps (max_steps) is %ld: it must be positive",
 		                    problem->max_steps);
-	if (problem->rom->harmonics > 0 && !(problem->omega > 0.0 && isfinite(problem->omega)))
+	if (problem->rom->harmonics > 0 && !hawser_rom_autonomous(problem->rom) &&
+	    !(problem->omega > 0.0 && isfinite(problem->omega)))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, WHERE,
 		                    "the model is forced, and its forcing frequency (Omega) is %g: it "
 		                    "must be positive", problem->omega);

@@ -15,6 +15,7 @@
 #include "rom/energy/exact.h"
 #include "rom/energy/kernel.h"
 #include "rom/energy/quartic.h"
+#include "rom/file/plug.h"
 #include "rom/terms/terms.h"
 
 /* The factors of the rows: u and the products of its components, in the kernel's order of columns.
@@ -132,7 +133,7 @@ int hawser_rom_autonomous(const struct hawser_rom *rom)
 	for (int h = 0; h < rom->harmonics; h++)
 		if (rom->harmonic[h].k > 0)
 			return 0;
-	return !rom->ramp && !rom->history && !rom->plug;
+	return !rom->ramp && !rom->history && (!rom->plug || rom->plug->still);
 }
 
 int hawser_rom_loaded(const struct hawser_rom *rom)

@@ -23,6 +23,7 @@
 #include "rom/energy/kernel.h"
 #include "rom/build/model.h"
 #include "rom/file/plug.h"
+#include "rom/file/read.h"
 
 enum { PHASES = 32, TRIALS = 8, MOST = HAWSER_ROM_MAX };
 #define STEP 1e-4  /* of differences, relative to the state or 1e-2; chosen */
@@ -35,7 +36,35 @@ struct at {
 	const double *parameter;
 	double tau, omega;
 	double *u, *v; /* [n] */
+	double relaxation;
 };
+
+/* The same of equations of first order. */
+static int call_rate(const struct at *at, double *a, double *by_u, double *by_v)
+{
+	double J[MOST*MOST], bend[MOST*MOST], r = at->relaxation;
+	size_t n = (size_t)at->of->n;
+
+	memset(J, 0, n*n*sizeof *J);
+	memset(bend, 0, n*n*sizeof *bend);
+	if (at->of->rate(a, J, bend, at->u, at->v, at->parameter))
+		return 1;
+	if (by_u)
+		memcpy(by_u, J, n*n*sizeof *J);
+	for (size_t j = 0; r >= 0.0 && j < n; j++) {
+		a[j] = r*(a[j] - at->v[j]);
+		for (size_t k = 0; k < n; k++) {
+			size_t i = j*n + k;
+
+			a[j] += J[i]*at->v[k];
+			if (!by_u)
+				continue;
+			by_u[i] = bend[i] + r*J[i];
+			by_v[i] = J[i] - (j == k ? r : 0.0);
+		}
+	}
+	return 0;
+}
 
 static int call(const struct at *at, double *a, double *by_u, double *by_v, double *by_omega)
 {
@@ -47,6 +76,8 @@ static int call(const struct at *at, double *a, double *by_u, double *by_v, doub
 		memset(by_v, 0, n*n*sizeof *by_v);
 		memset(by_omega, 0, n*sizeof *by_omega);
 	}
+	if (!at->of->acceleration)
+		return call_rate(at, a, by_u, by_v);
 	return at->of->acceleration(a, by_u, by_v, by_omega, at->u, at->v, at->tau, at->omega,
 	                            at->parameter);
 }
@@ -57,7 +88,8 @@ static void add_lane(const struct hawser_rom *rom, const struct hawser__more *to
 	const struct hawser_rom_plug *plug = rom->plug;
 	double own_u[MOST], own_v[MOST], a[MOST], by_omega[MOST], by_u[MOST*MOST], by_v[MOST*MOST];
 	int n = rom->n, base = rom->base > 1 ? rom->base : 1, derive = to->by_u != NULL;
-	const struct at at = {plug->of, plug->parameter, base*tau, base*omega, own_u, own_v};
+	const struct at at = {plug->of, plug->parameter, base*tau, base*omega, own_u, own_v,
+		plug->relaxation};
 
 	for (int j = 0; j < n; j++) {
 		own_u[j] = u[j*to->stride];
@@ -177,13 +209,18 @@ static enum hawser_status examine_at(struct at *at, const char *name, double *wo
 	return HAWSER_OK;
 }
 
-static enum hawser_status examine(const struct hawser_plugin *of, const double *parameter,
-                                  const char *name, double *work, struct hawser_report *report)
+/* *still: the phase and the frequency change nothing. */
+static enum hawser_status examine(struct hawser_rom_plug *plug, const char *name, double *work,
+                                  struct hawser_report *report)
 {
-	struct at at = {.of = of, .parameter = parameter, .u = work, .v = work + of->n};
+	const struct hawser_plugin *of = plug->of;
+	struct at at = {.of = of, .parameter = plug->parameter, .u = work, .v = work + of->n,
+		.relaxation = plug->relaxation};
+	double *a = work + 2*of->n, *other = a + of->n;
 	enum hawser_status status = HAWSER_OK;
 	unsigned seed = 20u;
 
+	plug->still = 1;
 	for (int t = 0; t < TRIALS && !status; t++) {
 		double size = pow(10.0, -(t%4));
 
@@ -191,8 +228,12 @@ static enum hawser_status examine(const struct hawser_plugin *of, const double *
 			at.u[j] = size*noise(&seed);
 			at.v[j] = size*noise(&seed);
 		}
+		at.tau = at.omega = 1.0;
+		plug->still &= !call(&at, a, NULL, NULL, NULL);
 		at.tau = M_PI*noise(&seed);
 		at.omega = 1.0 + 0.5*noise(&seed);
+		plug->still &= !call(&at, other, NULL, NULL, NULL) &&
+		               !memcmp(a, other, (size_t)of->n*sizeof *a);
 		status = examine_at(&at, name, work + 2*of->n, report);
 	}
 	return status;
@@ -205,7 +246,7 @@ static int linearise(struct hawser_rom_plug *plug, int n, double *work)
 {
 	double *rest = work, *a = work + 2*n, *by_omega = a + n, *by_u = by_omega + n, *by_v = by_u + n*n;
 	struct at at = {.of = plug->of, .parameter = plug->parameter, .omega = 1.0, .u = rest,
-		.v = rest + n};
+		.v = rest + n, .relaxation = plug->relaxation};
 
 	memset(rest, 0, 2*(size_t)n*sizeof *rest);
 	for (int i = 0; i < PHASES; i++) {
@@ -238,7 +279,7 @@ static enum hawser_status fill(struct hawser_rom *rom, const struct hawser_rom_p
 	for (int i = 0; i < 2*HAWSER_PLUG_WAVES; i++) {
 		struct hawser_harmonic *harmonic = &rom->harmonic[rom->harmonics];
 
-		if (i == 1) /* there is no sine of 0 */
+		if (i == 1 || (i > 1 && plug->still)) /* there is no sine of 0 */
 			continue;
 		*harmonic = (struct hawser_harmonic){.k = i/2, .phase = i%2 ? HAWSER_SIN : HAWSER_COS,
 			.f = malloc(n*sizeof *harmonic->f)};
@@ -262,22 +303,20 @@ static int is_finite(const struct hawser_rom_plug *plug, size_t n)
 	return sum == 0.0;
 }
 
-enum hawser_status hawser__plug_make(struct hawser_rom *rom, const struct hawser_rom_source *source,
-                                     struct hawser_report *report)
+static enum hawser_status make_plug(struct hawser_rom *rom, const struct hawser_rom_source *source,
+                                    double relaxation, double *work, struct hawser_report *report)
 {
 	const struct hawser_plugin *of = source->plugin;
 	size_t n = (size_t)of->n, count = (size_t)of->parameters;
 	struct hawser_rom_plug *plug;
-	double *work = calloc(2*n*n + 10*n, sizeof *work);
 	enum hawser_status status = hawser__rom_init(rom, of->n, report);
 
-	if (status) {
-		free(work);
+	if (status)
 		return status;
-	}
 	plug = rom->plug = calloc(1, sizeof *plug);
 	if (plug) {
 		plug->of = of;
+		plug->relaxation = relaxation;
 		plug->parameter = calloc(count + 1, sizeof *plug->parameter);
 		plug->K = calloc(n*n, sizeof *plug->K);
 		plug->D = calloc(n*n, sizeof *plug->D);
@@ -288,15 +327,41 @@ enum hawser_status hawser__plug_make(struct hawser_rom *rom, const struct hawser
 	for (size_t i = 0; !status && i < count; i++)
 		plug->parameter[i] = source->parameter[i].value;
 	if (!status)
-		status = examine(of, plug->parameter, source->name, work, report);
+		status = examine(plug, source->name, work, report);
 	if (!status && (linearise(plug, of->n, work) || !is_finite(plug, n)))
 		status = hawser__fail(report, HAWSER_ERR_NAN, "rom",
 		                      "%s: its function has no value at rest", source->name);
 	if (!status)
 		status = fill(rom, plug, report);
+	return status;
+}
+
+enum hawser_status hawser__plug_make(struct hawser_rom *rom, const struct hawser_rom_source *source,
+                                     struct hawser_report *report)
+{
+	size_t n = (size_t)source->plugin->n;
+	double *work = calloc(2*n*n + 10*n, sizeof *work), relaxation = 0.0;
+	struct hawser_rom *first = NULL;
+	enum hawser_status status = HAWSER_OK;
+
+	if (!source->plugin->acceleration) {
+		first = calloc(1, sizeof *first);
+		status = first ? make_plug(first, source, HAWSER__RATES_ALONE, work, report)
+		               : hawser__no_memory(report, "rom");
+		relaxation = status ? 1.0 : hawser__relaxation(first->K, (int)n);
+	}
+	*rom = (struct hawser_rom){.n = 0};
+	if (!status)
+		status = make_plug(rom, source, relaxation, work, report);
 	free(work);
-	if (status)
+	if (status && first)
+		hawser_rom_clear(first);
+	if (status) {
+		free(first);
 		hawser_rom_clear(rom);
+	} else {
+		rom->first = first;
+	}
 	return status;
 }
 
@@ -305,25 +370,27 @@ enum hawser_status hawser_rom_source_plugin(struct hawser_rom_source *source,
                                             struct hawser_report *report)
 {
 	enum hawser_status status = HAWSER_OK;
+	int functions;
 
 	*source = (struct hawser_rom_source){.plugin = plugin};
 	if (!plugin)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
 		                    "%s: its function hawser_plugin returned no struct hawser_plugin", name);
-	if (plugin->version != HAWSER_PLUGIN_VERSION)
+	if (plugin->version < 1 || plugin->version > HAWSER_PLUGIN_VERSION)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
-		                    "%s is a library of version %d, and this program takes version "
+		                    "%s is a library of version %d, and this program takes versions 1 to "
 		                    "%d: compile it again", name, plugin->version, HAWSER_PLUGIN_VERSION);
+	functions = (plugin->acceleration != NULL) + (plugin->version > 1 && plugin->rate != NULL);
 	if (plugin->parameters > 0 && (!plugin->parameter || !plugin->value))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
 		                    "%s has %d parameters, and no list of their names or of their values",
 		                    name, plugin->parameters);
 	if (plugin->n < 1 || plugin->n > MOST || plugin->parameters < 0 ||
-	    plugin->parameters > HAWSER_PARAMETERS || !plugin->acceleration)
+	    plugin->parameters > HAWSER_PARAMETERS || functions != 1)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
-		                    "%s has %d coordinates, %d parameters and %s function: 1 to %d, 0 "
+		                    "%s has %d coordinates, %d parameters and %d functions: 1 to %d, 0 "
 		                    "to %d and one are possible", name, plugin->n, plugin->parameters,
-		                    plugin->acceleration ? "a" : "no", MOST, HAWSER_PARAMETERS);
+		                    functions, MOST, HAWSER_PARAMETERS);
 	source->name = strdup(name);
 	source->parameter = calloc((size_t)plugin->parameters + 1, sizeof *source->parameter);
 	if (!source->name || !source->parameter)

@@ -9,10 +9,16 @@
 
 enum { HAWSER_PLUG_WAVES = 5 }; /* multiples of the frequency, from 0, whose forces at rest are known */
 
+/* Equations u' = g become u'' = g_u u' + r (g - u') with the relaxation r, as those of files do
+ * (read_own.c); the model `first` has u'' = g. */
+#define HAWSER__RATES_ALONE (-1.0)
+
 struct hawser_rom_plug {
 	const struct hawser_plugin *of;
 	double *parameter; /* [of->parameters] */
 	double *K, *D;     /* [n][n] the linear part that the model has */
+	double relaxation; /* of equations of first order; HAWSER__RATES_ALONE: see below */
+	int still;         /* 1: the function does not depend on phase and frequency */
 	double *wave;      /* [HAWSER_PLUG_WAVES][2][n] cos and sin of the forces that its harmonics have */
 };
 

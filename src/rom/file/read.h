@@ -85,6 +85,8 @@ enum hawser_status hawser__read_own(const struct hawser__parser *reader, struct 
                                     json_t *root);
 enum hawser_status hawser__read_terms(const struct hawser__parser *reader, struct hawser_term **term,
                                       int *terms, int n, const json_t *list, const char *name);
+/* The default relaxation of equations u' = - K u + ... of first order. */
+double hawser__relaxation(const double *K, int n);
 /* The equations times the inverse [n][n] of a mass matrix; row [n] is room. */
 enum hawser_status hawser__rom_divide(struct hawser_rom *rom, const double *inverse, double *row,
                                       struct hawser_report *report);

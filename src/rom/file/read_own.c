@@ -341,7 +341,7 @@ static enum hawser_status check_first(const struct hawser__parser *reader, const
 	return rom->ramp ? hawser__wrong(reader, "a ramp in a model of first_order") : HAWSER_OK;
 }
 
-static double norm_of(const double *K, int n)
+double hawser__relaxation(const double *K, int n)
 {
 	double largest = 0.0;
 
@@ -428,7 +428,7 @@ enum hawser_status hawser__read_own(const struct hawser__parser *reader, struct 
 		status = hawser__wrong(reader, "relaxation is for models of first_order: true");
 	if (status || !json_is_true(first) || reader->plain)
 		return status;
-	r = norm_of(rom->K, rom->n);
+	r = hawser__relaxation(rom->K, rom->n);
 	if (rate)
 		status = hawser__read_positive(reader, &r, root, "relaxation", "the model");
 	if (!status)

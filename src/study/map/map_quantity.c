@@ -164,6 +164,8 @@ static const struct hawser__map_quantity rows[] = {
 	  "multipliers of the response outside the unit circle", 1, 1, 1}, NAN, amplitude, 0},
 	{{"basin", "the response at which a motion from this initial state ends", "1",
 	  "the same: 0 is none that is periodic, -1 a motion without bounds", 1, 1, 0}, NAN, NULL, 0},
+	{{"critical-speed", "speed of the wind from which on a mode grows", "m/s",
+	  "whether wind.speed is above it", 0, 0, 0}, NAN, NULL, 0},
 };
 #define ROWS ((int)(sizeof rows/sizeof *rows))
 
