@@ -19,8 +19,16 @@
 #define SAME (64.0*DBL_EPSILON) /* difference of tensions over EA that is round-off */
 enum { HALVES = 40 }; /* of the way */
 
-enum hawser_status hawser__mesh_lawless(const struct hawser_net *net, const char *what,
-                                        struct hawser_report *report)
+int hawser__mesh_creeps(const struct hawser_net *net)
+{
+	for (int c = 0; net && c < net->cables; c++)
+		if (net->cable[c].dynamic > 0.0)
+			return 1;
+	return 0;
+}
+
+enum hawser_status hawser__mesh_tables(const struct hawser_net *net, const char *what,
+                                       struct hawser_report *report)
 {
 	for (int c = 0; c < net->cables; c++)
 		if (net->cable[c].rows)
@@ -28,6 +36,17 @@ enum hawser_status hawser__mesh_lawless(const struct hawser_net *net, const char
 			                    "which %s cannot use: give a number, such as the slope at its tension",
 			                    net->name ? net->name : "net", net->cable[c].name, what);
 	return HAWSER_OK;
+}
+
+enum hawser_status hawser__mesh_lawless(const struct hawser_net *net, const char *what,
+                                        struct hawser_report *report)
+{
+	for (int c = 0; c < net->cables; c++)
+		if (net->cable[c].dynamic > 0.0)
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s: cable %s has EA of rest and "
+			                    "of quick motions, which %s cannot use: give a number",
+			                    net->name ? net->name : "net", net->cable[c].name, what);
+	return hawser__mesh_tables(net, what, report);
 }
 
 double hawser__mesh_length(const struct hawser__mesh *mesh, int element)

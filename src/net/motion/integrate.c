@@ -188,6 +188,9 @@ static enum hawser_status start(struct run *run, struct hawser_report *report)
 		status = hawser__motion_open(&run->motion, &run->mesh, scheme, rho, same, loose, report);
 	}
 	free(loose);
+	if (!status && hawser__mesh_creeps(net) &&
+	    (run->motion.scheme->rule != hawser__motion_scheme(0)->rule || net->winches))
+		status = hawser__mesh_lawless(net, "a winch or another scheme than energy", report);
 	if (!status && (run->mesh.touches || run->mesh.water) &&
 	    run->motion.scheme->rule != hawser__motion_scheme(0)->rule)
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s: the scheme %s does not know "
@@ -273,7 +276,7 @@ static enum hawser_status prepare(struct run *run, struct hawser_report *report)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%.3g rows are more than %d: choose "
 		                    "a longer time between them", options->until/run->every, ROWS);
 	run->step = options->step != 0.0 ? fmax(options->step, 0.0) : run->net->dynamics.step;
-	status = hawser__mesh_lawless(run->net, "time integration", report);
+	status = hawser__mesh_tables(run->net, "time integration", report);
 	if (!status)
 		status = hawser__mesh_build(&run->mesh, run->net, report);
 	if (!status)

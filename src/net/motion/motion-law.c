@@ -9,6 +9,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -18,6 +19,7 @@
 
 /* Of a force, what its round-off is as a part of the residual's scale, whose tolerance is 5000 ulps. */
 static const double ROUND = 1e-3;
+enum { CREEPS = 20 }; /* iterations of a law of straight pieces: 2 where nothing gets slack or taut */
 
 static inline double smaller(double a, double b)
 {
@@ -40,7 +42,7 @@ static inline double stretch(double *p, const struct hawser__motion_element *el,
 	HAWSER_UNROLL
 	for (int k = 0; k < 3; k++)
 		more += (el->D[k] + d[k])*delta[k];
-	*p = el->p_ref + (sum > 0.0 ? more/sum : 0.0);
+	*p = el->p_ref - el->lag + (sum > 0.0 ? more/sum : 0.0);
 	return l;
 }
 
@@ -71,12 +73,48 @@ static void discrete(struct forces *f, const struct hawser__motion_element *el)
 	}
 }
 
-static inline void forces(struct forces *f, const struct hawser__motion_element *el,
+void hawser__motion_in_line(struct hawser__motion_element *el, const struct hawser_net_cable *cable,
+                            double L0, double T)
+{
+	if (!cable || !(cable->dynamic > 0.0))
+		return;
+	el->k = cable->dynamic/L0;
+	el->creep = cable->EA*el->k/(cable->dynamic - cable->EA);
+	el->loss = cable->viscosity/L0;
+	el->rest = T/el->creep;
+	el->p_ref -= el->rest;
+}
+
+/* In line with a spring beside a dashpot, which take the mean tension of the step: loss*d/h +
+ * creep*(mean of its stretch), d the change of its stretch. Both sides are monotone in d. */
+static void creep(struct forces *f, struct hawser__motion_element *el, double h)
+{
+	const double own = el->loss/h + 0.5*el->creep, p1 = el->p1, dl = f->dl, rest = el->rest + el->lag;
+	double d = 0.0, step = INFINITY;
+
+	for (int i = 0; i < CREEPS && fabs(step) > DBL_EPSILON*fabs(p1 - el->p); i++) {
+		el->p1 = p1 - d;
+		f->dl = dl - d;
+		f->gradient = f->slope = 0.0;
+		discrete(f, el);
+		step = (f->gradient - el->creep*rest - own*d)/(own + f->slope);
+		d += step;
+	}
+	el->p1 = p1 - d;
+	el->lag1 = el->lag + d;
+	f->slope *= own/(own + f->slope);
+}
+
+static inline void forces(struct forces *f, struct hawser__motion_element *el,
                           const struct hawser__motion_rule *rule, double h)
 {
 	f->gradient = f->slope = f->end = f->end_slope = 0.0;
+	el->lag1 = el->lag;
 	if (rule->weight < 0.0) {
-		discrete(f, el);
+		if (el->creep > 0.0)
+			creep(f, el, h);
+		else
+			discrete(f, el);
 	} else if (el->p1 > 0.0) {
 		f->end = rule->weight*el->k*el->p1;
 		f->end_slope = rule->weight*el->k;
@@ -260,12 +298,14 @@ void hawser__motion_prepare(struct hawser__motion *motion, const struct hawser__
  * l_ref both taut it is k*s^2/2 + k*p_ref*(delta^2 - s^2)/(2*l_ref), without cancellation. */
 static double strain_of(const struct hawser__motion_element *el, double p, const double delta[3])
 {
-	double rest = hawser__larger(el->p_ref, 0.0), s = p - el->p_ref;
+	double rest = hawser__larger(el->p_ref, 0.0), s = p - el->p_ref, all = s + el->lag;
 
 	if (p > 0.0 && rest > 0.0)
-		return 0.5*el->k*(s*s + rest*(hawser__dot(delta, delta) - s*s)/el->l_ref);
+		return 0.5*el->k*(s*s + rest*(hawser__dot(delta, delta) - all*all)/el->l_ref) +
+		       0.5*el->creep*el->lag*el->lag;
 	p = hawser__larger(p, 0.0);
-	return 0.5*el->k*(p - rest)*(p + rest) - hawser__dot(el->F_ref, delta);
+	return 0.5*el->k*(p - rest)*(p + rest) + el->creep*el->lag*(el->rest + 0.5*el->lag) -
+	       hawser__dot(el->F_ref, delta);
 }
 
 void hawser__motion_energies(struct hawser__motion *motion)
@@ -329,7 +369,7 @@ void hawser__motion_account(struct hawser__motion *motion, const struct hawser__
 	double work = 0.0, lost = 0.0;
 
 	for (int e = 0; e < motion->elements; e++) {
-		const struct hawser__motion_element *el = &motion->element[e];
+		struct hawser__motion_element *el = &motion->element[e];
 		const double *xa = motion->x[el->a], *xb = motion->x[el->b];
 		double p0 = hawser__larger(el->p, 0.0), p1 = hawser__larger(el->p1, 0.0);
 		double dl = el->p1 - el->p, T = 0.0;
@@ -340,6 +380,8 @@ void hawser__motion_account(struct hawser__motion *motion, const struct hawser__
 			                       : el->c*(p1 - p0)*dl/h;
 			lost += T;
 		}
+		lost += el->loss/h*(el->lag1 - el->lag)*(el->lag1 - el->lag);
+		el->lag = el->lag1;
 	}
 	for (int i = 0; i < motion->nodes; i++)
 		for (int k = 0; k < 3; k++) {

@@ -91,6 +91,7 @@ static void refer(struct hawser__motion *motion, int balanced, const unsigned ch
 		el->m = mesh->rho[e]*L0;
 		el->drag = mesh->alpha*L0;
 		T = fmax(el->p_ref, 0.0)*el->k;
+		hawser__motion_in_line(el, mesh->net ? &mesh->net->cable[mesh->cable[e]] : NULL, L0, T);
 		motion->least_energy += LEAST*(T + el->m*mesh->g)*el->l_ref;
 		for (int k = 0; k < 3 && T > 0.0; k++) {
 			el->F_ref[k] = T*el->D[k]/el->l_ref;

@@ -28,6 +28,9 @@ struct hawser__motion_element {
 	int a, b;                 /* nodes */
 	double D[3], l_ref, p_ref, F_ref[3]; /* F_ref: force of the reference, N */
 	double k, c, m, drag;     /* N/m; N s/m (Kelvin-Voigt); kg; kg/s */
+	double creep, loss, rest; /* N/m, N s/m of what is in line with k: a spring and a dashpot; 0: none;
+	                           * m, its stretch in the reference */
+	double lag, lag1;         /* m: its stretch beyond that, at both ends of the step; p is of k */
 	double d[3], delta[3], l, p; /* at the beginning of the step */
 	double l1, p1, T1;        /* at its end; T1 is the mean of the step if the scheme keeps energy */
 	double d1[3], inverse, inverse1; /* at its end: vector; 1/(l + l1) and 1/l1, 0 for length 0 */
@@ -240,6 +243,10 @@ void hawser__motion_residual(struct hawser__motion *motion, const struct hawser_
 enum hawser_status hawser__motion_solve(struct hawser__motion *motion, int *done,
                                         const struct hawser__motion_rule *rule, double h,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+/* An element of the unstretched length L0 of a rope that is stiffer when it is quick; T: its tension
+ * in the reference. Nothing of another cable, or of NULL. */
+void hawser__motion_in_line(struct hawser__motion_element *el, const struct hawser_net_cable *cable,
+                            double L0, double T);
 /* What does not change within the step: vectors of the elements, loads, motion of supports. */
 void hawser__motion_prepare(struct hawser__motion *motion, const struct hawser__motion_rule *rule,
                             double h);
