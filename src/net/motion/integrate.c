@@ -188,15 +188,13 @@ static enum hawser_status start(struct run *run, struct hawser_report *report)
 		status = hawser__motion_open(&run->motion, &run->mesh, scheme, rho, same, loose, report);
 	}
 	free(loose);
-	if (!status && hawser__mesh_creeps(net) &&
-	    (run->motion.scheme->rule != hawser__motion_scheme(0)->rule || net->winches))
-		status = hawser__mesh_lawless(net, "a winch or another scheme than energy", report);
-	if (!status && (run->mesh.touches || run->mesh.water) &&
+	if (!status && (run->mesh.touches || run->mesh.water || hawser__mesh_creeps(net)) &&
 	    run->motion.scheme->rule != hawser__motion_scheme(0)->rule)
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s: the scheme %s does not know "
 		                      "%s: take energy, or leave dynamics.scheme and --method out",
 		                      net->name ? net->name : "the net", run->motion.scheme->shown.name,
-		                      run->mesh.touches ? "obstacles" : "water");
+		                      run->mesh.touches ? "obstacles" : run->mesh.water ? "water"
+		                                                                        : "EA.dynamic");
 	if (!status && run->mesh.touches)
 		status = hawser__contact_open(&run->motion, net->contact.restitution, report);
 	if (!status)

@@ -106,6 +106,9 @@ static enum hawser_status winch(struct hawser__reader *reader, struct hawser_net
 	status = cable_of(reader, &to->cable, net, tree, tree->name, what);
 	if (!status)
 		status = hawser__tree_fill(reader, to, tree, what, "net.winches.*");
+	if (!status && net->cable[to->cable].dynamic > 0.0)
+		return hawser__reader_fail(reader, &tree->at, "%s: the cable has EA.dynamic, which winches do "
+		                           "not know: give a number as EA", what);
 	if (!status && (to->speed != 0.0) == (to->tension > 0.0))
 		status = hawser__reader_fail(reader, &tree->at, "%s needs speed or tension, and not both",
 		                             what);
