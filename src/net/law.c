@@ -27,26 +27,16 @@ int hawser__mesh_creeps(const struct hawser_net *net)
 	return 0;
 }
 
-enum hawser_status hawser__mesh_tables(const struct hawser_net *net, const char *what,
-                                       struct hawser_report *report)
-{
-	for (int c = 0; c < net->cables; c++)
-		if (net->cable[c].rows)
-			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s: cable %s has a table of EA, "
-			                    "which %s cannot use: give a number, such as the slope at its tension",
-			                    net->name ? net->name : "net", net->cable[c].name, what);
-	return HAWSER_OK;
-}
-
 enum hawser_status hawser__mesh_lawless(const struct hawser_net *net, const char *what,
                                         struct hawser_report *report)
 {
 	for (int c = 0; c < net->cables; c++)
-		if (net->cable[c].dynamic > 0.0)
-			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s: cable %s has EA of rest and "
-			                    "of quick motions, which %s cannot use: give a number",
-			                    net->name ? net->name : "net", net->cable[c].name, what);
-	return hawser__mesh_tables(net, what, report);
+		if (net->cable[c].rows || net->cable[c].dynamic > 0.0)
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s: cable %s has %s, which %s "
+			                    "cannot use: give a number, such as the slope at its tension",
+			                    net->name ? net->name : "net", net->cable[c].name,
+			                    net->cable[c].rows ? "a table of EA" : "EA.dynamic", what);
+	return HAWSER_OK;
 }
 
 double hawser__mesh_length(const struct hawser__mesh *mesh, int element)

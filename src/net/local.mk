@@ -62,6 +62,7 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/motion/motion-schemes.c \
 	%D%/motion/motion-state.c \
 	%D%/motion/motion-support.c \
+	%D%/motion/motion-table.c \
 	%D%/motion/motion-touched.c \
 	%D%/motion/motion-wedge.c \
 	%D%/names.c \

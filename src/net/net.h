@@ -95,9 +95,7 @@ struct hawser__mesh_wave {
  * and no weight or load, until form finding has set it (hawser__mesh_load). */
 enum hawser_status hawser__mesh_build(struct hawser__mesh *mesh, const struct hawser_net *net,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
-/* Fail if cables have tables of tensions, which `what` cannot use; _lawless: or dashpots. */
-enum hawser_status hawser__mesh_tables(const struct hawser_net *net, const char *what,
-                                       struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Fail if cables have tables of tensions or dashpots, which `what` cannot use. */
 enum hawser_status hawser__mesh_lawless(const struct hawser_net *net, const char *what,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
 /* 1 if cables have a dashpot in line with a spring. */

@@ -188,13 +188,14 @@ static enum hawser_status start(struct run *run, struct hawser_report *report)
 		status = hawser__motion_open(&run->motion, &run->mesh, scheme, rho, same, loose, report);
 	}
 	free(loose);
-	if (!status && (run->mesh.touches || run->mesh.water || hawser__mesh_creeps(net)) &&
+	if (!status && run->motion.scheme->rule != hawser__motion_scheme(0)->rule)
+		status = hawser__mesh_lawless(net, "another scheme than energy", report);
+	if (!status && (run->mesh.touches || run->mesh.water) &&
 	    run->motion.scheme->rule != hawser__motion_scheme(0)->rule)
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s: the scheme %s does not know "
 		                      "%s: take energy, or leave dynamics.scheme and --method out",
 		                      net->name ? net->name : "the net", run->motion.scheme->shown.name,
-		                      run->mesh.touches ? "obstacles" : run->mesh.water ? "water"
-		                                                                        : "EA.dynamic");
+		                      run->mesh.touches ? "obstacles" : "water");
 	if (!status && run->mesh.touches)
 		status = hawser__contact_open(&run->motion, net->contact.restitution, report);
 	if (!status)
@@ -274,9 +275,7 @@ static enum hawser_status prepare(struct run *run, struct hawser_report *report)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%.3g rows are more than %d: choose "
 		                    "a longer time between them", options->until/run->every, ROWS);
 	run->step = options->step != 0.0 ? fmax(options->step, 0.0) : run->net->dynamics.step;
-	status = hawser__mesh_tables(run->net, "time integration", report);
-	if (!status)
-		status = hawser__mesh_build(&run->mesh, run->net, report);
+	status = hawser__mesh_build(&run->mesh, run->net, report);
 	if (!status)
 		status = hawser__net_supported(&run->mesh, run->net, report);
 	if (!status)

@@ -46,6 +46,12 @@ static inline double stretch(double *p, const struct hawser__motion_element *el,
 	return l;
 }
 
+/* Without damping. */
+static double tension_of(const struct hawser__motion_element *el, double p)
+{
+	return el->law ? hawser__table_tension(el, p) : p > 0.0 ? el->k*p : 0.0;
+}
+
 /* What an element does in the step: a force on its end b of gradient*g + end*e1, and their
  * derivatives by l1. dl = l1 - l0. */
 struct forces {
@@ -57,7 +63,9 @@ static void discrete(struct forces *f, const struct hawser__motion_element *el)
 {
 	double p0 = el->p, p1 = el->p1, k = el->k;
 
-	if (p0 > 0.0 && p1 > 0.0) {
+	if (el->law) {
+		f->gradient = hawser__table_mean(&f->slope, el, p0, p1);
+	} else if (p0 > 0.0 && p1 > 0.0) {
 		f->gradient = 0.5*k*(p0 + p1);
 		f->slope = 0.5*k;
 	} else if (p1 > 0.0) { /* l1 - l0 >= p1 */
@@ -119,8 +127,8 @@ static inline void forces(struct forces *f, struct hawser__motion_element *el,
 		f->end = rule->weight*el->k*el->p1;
 		f->end_slope = rule->weight*el->k;
 	}
-	if (el->c > 0.0 && (el->p > 0.0 || el->p1 > 0.0)) {
-		double rate = (hawser__larger(el->p1, 0.0) - hawser__larger(el->p, 0.0))/h;
+	if (el->c > 0.0 && (el->p > el->zero || el->p1 > el->zero)) {
+		double rate = (hawser__larger(el->p1, el->zero) - hawser__larger(el->p, el->zero))/h;
 		double whole = f->gradient + f->end + el->c*rate;
 
 		if (whole < 0.0) {
@@ -128,7 +136,7 @@ static inline void forces(struct forces *f, struct hawser__motion_element *el,
 			f->slope = -f->end_slope;
 		} else {
 			f->gradient += el->c*rate;
-			f->slope += el->p1 > 0.0 ? el->c/h : 0.0;
+			f->slope += el->p1 > el->zero ? el->c/h : 0.0;
 		}
 	}
 }
@@ -249,7 +257,7 @@ static void beginning(struct hawser__motion *motion, double part)
 {
 	for (int e = 0; e < motion->elements; e++) {
 		const struct hawser__motion_element *el = &motion->element[e];
-		double T = el->p > 0.0 && el->l > 0.0 ? el->k*el->p/el->l : 0.0;
+		double T = el->l > 0.0 ? tension_of(el, el->p)/el->l : 0.0;
 
 		for (int k = 0; k < 3; k++) {
 			double F = part*(T*el->d[k] - el->F_ref[k]);
@@ -300,6 +308,12 @@ static double strain_of(const struct hawser__motion_element *el, double p, const
 {
 	double rest = hawser__larger(el->p_ref, 0.0), s = p - el->p_ref, all = s + el->lag;
 
+	if (el->law) {
+		double slope, T = hawser__table_tension(el, el->p_ref);
+
+		return (hawser__table_mean(&slope, el, el->p_ref, p) - T)*s +
+		       (T > 0.0 ? 0.5*T*(hawser__dot(delta, delta) - s*s)/el->l_ref : 0.0);
+	}
 	if (p > 0.0 && rest > 0.0)
 		return 0.5*el->k*(s*s + rest*(hawser__dot(delta, delta) - all*all)/el->l_ref) +
 		       0.5*el->creep*el->lag*el->lag;
@@ -371,13 +385,14 @@ void hawser__motion_account(struct hawser__motion *motion, const struct hawser__
 	for (int e = 0; e < motion->elements; e++) {
 		struct hawser__motion_element *el = &motion->element[e];
 		const double *xa = motion->x[el->a], *xb = motion->x[el->b];
-		double p0 = hawser__larger(el->p, 0.0), p1 = hawser__larger(el->p1, 0.0);
-		double dl = el->p1 - el->p, T = 0.0;
+		double p0 = hawser__larger(el->p, el->zero), p1 = hawser__larger(el->p1, el->zero);
+		double dl = el->p1 - el->p, T = 0.0, slope;
 
 		lost += el->drag/h*square(motion, xa, xb);
-		if (el->c > 0.0 && (p0 > 0.0 || p1 > 0.0)) {
-			T = rule->weight < 0.0 ? el->T1*dl - 0.5*el->k*(p1 - p0)*(p1 + p0)
-			                       : el->c*(p1 - p0)*dl/h;
+		if (el->c > 0.0 && (p0 > el->zero || p1 > el->zero)) {
+			T = el->law ? (el->T1 - hawser__table_mean(&slope, el, el->p, el->p1))*dl
+				: rule->weight < 0.0 ? el->T1*dl - 0.5*el->k*(p1 - p0)*(p1 + p0)
+				                     : el->c*(p1 - p0)*dl/h;
 			lost += T;
 		}
 		lost += el->loss/h*(el->lag1 - el->lag)*(el->lag1 - el->lag);
@@ -431,7 +446,7 @@ int hawser__motion_tensions(double *T, const struct hawser__motion *motion)
 		}
 		(void)stretch(&p, el, delta, d);
 		T[e] = hawser__motion_tension(motion, e, d, p);
-		slack += p < 0.0 || (p > 0.0 && T[e] == 0.0);
+		slack += p < el->zero || (p > el->zero && T[e] == 0.0);
 	}
 	return slack;
 }
@@ -475,9 +490,9 @@ double hawser__motion_tension(const struct hawser__motion *motion, int number, c
                               double p)
 {
 	const struct hawser__motion_element *el = &motion->element[number];
-	double T = p > 0.0 ? el->k*p : 0.0;
+	double T = tension_of(el, p);
 
-	if (p > 0.0 && el->c > 0.0)
+	if (p > el->zero && el->c > 0.0)
 		T = hawser__larger(T + el->c*rate_of(motion, el, d), 0.0);
 	return T;
 }

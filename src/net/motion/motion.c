@@ -90,7 +90,12 @@ static void refer(struct hawser__motion *motion, int balanced, const unsigned ch
 		motion->damps = fmax(motion->damps, el->c);
 		el->m = mesh->rho[e]*L0;
 		el->drag = mesh->alpha*L0;
-		T = fmax(el->p_ref, 0.0)*el->k;
+		el->law = mesh->net && mesh->net->cable[mesh->cable[e]].rows
+			? &mesh->net->cable[mesh->cable[e]] : NULL;
+		el->length = hawser__mesh_length(mesh, e);
+		el->offset = mesh->offset[e];
+		el->zero = el->length - L0;
+		T = el->law ? hawser__table_tension(el, el->p_ref) : fmax(el->p_ref, 0.0)*el->k;
 		hawser__motion_in_line(el, mesh->net ? &mesh->net->cable[mesh->cable[e]] : NULL, L0, T);
 		motion->least_energy += LEAST*(T + el->m*mesh->g)*el->l_ref;
 		for (int k = 0; k < 3 && T > 0.0; k++) {
@@ -210,13 +215,13 @@ enum hawser_status hawser__motion_restart(struct hawser__motion *motion, struct 
 void hawser__motion_watch(struct hawser__motion *motion, int element, const double d[3], double p,
                           double t)
 {
-	double T = hawser__motion_tension(motion, element, d, p);
+	double T = hawser__motion_tension(motion, element, d, p), zero = motion->element[element].zero;
 
 	if (T < motion->least) {
 		motion->least = T;
 		motion->least_at = t;
 	}
-	if ((p < 0.0 || (p > 0.0 && T == 0.0)) && isnan(motion->slack_at)) {
+	if ((p < zero || (p > zero && T == 0.0)) && isnan(motion->slack_at)) {
 		motion->slack_at = t;
 		motion->slack_element = element;
 	}
@@ -349,7 +354,7 @@ static void finish(struct hawser__motion *motion, const struct hawser__motion_ru
 	for (int e = 0; e < motion->elements; e++) {
 		const struct hawser__motion_element *el = &motion->element[e];
 
-		motion->switches += (el->p > 0.0) != (el->p1 > 0.0);
+		motion->switches += (el->p > el->zero) != (el->p1 > el->zero);
 		hawser__motion_watch(motion, e, el->d1, el->p1, motion->t + h);
 	}
 	motion->drift += motion->contact ? fmax(motion->error, motion->contact->jump_error) : motion->error;

@@ -30,6 +30,9 @@ struct hawser__motion_element {
 	double k, c, m, drag;     /* N/m; N s/m (Kelvin-Voigt); kg; kg/s */
 	double creep, loss, rest; /* N/m, N s/m of what is in line with k: a spring and a dashpot; 0: none;
 	                           * m, its stretch in the reference */
+	const struct hawser_net_cable *law; /* with a table, or NULL */
+	double offset, length;    /* of this: strain at p = 0; m, unstretched */
+	double zero;              /* m: stretch at which the tension ends, 0 without a table */
 	double lag, lag1;         /* m: its stretch beyond that, at both ends of the step; p is of k */
 	double d[3], delta[3], l, p; /* at the beginning of the step */
 	double l1, p1, T1;        /* at its end; T1 is the mean of the step if the scheme keeps energy */
@@ -243,6 +246,10 @@ void hawser__motion_residual(struct hawser__motion *motion, const struct hawser_
 enum hawser_status hawser__motion_solve(struct hawser__motion *motion, int *done,
                                         const struct hawser__motion_rule *rule, double h,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+/* motion-table.c: tension at the stretch p of an element with a table, and the mean of those from p0 to
+ * p1, with its derivative by p1. */
+double hawser__table_tension(const struct hawser__motion_element *el, double p);
+double hawser__table_mean(double *slope, const struct hawser__motion_element *el, double p0, double p1);
 /* An element of the unstretched length L0 of a rope that is stiffer when it is quick; T: its tension
  * in the reference. Nothing of another cable, or of NULL. */
 void hawser__motion_in_line(struct hawser__motion_element *el, const struct hawser_net_cable *cable,

@@ -66,8 +66,8 @@ static const struct hawser__tree_key net_rows[] = {
 	TEXT("net.cables[].from", REQUIRED, NOWHERE, NULL, "node at its begin")
 	TEXT("net.cables[].to", REQUIRED, NOWHERE, NULL, "node at its end")
 	NUMBER("net.cables[].EA", REQUIRED, "N", POSITIVE, CABLE_AT(EA), NULL, "axial stiffness")
-	MAPPING("net.cables[].EA", REQUIRED, "a law of the tension: a table, for statics and modes, or "
-	        "a rope that is stiffer when it is quick")
+	MAPPING("net.cables[].EA", REQUIRED, "a law of the tension: a table, or a rope that is stiffer "
+	        "when it is quick")
 	NUMBER("net.cables[].EA.static", OPTIONAL, "N", POSITIVE, NOWHERE, NULL, "EA at rest")
 	NUMBER("net.cables[].EA.dynamic", OPTIONAL, "N", POSITIVE, NOWHERE, NULL, "EA of quick motions, of "
 	       "a spring in line with another one, to which a dashpot is parallel")
