@@ -47,8 +47,10 @@ struct hawser_net_cable {
 	int from, to;       /* nodes */
 	double EA, rho;     /* N, kg/m per unstretched length; EA of the first row of the law, if any */
 	double law[HAWSER_NET_LAW][2]; /* [rows] strain and tension (N), both rising, from (0, 0) on; linear
-	                     * between, and beyond the last row as before it. For statics and modes */
+	                     * between, and beyond the last row as before it */
 	int rows;           /* 0: T = EA*strain */
+	double dynamic, viscosity; /* N, N s: a spring of EA `dynamic` in line with one beside a dashpot, so
+	                     * that all are EA at rest; 0: none */
 	struct hawser_water_line line;
 	double axial;       /* s, of its own, beside that of the net: a damper */
 	double damper;      /* N s/m, of the scene, and in `axial` too */

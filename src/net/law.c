@@ -19,14 +19,23 @@
 #define SAME (64.0*DBL_EPSILON) /* difference of tensions over EA that is round-off */
 enum { HALVES = 40 }; /* of the way */
 
+int hawser__mesh_creeps(const struct hawser_net *net)
+{
+	for (int c = 0; net && c < net->cables; c++)
+		if (net->cable[c].dynamic > 0.0)
+			return 1;
+	return 0;
+}
+
 enum hawser_status hawser__mesh_lawless(const struct hawser_net *net, const char *what,
                                         struct hawser_report *report)
 {
 	for (int c = 0; c < net->cables; c++)
-		if (net->cable[c].rows)
-			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s: cable %s has a table of EA, "
-			                    "which %s cannot use: give a number, such as the slope at its tension",
-			                    net->name ? net->name : "net", net->cable[c].name, what);
+		if (net->cable[c].rows || net->cable[c].dynamic > 0.0)
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s: cable %s has %s, which %s "
+			                    "cannot use: give a number, such as the slope at its tension",
+			                    net->name ? net->name : "net", net->cable[c].name,
+			                    net->cable[c].rows ? "a table of EA" : "EA.dynamic", what);
 	return HAWSER_OK;
 }
 

@@ -56,6 +56,7 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/motion/motion-events.h \
 	%D%/motion/motion-impact.c \
 	%D%/motion/motion-klu.c \
+	%D%/motion/motion-open.c \
 	%D%/motion/motion-probe.c \
 	%D%/motion/motion-probe.h \
 	%D%/motion/motion-law.c \
@@ -65,6 +66,8 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/motion/motion-schemes.c \
 	%D%/motion/motion-state.c \
 	%D%/motion/motion-support.c \
+	%D%/motion/motion-table.c \
+	%D%/motion/motion-tension.c \
 	%D%/motion/motion-touched.c \
 	%D%/motion/motion-wedge.c \
 	%D%/names.c \

@@ -101,9 +101,11 @@ struct hawser__mesh_wave {
  * and no weight or load, until form finding has set it (hawser__mesh_load). */
 enum hawser_status hawser__mesh_build(struct hawser__mesh *mesh, const struct hawser_net *net,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
-/* Fail if cables have tables of tensions, which `what` cannot use. */
+/* Fail if cables have tables of tensions or dashpots, which `what` cannot use. */
 enum hawser_status hawser__mesh_lawless(const struct hawser_net *net, const char *what,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+/* 1 if cables have a dashpot in line with a spring. */
+int hawser__mesh_creeps(const struct hawser_net *net);
 /* Take the pieces of the laws that the elements at mesh->q are on; returns how many are new, beyond
  * round-off of the tensions. */
 int hawser__mesh_follow(struct hawser__mesh *mesh);

@@ -105,12 +105,12 @@ static enum hawser_status read_type(struct cli_mooring *mooring, const struct wo
 		return wrong(report, mooring, "the name '%s' has more than %d letters", words->word[0],
 		             CLI_MOORING_NAME - 1);
 	strcpy(type.name, words->word[0]);
-	if (bar || second)
-		left_out(mooring, "of the type %s, the dynamic stiffness and damping after '|'", type.name);
 	if (bar)
 		*bar = '\0';
 	if (second)
 		*second = '\0';
+	if (second && strcmp(second + 1, "0"))
+		left_out(mooring, "of the type %s, the damping after '|'", type.name);
 	status = numbers(&type.diameter, 1, mooring, words, 1, report);
 	if (!status)
 		status = numbers(&type.mass, 1, mooring, words, 2, report);
@@ -119,6 +119,12 @@ static enum hawser_status read_type(struct cli_mooring *mooring, const struct wo
 		             "needed", words->word[3]);
 	if (!status)
 		status = numbers(&type.BA, 1, mooring, words, 4, report);
+	if (!status && bar &&
+	    !(number(&type.dynamic, bar + 1) && type.dynamic > type.EA && type.BA > 0.0)) {
+		left_out(mooring, "of the type %s, EA after '|', which needs a number above EA, and BA above 0",
+		         type.name);
+		type.dynamic = 0.0;
+	}
 	if (!status)
 		status = numbers(&bending, 1, mooring, words, 5, report);
 	if (!status)

@@ -17,6 +17,7 @@ enum { CLI_MOORING_NAME = 32 };
 struct cli_mooring_type {
 	char name[CLI_MOORING_NAME];
 	double diameter, mass, EA;   /* m, kg/m, N */
+	double dynamic;              /* N: EA of quick motions; 0: none */
 	double BA;                   /* N s; negative: minus the damping ratio of an element */
 	double normal, tangential;   /* coefficients of drag */
 	double added_normal, added_tangential;

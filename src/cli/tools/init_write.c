@@ -56,14 +56,19 @@ static void cables(FILE *stream, const struct cli_mooring *mooring)
 		const struct cli_mooring_line *line = &mooring->line[i];
 		const struct cli_mooring_type *type = &mooring->type[line->type];
 
-		fprintf(stream, "  - {name: L%d, from: P%d, to: P%d, length0: %.12g, elements: %d,\n"
-		        "     EA: %.12g, rho: %.12g, axial: %.6g, diameter: %.12g,\n"
-		        "     drag: {normal: %.12g, tangential: %.12g},\n"
-		        "     added_mass: {normal: %.12g, tangential: %.12g}}  # %s\n", line->id,
+		fprintf(stream, "  - {name: L%d, from: P%d, to: P%d, length0: %.12g, elements: %d,\n", line->id,
 		        mooring->point[line->end[0]].id, mooring->point[line->end[1]].id, line->length,
-		        line->elements, type->EA, type->mass, axial(type, line), type->diameter,
-		        type->normal, type->tangential, type->added_normal, type->added_tangential,
-		        type->name);
+		        line->elements);
+		if (type->dynamic > 0.0)
+			fprintf(stream, "     EA: {static: %.12g, dynamic: %.12g, viscosity: %.12g}, ", type->EA,
+			        type->dynamic, type->BA);
+		else
+			fprintf(stream, "     EA: %.12g, axial: %.6g, ", type->EA, axial(type, line));
+		fprintf(stream, "rho: %.12g, diameter: %.12g,\n"
+		        "     drag: {normal: %.12g, tangential: %.12g},\n"
+		        "     added_mass: {normal: %.12g, tangential: %.12g}}  # %s\n", type->mass,
+		        type->diameter, type->normal, type->tangential, type->added_normal,
+		        type->added_tangential, type->name);
 	}
 }
 

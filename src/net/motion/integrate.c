@@ -57,34 +57,6 @@ static void clear(struct run *run)
 
 /* --- the beginning --- */
 
-static enum hawser_status tables(struct run *run, struct hawser_report *report)
-{
-	const struct hawser_net *net = run->net;
-	enum hawser_status status = HAWSER_OK;
-
-	run->table = calloc((size_t)net->nodes + 1, sizeof *run->table);
-	if (!run->table)
-		return hawser__no_memory(report, "net");
-	for (int i = 0; i < net->nodes && !status; i++) {
-		struct hawser__support_table *table = &run->table[run->tables];
-
-		if (!net->node[i].table)
-			continue;
-		status = hawser__support_read(table, net->node[i].table, report);
-		if (status)
-			break;
-		table->node = i;
-		run->tables++;
-		if (table->t[0] > 0.0 || table->t[table->rows - 1] < run->options->until)
-			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s: the motion of node %s is "
-			                    "given from %g s to %g s, and the run is from 0 to %g s: make it end "
-			                    "earlier, or the table longer", net->node[i].table,
-			                    net->node[i].name, table->t[0], table->t[table->rows - 1],
-			                    run->options->until);
-	}
-	return status;
-}
-
 /* Supports where they are at t = 0. */
 static void displace(struct run *run)
 {
@@ -190,6 +162,8 @@ static enum hawser_status start(struct run *run, struct hawser_report *report)
 		status = hawser__motion_open(&run->motion, &run->mesh, scheme, rho, same, loose, report);
 	}
 	free(loose);
+	if (!status && run->motion.scheme->rule != hawser__motion_scheme(0)->rule)
+		status = hawser__mesh_lawless(net, "another scheme than energy", report);
 	if (!status && ((run->mesh.touches || run->mesh.water) ?
 	                run->motion.scheme->rule != hawser__motion_scheme(0)->rule :
 	                run->motion.attached && run->motion.scheme->advance))
@@ -273,13 +247,12 @@ static enum hawser_status prepare(struct run *run, struct hawser_report *report)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%.3g rows are more than %d: choose "
 		                    "a longer time between them", options->until/run->every, ROWS);
 	run->step = options->step != 0.0 ? fmax(options->step, 0.0) : run->net->dynamics.step;
-	status = hawser__mesh_lawless(run->net, "time integration", report);
-	if (!status)
-		status = hawser__mesh_build(&run->mesh, run->net, report);
+	status = hawser__mesh_build(&run->mesh, run->net, report);
 	if (!status)
 		status = hawser__net_supported(&run->mesh, run->net, report);
 	if (!status)
-		status = tables(run, report);
+		status = hawser__supports_read(&run->table, &run->tables, run->net, run->options->until,
+		                               report);
 	if (status)
 		return status;
 	displace(run);

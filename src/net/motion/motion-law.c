@@ -9,6 +9,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -18,6 +19,7 @@
 
 /* Of a force, what its round-off is as a part of the residual's scale, whose tolerance is 5000 ulps. */
 static const double ROUND = 1e-3;
+enum { CREEPS = 20 }; /* iterations of a law of straight pieces: 2 where nothing gets slack or taut */
 
 static inline double smaller(double a, double b)
 {
@@ -40,7 +42,7 @@ static inline double stretch(double *p, const struct hawser__motion_element *el,
 	HAWSER_UNROLL
 	for (int k = 0; k < 3; k++)
 		more += (el->D[k] + d[k])*delta[k];
-	*p = el->p_ref + (sum > 0.0 ? more/sum : 0.0);
+	*p = el->p_ref - el->lag + (sum > 0.0 ? more/sum : 0.0);
 	return l;
 }
 
@@ -55,7 +57,9 @@ static void discrete(struct forces *f, const struct hawser__motion_element *el)
 {
 	double p0 = el->p, p1 = el->p1, k = el->k;
 
-	if (p0 > 0.0 && p1 > 0.0) {
+	if (el->law) {
+		f->gradient = hawser__table_mean(&f->slope, el, p0, p1);
+	} else if (p0 > 0.0 && p1 > 0.0) {
 		f->gradient = 0.5*k*(p0 + p1);
 		f->slope = 0.5*k;
 	} else if (p1 > 0.0) { /* l1 - l0 >= p1 */
@@ -71,18 +75,54 @@ static void discrete(struct forces *f, const struct hawser__motion_element *el)
 	}
 }
 
-static inline void forces(struct forces *f, const struct hawser__motion_element *el,
+void hawser__motion_in_line(struct hawser__motion_element *el, const struct hawser_net_cable *cable,
+                            double L0, double T)
+{
+	if (!cable || !(cable->dynamic > 0.0))
+		return;
+	el->k = cable->dynamic/L0;
+	el->creep = cable->EA*el->k/(cable->dynamic - cable->EA);
+	el->loss = cable->viscosity/L0;
+	el->rest = T/el->creep;
+	el->p_ref -= el->rest;
+}
+
+/* In line with a spring beside a dashpot, which take the mean tension of the step: loss*d/h +
+ * creep*(mean of its stretch), d the change of its stretch. Both sides are monotone in d. */
+static void creep(struct forces *f, struct hawser__motion_element *el, double h)
+{
+	const double own = el->loss/h + 0.5*el->creep, p1 = el->p1, dl = f->dl, rest = el->rest + el->lag;
+	double d = 0.0, step = INFINITY;
+
+	for (int i = 0; i < CREEPS && fabs(step) > DBL_EPSILON*fabs(p1 - el->p); i++) {
+		el->p1 = p1 - d;
+		f->dl = dl - d;
+		f->gradient = f->slope = 0.0;
+		discrete(f, el);
+		step = (f->gradient - el->creep*rest - own*d)/(own + f->slope);
+		d += step;
+	}
+	el->p1 = p1 - d;
+	el->lag1 = el->lag + d;
+	f->slope *= own/(own + f->slope);
+}
+
+static inline void forces(struct forces *f, struct hawser__motion_element *el,
                           const struct hawser__motion_rule *rule, double h)
 {
 	f->gradient = f->slope = f->end = f->end_slope = 0.0;
+	el->lag1 = el->lag;
 	if (rule->weight < 0.0) {
-		discrete(f, el);
+		if (el->creep > 0.0)
+			creep(f, el, h);
+		else
+			discrete(f, el);
 	} else if (el->p1 > 0.0) {
 		f->end = rule->weight*el->k*el->p1;
 		f->end_slope = rule->weight*el->k;
 	}
-	if (el->c > 0.0 && (el->p > 0.0 || el->p1 > 0.0)) {
-		double rate = (hawser__larger(el->p1, 0.0) - hawser__larger(el->p, 0.0))/h;
+	if (el->c > 0.0 && (el->p > el->zero || el->p1 > el->zero)) {
+		double rate = (hawser__larger(el->p1, el->zero) - hawser__larger(el->p, el->zero))/h;
 		double whole = f->gradient + f->end + el->c*rate;
 
 		if (whole < 0.0) {
@@ -90,7 +130,7 @@ static inline void forces(struct forces *f, const struct hawser__motion_element 
 			f->slope = -f->end_slope;
 		} else {
 			f->gradient += el->c*rate;
-			f->slope += el->p1 > 0.0 ? el->c/h : 0.0;
+			f->slope += el->p1 > el->zero ? el->c/h : 0.0;
 		}
 	}
 }
@@ -213,7 +253,7 @@ static void beginning(struct hawser__motion *motion, double part)
 {
 	for (int e = 0; e < motion->elements; e++) {
 		const struct hawser__motion_element *el = &motion->element[e];
-		double T = el->p > 0.0 && el->l > 0.0 ? el->k*el->p/el->l : 0.0;
+		double T = el->l > 0.0 ? hawser__elastic_tension(el, el->p)/el->l : 0.0;
 
 		for (int k = 0; k < 3; k++) {
 			double F = part*(T*el->d[k] - el->F_ref[k]);
@@ -262,12 +302,20 @@ void hawser__motion_prepare(struct hawser__motion *motion, const struct hawser__
  * l_ref both taut it is k*s^2/2 + k*p_ref*(delta^2 - s^2)/(2*l_ref), without cancellation. */
 static double strain_of(const struct hawser__motion_element *el, double p, const double delta[3])
 {
-	double rest = hawser__larger(el->p_ref, 0.0), s = p - el->p_ref;
+	double rest = hawser__larger(el->p_ref, 0.0), s = p - el->p_ref, all = s + el->lag;
 
+	if (el->law) {
+		double slope, T = hawser__table_tension(el, el->p_ref);
+
+		return (hawser__table_mean(&slope, el, el->p_ref, p) - T)*s +
+		       (T > 0.0 ? 0.5*T*(hawser__dot(delta, delta) - s*s)/el->l_ref : 0.0);
+	}
 	if (p > 0.0 && rest > 0.0)
-		return 0.5*el->k*(s*s + rest*(hawser__dot(delta, delta) - s*s)/el->l_ref);
+		return 0.5*el->k*(s*s + rest*(hawser__dot(delta, delta) - all*all)/el->l_ref) +
+		       0.5*el->creep*el->lag*el->lag;
 	p = hawser__larger(p, 0.0);
-	return 0.5*el->k*(p - rest)*(p + rest) - hawser__dot(el->F_ref, delta);
+	return 0.5*el->k*(p - rest)*(p + rest) + el->creep*el->lag*(el->rest + 0.5*el->lag) -
+	       hawser__dot(el->F_ref, delta);
 }
 
 void hawser__motion_energies(struct hawser__motion *motion)
@@ -333,17 +381,20 @@ void hawser__motion_account(struct hawser__motion *motion, const struct hawser__
 	double work = 0.0, lost = 0.0;
 
 	for (int e = 0; e < motion->elements; e++) {
-		const struct hawser__motion_element *el = &motion->element[e];
+		struct hawser__motion_element *el = &motion->element[e];
 		const double *xa = motion->x[el->a], *xb = motion->x[el->b];
-		double p0 = hawser__larger(el->p, 0.0), p1 = hawser__larger(el->p1, 0.0);
-		double dl = el->p1 - el->p, T = 0.0;
+		double p0 = hawser__larger(el->p, el->zero), p1 = hawser__larger(el->p1, el->zero);
+		double dl = el->p1 - el->p, T = 0.0, slope;
 
 		lost += el->drag/h*square(motion, xa, xb);
-		if (el->c > 0.0 && (p0 > 0.0 || p1 > 0.0)) {
-			T = rule->weight < 0.0 ? el->T1*dl - 0.5*el->k*(p1 - p0)*(p1 + p0)
-			                       : el->c*(p1 - p0)*dl/h;
+		if (el->c > 0.0 && (p0 > el->zero || p1 > el->zero)) {
+			T = el->law ? (el->T1 - hawser__table_mean(&slope, el, el->p, el->p1))*dl
+				: rule->weight < 0.0 ? el->T1*dl - 0.5*el->k*(p1 - p0)*(p1 + p0)
+				                     : el->c*(p1 - p0)*dl/h;
 			lost += T;
 		}
+		lost += el->loss/h*(el->lag1 - el->lag)*(el->lag1 - el->lag);
+		el->lag = el->lag1;
 	}
 	for (int i = 0; i < motion->nodes; i++)
 		for (int k = 0; k < 3; k++) {
@@ -393,53 +444,7 @@ int hawser__motion_tensions(double *T, const struct hawser__motion *motion)
 		}
 		(void)stretch(&p, el, delta, d);
 		T[e] = hawser__motion_tension(motion, e, d, p);
-		slack += p < 0.0 || (p > 0.0 && T[e] == 0.0);
+		slack += p < el->zero || (p > el->zero && T[e] == 0.0);
 	}
 	return slack;
-}
-
-/* Change of the length of an element in a step that has brought its vector to d, by increments x; d
- * becomes the vector before. */
-static double longer(double d[3], const struct hawser__motion_element *el, const double (*x)[3])
-{
-	double before[3], more = 0.0, sum;
-
-	for (int k = 0; k < 3; k++)
-		before[k] = d[k] - (x[el->b][k] - x[el->a][k]);
-	sum = sqrt(hawser__dot(d, d)) + sqrt(hawser__dot(before, before));
-	for (int k = 0; k < 3; k++) {
-		more += (d[k] + before[k])*(d[k] - before[k]);
-		d[k] = before[k];
-	}
-	return sum > 0.0 ? more/sum : 0.0;
-}
-
-/* The rate of the length: from the mean rates of the last two steps, of second order. The velocities of
- * schemes without numerical damping alternate from step to step where axial damping is strong. */
-static double rate_of(const struct hawser__motion *motion, const struct hawser__motion_element *el,
-                      const double d[3])
-{
-	const double *va = motion->v[el->a], *vb = motion->v[el->b];
-	double at[3] = {d[0], d[1], d[2]}, l = sqrt(hawser__dot(d, d)), rate = 0.0, before;
-
-	for (int k = 0; k < 3 && motion->past_h <= 0.0; k++)
-		rate += l > 0.0 ? d[k]/l*(vb[k] - va[k]) : 0.0;
-	if (motion->past_h <= 0.0)
-		return rate;
-	rate = longer(at, el, (const double (*)[3])motion->past)/motion->past_h;
-	if (motion->past2_h <= 0.0)
-		return rate;
-	before = longer(at, el, (const double (*)[3])motion->past2)/motion->past2_h;
-	return rate + (rate - before)*motion->past_h/(motion->past_h + motion->past2_h);
-}
-
-double hawser__motion_tension(const struct hawser__motion *motion, int number, const double d[3],
-                              double p)
-{
-	const struct hawser__motion_element *el = &motion->element[number];
-	double T = p > 0.0 ? el->k*p : 0.0;
-
-	if (p > 0.0 && el->c > 0.0)
-		T = hawser__larger(T + el->c*rate_of(motion, el, d), 0.0);
-	return T;
 }

@@ -52,7 +52,8 @@ static double check_sum(const struct hawser__mesh *mesh)
 static int numbers(const struct hawser__mesh *mesh)
 {
 	return HEAD + 3*PARTS*mesh->nodes +
-	       (mesh->touches ? HAWSER__CONTACT_NUMBERS + HAWSER__TOUCH_NUMBERS*mesh->touches : 0);
+	       (mesh->touches ? HAWSER__CONTACT_NUMBERS + HAWSER__TOUCH_NUMBERS*mesh->touches : 0) +
+	       (hawser__mesh_creeps(mesh->net) ? mesh->elements : 0);
 }
 
 int hawser__motion_states(const struct hawser__motion *motion)
@@ -64,7 +65,7 @@ void hawser__motion_save(double *state, const struct hawser__motion *motion, dou
 {
 	struct hawser__motion copy = *motion;
 	double *head[HEAD], nodes = motion->nodes, sum = check_sum(motion->mesh);
-	double (*part[PARTS])[3];
+	double (*part[PARTS])[3], *begin = state;
 
 	heads(head, &copy, &h, &sum, &nodes);
 	parts(part, motion);
@@ -75,12 +76,16 @@ void hawser__motion_save(double *state, const struct hawser__motion *motion, dou
 			memcpy(state, part[p][i], sizeof *part[p]);
 	if (motion->contact)
 		hawser__contact_save(state, motion->contact);
+	for (int e = 0, first = numbers(motion->mesh) - motion->elements; e < motion->elements; e++)
+		if (hawser__mesh_creeps(motion->mesh->net))
+			begin[first + e] = motion->element[e].lag;
 }
 
 void hawser__motion_restore(struct hawser__motion *motion, double *h, const double *state)
 {
 	double *head[HEAD], nodes, sum;
 	double (*part[PARTS])[3];
+	const double *begin = state;
 
 	heads(head, motion, h, &sum, &nodes);
 	parts(part, motion);
@@ -91,6 +96,9 @@ void hawser__motion_restore(struct hawser__motion *motion, double *h, const doub
 			memcpy(part[p][i], state, sizeof *part[p]);
 	if (motion->contact)
 		hawser__contact_restore(motion, state);
+	for (int e = 0, first = numbers(motion->mesh) - motion->elements; e < motion->elements; e++)
+		if (hawser__mesh_creeps(motion->mesh->net))
+			motion->element[e].lag = begin[first + e];
 	motion->added = motion->water ? hawser__water_row(motion, NULL) : 0.0;
 	motion->least = INFINITY; /* of what follows */
 	motion->slack_at = NAN;

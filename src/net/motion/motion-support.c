@@ -246,3 +246,31 @@ enum hawser_status hawser__support_read(struct hawser__support_table *table, con
 		hawser__support_clear(table);
 	return status;
 }
+
+enum hawser_status hawser__supports_read(struct hawser__support_table **table, int *tables,
+                                         const struct hawser_net *net, double until,
+                                         struct hawser_report *report)
+{
+	enum hawser_status status = HAWSER_OK;
+
+	*table = calloc((size_t)net->nodes + 1, sizeof **table);
+	if (!*table)
+		return hawser__no_memory(report, "net");
+	for (int i = 0; i < net->nodes && !status; i++) {
+		struct hawser__support_table *to = &(*table)[*tables];
+
+		if (!net->node[i].table)
+			continue;
+		status = hawser__support_read(to, net->node[i].table, report);
+		if (status)
+			break;
+		to->node = i;
+		++*tables;
+		if (to->t[0] > 0.0 || to->t[to->rows - 1] < until)
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s: the motion of node %s is "
+			                    "given from %g s to %g s, and the run is from 0 to %g s: make it end "
+			                    "earlier, or the table longer", net->node[i].table,
+			                    net->node[i].name, to->t[0], to->t[to->rows - 1], until);
+	}
+	return status;
+}

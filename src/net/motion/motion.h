@@ -28,6 +28,12 @@ struct hawser__motion_element {
 	int a, b;                 /* nodes */
 	double D[3], l_ref, p_ref, F_ref[3]; /* F_ref: force of the reference, N */
 	double k, c, m, drag;     /* N/m; N s/m (Kelvin-Voigt); kg; kg/s */
+	double creep, loss, rest; /* N/m, N s/m of what is in line with k: a spring and a dashpot; 0: none;
+	                           * m, its stretch in the reference */
+	const struct hawser_net_cable *law; /* with a table, or NULL */
+	double offset, length;    /* of this: strain at p = 0; m, unstretched */
+	double zero;              /* m: stretch at which the tension ends, 0 without a table */
+	double lag, lag1;         /* m: its stretch beyond that, at both ends of the step; p is of k */
 	double d[3], delta[3], l, p; /* at the beginning of the step */
 	double l1, p1, T1;        /* at its end; T1 is the mean of the step if the scheme keeps energy */
 	double d1[3], inverse, inverse1; /* at its end: vector; 1/(l + l1) and 1/l1, 0 for length 0 */
@@ -118,6 +124,11 @@ struct hawser__support_table {
 };
 enum hawser_status hawser__support_read(struct hawser__support_table *table, const char *path,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Those of all nodes of a net: table [*tables], which have to reach from 0 to until, s; *tables is 0
+ * before. To be released by hawser__support_clear each, and by free. HAWSER_ERR_ARGUMENT. */
+enum hawser_status hawser__supports_read(struct hawser__support_table **table, int *tables,
+                                         const struct hawser_net *net, double until,
+                                         struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser__support_at(double x[3], double v[3], const struct hawser__support_table *table, double t);
 void hawser__support_acceleration(double a[3], const struct hawser__support_table *table, double t);
 void hawser__support_clear(struct hawser__support_table *table);
@@ -208,8 +219,10 @@ enum hawser_status hawser__motion_read(double **state /* [states] */, const char
 	HAWSER_MUST_CHECK;
 /* Tensions T [elements] of the state, with damping; returns the number of elements without. */
 int hawser__motion_tensions(double *T, const struct hawser__motion *motion);
-/* That of an element with the vector d (m) and the stretch p (m), and the velocities of the state.
- * */
+/* That of an element at the stretch p (m), without damping. */
+double hawser__elastic_tension(const struct hawser__motion_element *el, double p);
+/* With damping, of an element with the vector d (m) and the stretch p (m), and the velocities of the
+ * state. */
 double hawser__motion_tension(const struct hawser__motion *motion, int element, const double d[3],
                               double p);
 /* After a change of u, v or t by the caller: energies and accelerations anew. */
@@ -242,6 +255,14 @@ void hawser__motion_residual(struct hawser__motion *motion, const struct hawser_
 enum hawser_status hawser__motion_solve(struct hawser__motion *motion, int *done,
                                         const struct hawser__motion_rule *rule, double h,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+/* motion-table.c: tension at the stretch p of an element with a table, and the mean of those from p0 to
+ * p1, with its derivative by p1. */
+double hawser__table_tension(const struct hawser__motion_element *el, double p);
+double hawser__table_mean(double *slope, const struct hawser__motion_element *el, double p0, double p1);
+/* An element of the unstretched length L0 of a rope that is stiffer when it is quick; T: its tension
+ * in the reference. Nothing of another cable, or of NULL. */
+void hawser__motion_in_line(struct hawser__motion_element *el, const struct hawser_net_cable *cable,
+                            double L0, double T);
 /* What does not change within the step: vectors of the elements, loads, motion of supports. */
 void hawser__motion_prepare(struct hawser__motion *motion, const struct hawser__motion_rule *rule,
                             double h);

@@ -211,7 +211,7 @@ static int moves(const struct hawser__net_planner *planner)
 	for (int i = 0; i < net->nodes; i++)
 		tables |= net->node[i].table != NULL;
 	return tables || planner->plan->fastest > 0.0 || net->dynamics.releases > 0 || net->dynamics.from ||
-	       planner->options.motion.initial;
+	       net->water.waves.count || net->failures || net->winches || planner->options.motion.initial;
 }
 
 /* From the beginning, which ended at trial->part of the motion, to the whole: time grows as a power of
@@ -261,7 +261,7 @@ enum hawser_status hawser__plan_motion(struct hawser__net_planner *planner,
 	enum hawser_status status;
 
 	*job = none("integrate", "", "nothing sets the net in motion: no harmonic load, moving support, "
-	            "release or first state; it stays in equilibrium");
+	            "wave, failure, winch, release or first state; it stays in equilibrium");
 	solver(planner);
 	job->unknowns = plan->unknowns;
 	if (plan->job[0].basis == HAWSER_NET_BASIS_NONE) {

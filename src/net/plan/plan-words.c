@@ -169,6 +169,8 @@ static void mass(struct hawser__net_planner *planner)
 		say(planner, "damping", 1, "%s%s%s", net->alpha > 0.0 ? "viscous (alpha)" : "",
 		    net->alpha > 0.0 &&
 		    net->axial > 0.0 ? " and " : "", net->axial > 0.0 ? "Kelvin-Voigt (axial)" : "");
+	else if (net->water.density > 0.0)
+		say(planner, "damping", 1, "the drag of the water, in integrate");
 	else if (!of_models(net))
 		say(planner, "damping", 0, "the scene has none: motions do not decay");
 	if (of_models(net))
@@ -197,7 +199,13 @@ static void driving(struct hawser__net_planner *planner)
 		    tables == 1 ? "" : "s");
 	if (net->dynamics.releases)
 		say(planner, "release", 1, "%d supports are taken away at t = 0", net->dynamics.releases);
-	if (!harmonic && !net->motions && !tables && !net->dynamics.releases && !net->dynamics.from)
+	if (net->water.waves.count)
+		say(planner, "waves", 1, "%d component%s, in integrate and frf", net->water.waves.count,
+		    net->water.waves.count == 1 ? "" : "s");
+	if (net->failures + net->winches)
+		say(planner, "failures, winches", 1, "%d and %d, in integrate", net->failures, net->winches);
+	if (!harmonic && !net->motions && !tables && !net->dynamics.releases && !net->dynamics.from &&
+	    !net->water.waves.count && !net->failures && !net->winches)
 		say(planner, "motion", 0, "nothing sets the net in motion: integrate would show the "
 		    "equilibrium");
 }

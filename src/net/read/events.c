@@ -20,6 +20,11 @@ static enum hawser_status cable_of(struct hawser__reader *reader, int *cable,
 	if (*cable < 0)
 		return hawser__reader_fail(reader, &at->at, "%s: there is no cable %s", what,
 		                           name ? name : "without a name");
+	if ((net->cable[*cable].rows || net->cable[*cable].dynamic > 0.0) &&
+	    (!strncmp(what, "winches", 7) || net->cable[*cable].rho == 0.0))
+		return hawser__reader_fail(reader, &at->at, "%s: cable %s has EA by a table or with dynamic, "
+		                           "which winches, and failures of cables without mass, do not know: "
+		                           "give a number", what, net->cable[*cable].name);
 	return net->cable[*cable].given == HAWSER_NET_LENGTH0 ? HAWSER_OK
 		: hawser__reader_fail(reader, &at->at, "%s: cable %s has no length0: give it", what,
 		                      net->cable[*cable].name);

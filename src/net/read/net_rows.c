@@ -67,8 +67,14 @@ static const struct hawser__tree_key net_rows[] = {
 	TEXT("net.cables[].from", REQUIRED, NOWHERE, NULL, "node at its begin")
 	TEXT("net.cables[].to", REQUIRED, NOWHERE, NULL, "node at its end")
 	NUMBER("net.cables[].EA", REQUIRED, "N", POSITIVE, CABLE_AT(EA), NULL, "axial stiffness")
-	MAPPING("net.cables[].EA", REQUIRED, "a law of the tension, for statics and modes")
-	LIST("net.cables[].EA.table", REQUIRED, "strains with tensions, rising from (0, 0) on: linear "
+	MAPPING("net.cables[].EA", REQUIRED, "a law of the tension: a table, or a rope that is stiffer "
+	        "when it is quick")
+	NUMBER("net.cables[].EA.static", OPTIONAL, "N", POSITIVE, NOWHERE, NULL, "EA at rest")
+	NUMBER("net.cables[].EA.dynamic", OPTIONAL, "N", POSITIVE, NOWHERE, NULL, "EA of quick motions, of "
+	       "a spring in line with another one, to which a dashpot is parallel")
+	NUMBER("net.cables[].EA.viscosity", OPTIONAL, "N.s", POSITIVE, NOWHERE, NULL, "of the dashpot: "
+	       "its tension over the rate of its strain")
+	LIST("net.cables[].EA.table", OPTIONAL, "strains with tensions, rising from (0, 0) on: linear "
 	     "between, and beyond the last row")
 	VECTOR("net.cables[].EA.table[]", 2, OPTIONAL, "1, N", ANY, NOWHERE, NULL, "[strain, tension]")
 	NUMBER("net.cables[].rho", REQUIRED, "kg/m", NOT_NEGATIVE, CABLE_AT(rho), NULL,

@@ -100,6 +100,30 @@ static enum hawser_status law_of(struct hawser__reader *reader, struct hawser_ne
 	return status;
 }
 
+/* EA: {static: ..., dynamic: ..., viscosity: ...}. */
+static enum hawser_status creeping(struct hawser__reader *reader, struct hawser_net_cable *cable,
+                                   const struct hawser__tree *tree)
+{
+	static const char *const key[] = {"static", "dynamic", "viscosity"};
+	double *const to[] = {&cable->EA, &cable->dynamic, &cable->viscosity};
+	enum hawser_status status = HAWSER_OK;
+
+	for (int i = 0; i < 3 && !status; i++) {
+		const struct hawser__tree *one = hawser__tree_find(tree, key[i]);
+
+		status = !one ? HAWSER_ERR_SCENE
+			: hawser__tree_number(reader, to[i], one, "EA", i < 2 ? "N" : "N.s", HAWSER__TREE_POSITIVE);
+		if (!one || (!status && i == 1 && !(cable->dynamic > cable->EA)))
+			return hawser__reader_fail(reader, &tree->at, "EA of cable %s needs static, dynamic above "
+			                           "it, and viscosity, such as {static: 20 MN, dynamic: 50 MN, "
+			                           "viscosity: 0.2 GN s}", cable->name);
+	}
+	if (!status && (cable->axial > 0.0 || cable->damper > 0.0))
+		return hawser__reader_fail(reader, &tree->at, "cable %s has EA with viscosity, which is its "
+		                           "damping: leave axial and damper out", cable->name);
+	return status;
+}
+
 static enum hawser_status cable_of(struct hawser__reader *reader, struct hawser_net *net,
                                    const struct hawser__tree *tree)
 {
@@ -120,7 +144,8 @@ static enum hawser_status cable_of(struct hawser__reader *reader, struct hawser_
 		status = hawser__tree_fill(reader, cable, tree, what, "net.cables[]");
 	cable->elements_given = hawser__tree_find(tree, "elements") != NULL;
 	if (!status && EA && EA->kind == HAWSER__MAPPING)
-		status = law_of(reader, cable, EA);
+		status = hawser__tree_find(EA, "table") || !hawser__tree_find(EA, "static")
+			? law_of(reader, cable, EA) : creeping(reader, cable, EA);
 	if (!status && cable->damper > 0.0 && cable->given != HAWSER_NET_LENGTH0)
 		status = hawser__reader_fail(reader, &tree->at, "cable %s has a damper and no length0, on "
 		                             "which its axial damping depends: give length0, or axial",
