@@ -26,7 +26,7 @@ static const char text[] =
 static struct hawser_frf_options range(double unit)
 {
 	return (struct hawser_frf_options){.method = "balance", .from = 0.87*unit, .to = 1.15*unit,
-		.tolerance = 1e-6, .step_max = 0.02, .unjudged = 1, .skip_events = 1,
+		.tolerance = 1e-6, .step_max = 0.2, .unjudged = 1, .skip_events = 1,
 		.samples = HAWSER_NONE};
 }
 

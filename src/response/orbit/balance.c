@@ -163,7 +163,6 @@ static void metric(struct hawser__orbit *orbit, const double *y)
 	struct hawser__balance *balance = (struct hawser__balance *)orbit;
 	int n = orbit->n, last = orbit->size - 1;
 	double omega = hawser__orbit_omega(orbit, y), sum = 0.0;
-	double floor = orbit->rom->exact ? HAWSER_SCALE_FLOOR_EXACT : HAWSER_SCALE_FLOOR;
 
 	for (int j = 0; j < n; j++) {
 		double u = orbit->freely ? 0.0 : y[j]*y[j], v = 0.0;
@@ -183,8 +182,8 @@ static void metric(struct hawser__orbit *orbit, const double *y)
 	for (int j = 0; j < n; j++) {
 		double u, v;
 
-		u = balance->size_u[j] = fmax(balance->size_u[j], floor*orbit->X);
-		v = balance->size_v[j] = fmax(balance->size_v[j], floor*orbit->X);
+		u = balance->size_u[j] = fmax(balance->size_u[j], HAWSER_SCALE_FLOOR*orbit->X);
+		v = balance->size_v[j] = fmax(balance->size_v[j], HAWSER_SCALE_FLOOR*orbit->X);
 		orbit->weight[j] = 1.0/(u*u*2*n);
 		for (int h = 1; h <= balance->top; h++)
 			orbit->weight[hawser__cos(n, h, j)] = orbit->weight[hawser__sin(n, h, j)] =

@@ -47,11 +47,9 @@ enum hawser__motion {
 
 /* The metric is the same for all methods, so that steps have the same length in each: its width in
  * Omega, as a fraction of Omega (a resonance with 2.5 % damping), and the least size of a
- * component, as a fraction of the size of the orbit. Models with exact energy have many components,
- * most of which hardly show: with the small size they took 4 % to 15 % more points. */
+ * component, as a fraction of the size of the orbit. */
 #define HAWSER_OMEGA_WIDTH 0.05
 #define HAWSER_SCALE_FLOOR 0.003
-#define HAWSER_SCALE_FLOOR_EXACT 0.03
 
 struct hawser__orbit {
 	const struct hawser__orbit_ops *ops;
