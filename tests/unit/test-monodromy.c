@@ -130,6 +130,51 @@ static void check_slow_manifold(void)
 	hawser_rom_clear(&rom);
 }
 
+/* Odd harmonics couple the even coordinates with the odd ones, and even harmonics the others: half a
+ * period is enough. A coefficient far below the errors that breaks this has all of it computed. */
+static void check_halves(void)
+{
+	enum { SYSTEMS = 20 };
+	double log_modulus[2][2*N], argument[2][2*N], T[(2*HARMONICS + 1)*N*N], worst = 0.0, most = 0.0;
+	struct hawser_rom_exact exact = {.n = N};
+	struct hawser__monodromy monodromy;
+	struct hawser_rom rom;
+	int wrong = 0;
+
+	if (hawser__rom_init(&rom, N, NULL) || hawser__monodromy_init(&monodromy, N, NULL))
+		return;
+	for (int j = 0; j < N; j++)
+		rom.D[j*(N + 1)] = 0.02;
+	for (int k = 0; k < SYSTEMS; k++) {
+		random_system(T);
+		for (int e = 0; e < (2*HARMONICS + 1)*N*N; e++)
+			T[e] *= ((e/(N*N) + 1)/2 + e/N%N + e%N)%2 == 0;
+		for (int j = 0; j < N; j++)
+			rom.K[j*(N + 1)] = 0.5*T[j*(N + 1)];
+		rom.exact = &exact; /* coordinates are modes at rest */
+		for (int side = 0; side < 2; side++) {
+			T[N*N] = 1e-9*side;
+			wrong += hawser__monodromy_multipliers(&monodromy, log_modulus[side], argument[side],
+			                                       &rom, T, HARMONICS, 1.0, NULL) ||
+			         monodromy.kept != 3;
+		}
+		for (int i = 0; i < 2*N; i++) {
+			double least = INFINITY;
+
+			for (int j = 0; j < 2*N; j++)
+				least = fmin(least, hypot(log_modulus[0][i] - log_modulus[1][j],
+				                          argument[0][i] - argument[1][j]));
+			worst = fmax(worst, least);
+		}
+		most = fmax(most, log_modulus[0][0]);
+	}
+	rom.exact = NULL;
+	ok(wrong == 0 && most > 0.1, "growth to %g", most);
+	ok(worst < 1e-5, "half a period: multipliers off by %.1e", worst);
+	hawser__monodromy_release(&monodromy);
+	hawser_rom_clear(&rom);
+}
+
 /* A cable that turns: K = diag w^2 + EA g g', g = (phi_1, phi_2, phi_3, 1), phi = c cos t +
  * d sin t, the strain by the motion along and by the angle of the motion across. The mean of K has
  * a frequency of up to 21 for the coordinate of frequency 1.3, and at every phase the last
@@ -283,6 +328,7 @@ CASE(unit_monodromy)
 {
 	check_condensed();
 	check_slow_manifold();
+	check_halves();
 	check_turning();
 	check_overdamped();
 	check_constant();

@@ -39,7 +39,7 @@ enum hawser_status hawser__monodromy_init(struct hawser__monodromy *monodromy, i
 	monodromy->expected = HAWSER__EXPECTED;
 	hawser__collocation_make(&monodromy->gauss);
 	hawser__collocation_indirect(&monodromy->gauss);
-	monodromy->part = calloc(2*(size_t)n, sizeof(int));
+	monodromy->part = calloc(3*(size_t)n, sizeof(int));
 	monodromy->pivot = calloc(wide, sizeof(int));
 	monodromy->memory = next = calloc(room, sizeof *next);
 	monodromy->slow = calloc(2*(size_t)n, sizeof(int));
@@ -51,6 +51,7 @@ enum hawser_status hawser__monodromy_init(struct hawser__monodromy *monodromy, i
 		return hawser__no_memory(report, "orbit");
 	}
 	monodromy->member = monodromy->part + n;
+	monodromy->sign = monodromy->member + n;
 	monodromy->fast = monodromy->slow + n;
 	monodromy->reach = monodromy->frequency + n;
 	monodromy->scale = next;
@@ -209,6 +210,36 @@ static double spread(const struct hawser__component *c, const struct hawser__var
 	return most;
 }
 
+/* Whether half a period is enough: of stiff models, where it saves most. */
+static int halves(struct hawser__monodromy *monodromy, const struct hawser__variational *system,
+                  const struct hawser__component *c)
+{
+	return monodromy->rest && monodromy->fastest < INFINITY && monodromy->steps%2 == 0 &&
+	       hawser__monodromy_repeats(monodromy->sign, system, c);
+}
+
+/* R M of the product M over half a period, R the signs: that over the whole period is (R M)^2. */
+static void reverse(struct hawser__factors *factors, const int *sign)
+{
+	int m = factors->m, w = m/2;
+	double *last = factors->at + (size_t)(factors->count - 1)*m*m;
+
+	for (int row = 0; row < m; row++)
+		if (sign[row%w] < 0)
+			cblas_dscal(m, -1.0, last + (size_t)row*m, 1);
+}
+
+/* The multipliers of the square of a matrix; the first of a pair has the positive argument. */
+static void square(double *log_modulus, double *argument, int m)
+{
+	for (int i = 0; i < m; i++) {
+		double twice = fabs(remainder(2.0*argument[i], 2.0*M_PI));
+
+		log_modulus[i] *= 2.0;
+		argument[i] = argument[i] < 0.0 ? -twice : twice;
+	}
+}
+
 /* The multipliers of one component, 2 w of them from log_modulus[0]; adds to the estimated error. There
  * are none where the error exceeds what is allowed. */
 static enum hawser_status solve_component(struct hawser__monodromy *monodromy, double *log_modulus,
@@ -216,7 +247,8 @@ static enum hawser_status solve_component(struct hawser__monodromy *monodromy, d
                                           const struct hawser__variational *system,
                                           struct hawser__component *c, struct hawser_report *report)
 {
-	int w = c->w, m = 2*w, steps = monodromy->steps;
+	int w = c->w, m = 2*w, parts = halves(monodromy, system, c) ? 2 : 1;
+	int steps = monodromy->steps/parts;
 	double period = 2.0*M_PI/system->omega, error = 0.0, loss, round_off;
 	struct hawser__factors factors = {.at = monodromy->factor, .m = m, .largest = -1.0,
 		.most = hawser__monodromy_factors(monodromy->n)};
@@ -224,7 +256,7 @@ static enum hawser_status solve_component(struct hawser__monodromy *monodromy, d
 
 	for (int p = 0; p < w; p++)
 		c->damping += 0.5*system->D[c->member[p]*(c->n + 1)]/w;
-	c->h = period/steps;
+	c->h = period/monodromy->steps;
 	factors.limit = fmax(STRETCH, spread(c, system)*period/factors.most);
 	monodromy->stretch = 0.0;
 	for (int i = 0; i < steps; i++) {
@@ -236,17 +268,21 @@ static enum hawser_status solve_component(struct hawser__monodromy *monodromy, d
 			return HAWSER_OK;
 		}
 	}
-	monodromy->error = fmax(monodromy->error, error);
+	monodromy->error = fmax(monodromy->error, parts*error);
+	if (parts > 1)
+		reverse(&factors, monodromy->sign);
 	status = hawser__factors_multipliers(monodromy, log_modulus, argument, &factors, report);
-	loss = hawser__factors_loss(m, steps, monodromy->stretch, error);
-	round_off = hawser__factors_loss(m, steps, monodromy->stretch, 0.0);
+	if (parts > 1)
+		square(log_modulus, argument, m);
+	loss = parts*hawser__factors_loss(m, steps, monodromy->stretch, error);
+	round_off = parts*hawser__factors_loss(m, steps, monodromy->stretch, 0.0);
 	monodromy->loss = fmax(monodromy->loss, loss);
 	monodromy->round_off = fmax(monodromy->round_off, round_off);
 	monodromy->spread = fmax(monodromy->spread,
 	                         hawser__factors_error(log_modulus, argument, m, loss, error));
 	/* -inf is replaced by a finite number, since the continuation uses differences */
 	for (int i = 0; i < m; i++)
-		log_modulus[i] = fmax(log_modulus[i] + factors.taken - 0.5*c->damping*period,
+		log_modulus[i] = fmax(log_modulus[i] + parts*factors.taken - 0.5*c->damping*period,
 		                      SMALLEST);
 	return status;
 }
@@ -257,8 +293,11 @@ static enum hawser_status solve_all(struct hawser__monodromy *monodromy, double 
 {
 	int n = system->n, begin = 0;
 	int order = system->order > system->order_d ? system->order : system->order_d;
-	enum hawser_status status = make_table(monodromy, order, report);
+	enum hawser_status status;
 
+	if (monodromy->rest && monodromy->fastest < INFINITY) /* see halves */
+		monodromy->steps += monodromy->steps%2;
+	status = make_table(monodromy, order, report);
 	monodromy->error = monodromy->loss = monodromy->spread = monodromy->round_off = 0.0;
 	while (!status && begin < n && !(monodromy->error > monodromy->allowed)) {
 		struct hawser__component c = {.member = monodromy->member + begin, .n = n};

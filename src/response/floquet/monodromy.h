@@ -109,6 +109,7 @@ struct hawser__monodromy {
 	double top;             /* frequency of the fastest kept coordinate of a stiff model */
 	struct hawser__collocation gauss;
 	int *part, *member;     /* [n] component of a coordinate; coordinates by components */
+	int *sign;              /* [n] of the coordinates of a component (hawser__monodromy_repeats) */
 	int parts;
 	double *scale;          /* [n] frequency by which displacements are scaled */
 	double *table;          /* [steps][8][2 order + 1] 1/2, cos, sin, ... at the nodes */
@@ -231,6 +232,10 @@ int hawser__monodromy_better(const struct hawser__monodromy *monodromy, double g
 /* Of a stiff model: the number with which the phases of all kept coordinates may be resolved; the
  * present one, if they are, or cannot be. */
 int hawser__monodromy_raised(const struct hawser__monodromy *monodromy);
+/* Whether the second half of the period repeats the first with the coordinates of negative sign [c->w]
+ * reversed: even harmonics couple coordinates of equal signs, odd ones those of opposite signs. */
+int hawser__monodromy_repeats(int *sign, const struct hawser__variational *system,
+                              const struct hawser__component *c);
 /* Error of the multipliers of a stiff model by the steps. */
 double hawser__monodromy_stiff_error(const struct hawser__monodromy *monodromy);
 

@@ -24,6 +24,9 @@
 #define RESOLVABLE 2e9       /* number of operations up to which the phases of all kept coordinates are
                               * resolved; chosen */
 #define STIFF_LEAST 6.0      /* least frequency, relative to Omega, that is resolved; chosen */
+/* Harmonics of the wrong parity, relative to the stiffness, that do not count: above round-off, and far
+ * below the errors of multipliers of stiff models. */
+#define NO_PART 1e-11
 
 /* Number of steps with which the error becomes a third of the goal; the error falls with h^16. */
 int hawser__monodromy_better(const struct hawser__monodromy *monodromy, double goal)
@@ -123,7 +126,7 @@ static void plan_stiff(struct hawser__monodromy *monodromy, const struct hawser_
 	monodromy->steps = (int)fmin(monodromy->most,
 	                             ceil(monodromy->resolved ? all : 2.0*M_PI/STIFF_TURN*turns));
 	if (monodromy->resolved && monodromy->phases > monodromy->steps) /* fewer along the branch */
-		monodromy->steps = monodromy->phases - (monodromy->phases + 15)/16;
+		monodromy->steps = (monodromy->phases - (monodromy->phases + 15)/16)/2*2;
 }
 
 enum hawser_status hawser__monodromy_plan(struct hawser__monodromy *monodromy,
@@ -142,4 +145,72 @@ enum hawser_status hawser__monodromy_plan(struct hawser__monodromy *monodromy,
 double hawser__monodromy_stiff_error(const struct hawser__monodromy *monodromy)
 {
 	return monodromy->steps*HAWSER__STEP_ERROR*pow(STIFF_TURN, 17.0);
+}
+
+/* Largest coefficient of entry e of a series, of the harmonics of one parity. */
+static double of_parity(const double *series, int n, int order, int e, int parity)
+{
+	double most = 0.0;
+
+	for (int r = 0; r <= 2*order; r++)
+		if ((r + 1)/2%2 == parity)
+			most = fmax(most, fabs(series[(size_t)r*n*n + e]));
+	return most;
+}
+
+/* Of coordinates p and q of the component, whether harmonics of this parity couple them. */
+static int couples(const struct hawser__variational *system, const struct hawser__component *c, int p,
+                   int q, int parity)
+{
+	int n = c->n, i = c->member[p], j = c->member[q];
+	double both = sqrt(fabs(system->K[(size_t)i*(n + 1)]*system->K[(size_t)j*(n + 1)]));
+
+	return of_parity(system->K, n, system->order, i*n + j, parity) +
+	       system->omega*of_parity(system->D, n, system->order_d, i*n + j, parity) > NO_PART*both;
+}
+
+/* Sets the signs of the coordinates that p is coupled with. Returns their number, or -1 where they
+ * contradict. */
+static int spread_sign(int *sign, const struct hawser__variational *system,
+                       const struct hawser__component *c, int p)
+{
+	int count = 0;
+
+	for (int q = 0; q < c->w; q++)
+		for (int parity = 0; parity < 2; parity++) {
+			int as = parity ? -sign[p] : sign[p];
+
+			if (sign[q] == as || !(couples(system, c, p, q, parity) ||
+			                       couples(system, c, q, p, parity)))
+				continue;
+			if (sign[q] != 0)
+				return -1;
+			sign[q] = as;
+			count++;
+		}
+	return count;
+}
+
+int hawser__monodromy_repeats(int *sign, const struct hawser__variational *system,
+                              const struct hawser__component *c)
+{
+	for (int p = 0; p < c->w; p++)
+		sign[p] = 0;
+	for (int first = 0; first < c->w; first++) {
+		int more = sign[first] == 0;
+
+		if (more)
+			sign[first] = 1;
+		while (more) {
+			more = 0;
+			for (int p = 0; p < c->w; p++) {
+				int count = sign[p] != 0 ? spread_sign(sign, system, c, p) : 0;
+
+				if (count < 0)
+					return 0;
+				more += count;
+			}
+		}
+	}
+	return 1;
 }
