@@ -3,9 +3,11 @@
 # (as `hawser check` says), one thread. A line a run: seconds of processor time, "limit" where it took LIMIT (60) of
 # them, status, first warning. Then for each command and for all: median, the ninth of ten and the largest.
 # `--command NAME` runs that one alone; repeatable. Maps need axes: those of NEEDED.
+# With `frf` the time that `hawser plan` foresees for it is beside, and last how many runs lie within its bounds.
 # Runs of status 1 (what the command asks for is missing, or it does not apply) are left out.
 # SPDX-License-Identifier: GPL-3.0-or-later
 import argparse
+import json
 import os
 import re
 import resource
@@ -44,6 +46,14 @@ def taken(hawser, scene):
     return found.group(1).split(", ") if found else []
 
 
+def foreseen(hawser, scene):
+    """Least, estimated and largest seconds of `hawser frf`, by the plan of the scene; None: it has no plan."""
+    text = run([hawser, "plan", scene, "-q", "--json", "-"], 60)[2]
+    rows = json.loads(text).get("fidelities", []) if text else []
+    return next(([row[key] for key in ("least_time_secs", "time_secs", "most_time_secs")] for row in rows
+                 if row.get("name") == "hawser frf"), None)
+
+
 def summary(name, times):
     ordered = sorted(times)
     print(f"{name:14s} {len(times):4d} {statistics.median(ordered):8.2f} {ordered[(9*len(ordered) - 1)//10]:8.2f} "
@@ -57,7 +67,7 @@ def main():
     parser.add_argument("--command", action="append")
     parser.add_argument("--limit", type=int, default=60)
     given = parser.parse_args()
-    times = {}
+    times, within = {}, []
     for scene in given.scene:
         for command in taken(given.hawser, scene):
             if command in LEFT_OUT or given.command and command not in given.command:
@@ -67,12 +77,18 @@ def main():
             if status == 1:
                 continue
             times.setdefault(command, []).append(seconds)
+            plan = foreseen(given.hawser, scene) if command == "frf" else None
+            if plan:
+                within.append(plan[0] <= seconds <= plan[2])
+                said = f"planned {plan[1]:.2g} s  {said}"
             print(f"{command:12s} {os.path.basename(scene):28s} {seconds:7.2f} s  "
                   f"{'limit' if status is None else f'status {status}'}  {said.partition(chr(10))[0][:120]}", flush=True)
     print(f"\n{'command':14s} {'runs':>4s} {'median':>8s} {'9 of 10':>8s} {'largest':>8s}   s")
     for command in times:
         summary(command, times[command])
     summary("all", [seconds for runs in times.values() for seconds in runs])
+    if within:
+        print(f"plan: {sum(within)} of {len(within)} responses within a factor of 3")
 
 
 if __name__ == "__main__":

@@ -33,19 +33,21 @@ TOLERANCE = "1e-7"  # of orbits, relative: far below the errors compared; auto h
 STEP = "0.01"       # longest step, as a part of the range
 SETTLED = 2e-3  # largest distance of the largest other basis that ended from the reference
 
-# name, title, from, to, bases of full order (the last is the reference), overrides. At their own load
-# the cables of the first two become slack at the peak, which no model here describes; the travelling
-# cable has no load of its own.
+# name, file, title, from, to, bases of full order (the last is the reference), overrides. At their own
+# load the cables of the first two become slack at the peak, which no model here describes.
 SCENES = [
-    ("b-table-4.2", "chairlift, 0.3 load", "0.85w1", "1.2w1", (6, 8, 10, 12, 14),
+    ("b-table-4.2", "b-table-4.2", "chairlift, 0.3 load", "0.85w1", "1.2w1", (6, 8, 10, 12, 14),
      ["load.per_length=[0.24, 0.24, 0.24]"]),
-    ("deep-sag", "deep sag, 0.1 load", "0.85w1", "1.2w1", (8, 10, 12, 14),
+    ("deep-sag", "deep-sag", "deep sag, 0.1 load", "0.85w1", "1.2w1", (8, 10, 12, 14),
      ["load.per_length=[0, 0.08, 0.08]"]),
-    ("b-table-4.4-line-2", "two equal frequencies (B Table 4.4)", "0.8w1", "1.6w1", (6, 8, 10, 12, 14), []),
-    ("b-table-5.4", "travelling (B Table 5.4)", "0.85w1", "1.2w1", (6, 8, 10, 12, 14),
-     ["load={frame: global, per_length: [0.8, 0.8, 0.8]}"]),
-    ("bridge-stay", "taut stay, 28° inclined", "0.9w1", "1.2w1", (6, 8, 10, 12, 14), []),
-    ("inclined", "31° inclined", "0.85w1", "1.2w1", (6, 8, 10, 12, 14), []),
+    ("footbridge", "deep-sag", "footbridge, sag 8 m of 104 m", "0.85w1", "1.2w1", (6, 8, 10, 12, 14),
+     ["cable.EA=280 MN", "cable.rho=28", "span.d=104", "span.h=2.5", "tension={sag: 8.2}",
+      "damping={ratio: 0.8 %}", "load={frame: global, per_length: [0, 3.5, 3]}"]),
+    ("conductor", "deep-sag", "conductor, sag 13 m of 420 m", "0.85w1", "1.2w1", (6, 8, 10, 12, 14),
+     ["cable.EA=31.2 MN", "cable.rho=1.628", "span.d=420", "span.h=18", "tension={H: 27.5 kN}",
+      "damping={ratio: 0.4 %}", "load={frame: global, per_length: [0, 0, 0.15]}"]),
+    ("bridge-stay", "bridge-stay", "taut stay, 28° inclined", "0.9w1", "1.2w1", (6, 8, 10, 12, 14), []),
+    ("inclined", "inclined", "31° inclined", "0.85w1", "1.2w1", (6, 8, 10, 12, 14), []),
 ]
 METHODS = [("raw", "raw: the 3 to 12 lowest modes, others at rest", "#D55E00"),
            ("condensed", "condensed: the 3 to 16 lowest modes, others following", "#0072B2"),
@@ -58,9 +60,9 @@ COLUMNS = ("scene", "from", "to", "method", "number", "coordinates", "outcome", 
 
 def measure(options, scene):
     """The rows of one scene, and what is wrong with its reference or None."""
-    name, _, low, high, bases, changes = scene
+    name, file, _, low, high, bases, changes = scene
     full = [f"full {basis}" for basis in bases]
-    path = os.path.join(options.srcdir, "notebooks-data", "scenes", name + ".yaml")
+    path = os.path.join(options.srcdir, "notebooks-data", "scenes", file + ".yaml")
     command = [options.hawser, "compare", path, "--from", low, "--to", high, "--quiet", "--limit",
                str(options.limit), "--tolerance", TOLERANCE, "--step", STEP, "--fidelities", FIDELITIES + ", " + ", ".join(full),
                "--reference", full[-1]]
@@ -86,8 +88,8 @@ def measure(options, scene):
 
 def measure_default(options, scene):
     """The row of `hawser frf` with nothing said of a model."""
-    name, _, low, high, bases, changes = scene
-    with open(os.path.join(options.srcdir, "notebooks-data", "scenes", name + ".yaml"), encoding="utf-8") as text:
+    name, file, _, low, high, bases, changes = scene
+    with open(os.path.join(options.srcdir, "notebooks-data", "scenes", file + ".yaml"), encoding="utf-8") as text:
         plain = re.sub(r"^model:.*\n(?:[ \t#].*\n|\n)*", "", text.read(), flags=re.M)
     words = ["--from", low, "--to", high] + [word for change in changes for word in ("--set", change)]
     with tempfile.TemporaryDirectory() as folder:
@@ -116,7 +118,7 @@ def measure_all(options):
             failed |= wrong is not None
             print(f"{scene[0]}: {'NOT VERIFIED: ' + wrong if wrong else 'reference verified'}")
             for row in rows:
-                reference = row[3] == "full" and row[4] == f"{scene[4][-1]}"
+                reference = row[3] == "full" and row[4] == f"{scene[5][-1]}"
                 row = row[:8] + ("",) + row[9:] if reference else row
                 print(*row, sep="\t", file=table)
                 print(f"  {row[3] + ' ' + row[4]:<14} {row[6]:<11} error {row[8] or '-':<9} "
@@ -184,7 +186,7 @@ def draw(options):
                "set grid lw 0.5 lc rgb '#d8d8d8' dt solid", "set logscale xy", "set xrange [0.005:60]",
                "set yrange [1e-5:2]", "set format x '%g'", "set xtics (0.01, 0.1, 1, 10)", "set key off",
                "set multiplot"]
-    for k, (name, title, *_) in enumerate(SCENES):
+    for k, (name, _, title, *_) in enumerate(SCENES):
         script += panel(name, title, (k % 3, k//3), found.get(name, {}))
     keys = [f"NaN with linespoints lt {k + 1} {symbol(method)} title '{title}'"
             for k, (method, title, _) in enumerate(METHODS)]

@@ -75,6 +75,7 @@ CLI_TESTS = \
 	%D%/cli/published.sh \
 	%D%/cli/published-forced.sh \
 	%D%/cli/unstable.sh \
+	%D%/cli/warnings.sh \
 	%D%/cli/tow-steady.sh \
 	%D%/cli/mooring-files.sh \
 	%D%/cli/tow.sh \

@@ -48,7 +48,7 @@ if [ -w /dev/full ]; then
 		integrate "$duffing" --Omega 1 --until 1 --every 0.5
 		frf "$duffing" $short
 		folds "$duffing" --starts 0
-		map "$duffing" --x Omega=1:2 --y factor.load=1:2 --points 3x3 --threads 1
+		map "$duffing" --x Omega=1:2 --y factor.load=1:2 --quantity amplitude --points 3x3 --threads 1
 		plan "$chairlift" --fidelities "raw 1"
 	END
 	refuses 4 "cannot write /dev/full: No space left on device" rom "$duffing" --json /dev/full

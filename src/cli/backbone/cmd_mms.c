@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/model/exact.h"
 #include "cli/model/label.h"
 #include "cli/backbone/backbone.h"
 #include "cli/backbone/mms_result.h"
@@ -150,12 +151,14 @@ static enum hawser_status closed_form(struct cli_mms_result *result, struct cli_
 	result->curve = &curve;
 	result->modulation = &primary.modulation;
 	if (!status)
-		status = cli_show(result->common, &cli_mms_showing, result, report);
-	if (!status)
+		status = cli_exact_range(model, result->from, result->to, -1.0, result->common, report);
+	if (!status) {
+		cli_exact_range_warn(model);
 		warn_of_rival(&primary, &model->rom);
-	if (!status)
 		cli_range_warn(model, cli_range_reach(NULL, model, curve.frf.coordinate, curve.frf.points,
 		                                      model->rom.n));
+		status = cli_show(result->common, &cli_mms_showing, result, report);
+	}
 	result->primary = NULL;
 	result->curve = NULL;
 	result->modulation = NULL;
@@ -252,10 +255,10 @@ static enum hawser_status equilibria(struct cli_mms_result *result, struct cli_m
 	drawn.label_every = 10;
 	if (!status)
 		cli_label_all(&drawn);
-	if (!status)
-		status = cli_show(result->common, &cli_frf_showing, &drawn, report);
-	if (!status)
+	if (!status) {
 		cli_range_warn(model, cli_range_reach(NULL, model, frf.coordinate, frf.points, model->rom.n));
+		status = cli_show(result->common, &cli_frf_showing, &drawn, report);
+	}
 	result->modulation = NULL;
 	hawser_frf_clear(&frf);
 	hawser_modulation_clear(&modulation);

@@ -107,12 +107,12 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		status = cli_model_load_modal(&model, &settings->common, settings->n, report);
 	if (!status)
 		status = trace(&nnm, settings, &model, report);
-	if (!status)
-		status = cli_show(&settings->common, &cli_nnm_showing, &result, report);
 	for (int k = 0; !status && k < nnm.curves; k++)
 		reached = cli_range_reach(reached, &model, nnm.curve[k].motion.coordinate,
 		                          nnm.curve[k].motion.points, model.rom.n);
 	cli_range_warn(&model, reached);
+	if (!status)
+		status = cli_show(&settings->common, &cli_nnm_showing, &result, report);
 	hawser_nnm_clear(&nnm);
 	cli_model_clear(&model);
 	return status;

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "cli/backbone/mms_result.h"
+#include "cli/model/exact.h"
 
 static const char axis[] = "xyz";
 static const char *const part_name[] = {"mean", "first", "second"};
@@ -214,6 +215,7 @@ static void comments(struct hawser__table *table, const void *of)
 	const char *rad_s = cli_unit(result->model, " rad/s"), *m = cli_unit(result->model, " m");
 
 	cli_choice_comments(table, result->model);
+	cli_exact_range_comments(table, result->model);
 	hawser__table_comment(table, "mode %d: omega = %.12g%s, damping = %.9g%s, load = %.9g%s",
 	                      primary->mode + 1, primary->omega*per_omega, rad_s,
 	                      primary->damping*per_omega, cli_unit(result->model, " 1/s"),

@@ -372,7 +372,6 @@ static void fill_json(struct hawser__json *json, const void *of)
 		hawser__fields_json(json, hawser__json_object(json, list, NULL), variant_field,
 		                    &result->variant[i], &view);
 	}
-	cli_warnings_json(json, *result->warning ? result->warning : NULL);
 	(void)cli_stats_json(json, result->common);
 }
 

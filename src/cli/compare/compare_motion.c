@@ -205,7 +205,6 @@ static const struct hawser__field result_field[] = {
 	{"", NULL, "", HAWSER__ARRAYS_OF(time_list), .flags = HAWSER__STREAM},
 	{"displacements", NULL, "of the mesh and the models", HAWSER__ARRAYS_OF(signal_list),
 	 .flags = HAWSER__STREAM},
-	{"", NULL, "", HAWSER__PART_OF(struct result, of.warning, cli_warnings_field)},
 	HAWSER__END,
 };
 #undef OF
@@ -377,10 +376,10 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	status = cli_outputs_check(&settings->common, report);
 	if (!status)
 		status = solve(result, report);
-	if (!status)
-		status = cli_show(&settings->common, &showing, result, report);
 	if (!status && *result->of.warning)
 		cli_warn(result->of.warning);
+	if (!status)
+		status = cli_show(&settings->common, &showing, result, report);
 	hawser_motions_clear(&result->motions);
 	cli_model_clear(&result->of.model);
 	free(result);

@@ -113,13 +113,12 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (!status) {
 		status = trace(&folds, settings, &result, report);
 	}
-	if (!status)
-		status = cli_show(&settings->common, &cli_folds_showing, &result, report);
-	if (!status)
+	if (!status) {
 		cli_exact_range_warn(&model);
-	if (!status)
 		cli_range_warn(&model, cli_range_reach(NULL, &model, folds.coordinate, folds.points,
 		                                       model.rom.n));
+		status = cli_show(&settings->common, &cli_folds_showing, &result, report);
+	}
 	hawser_folds_clear(&folds);
 	cli_model_clear(&model);
 	return status;

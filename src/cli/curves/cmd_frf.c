@@ -332,8 +332,6 @@ static enum hawser_status write_result(struct cli_frf_result *result, struct cli
                                        struct hawser_report *report)
 {
 	struct cli_showing showing = cli_frf_showing;
-	enum hawser_status status;
-	char *said;
 
 	if (!settings->peaks && reads_along(result->common)) {
 		int all = cli_frf_displacements(result);
@@ -347,17 +345,9 @@ static enum hawser_status write_result(struct cli_frf_result *result, struct cli
 		showing.draw = cli_backbone_draw;
 	result->direction = cli_frf_direction(result->frf);
 	cli_label_all(result);
-	said = cli_frf_warnings(model, result);
-	result->said = said;
-	status = model->starved ? hawser__no_memory(report, "frf")
-	                        : cli_show(result->common, &showing, result, report);
-	for (char *line = said, *end; !status && line && (end = strchr(line, '\n')); line = end + 1) {
-		*end = '\0';
-		cli_warn(line);
-	}
-	result->said = NULL;
-	free(said);
-	return status;
+	cli_frf_warn(model, result);
+	return model->starved ? hawser__no_memory(report, "frf")
+	                      : cli_show(result->common, &showing, result, report);
 }
 
 /* With --over, the curve has the label's frequency, and its modes at the label are the label's. */

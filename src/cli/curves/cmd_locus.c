@@ -236,13 +236,12 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (!status)
 		status = trace(&locus, settings, &result, &over, settings->and ? &plane : NULL,
 		               settings->label ? &first : NULL, &model, report);
-	if (!status)
-		status = cli_show(&settings->common, &cli_locus_showing, &result, report);
-	if (!status)
+	if (!status) {
 		cli_exact_range_warn(&model);
-	if (!status)
 		cli_range_warn(&model, cli_range_reach(NULL, &model, locus.coordinate, locus.points,
 		                                       model.rom.n));
+		status = cli_show(&settings->common, &cli_locus_showing, &result, report);
+	}
 	free(along);
 	cli_label_clear(&label);
 	hawser_locus_clear(&locus);

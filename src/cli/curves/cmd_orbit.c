@@ -254,7 +254,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	                                      .orbit = &orbit};
 	struct cli_showing showing = cli_integrate_showing;
 	enum hawser_status status = cli_outputs_check(&settings->common, report);
-	char text[CLI_WARNING_SIZE], scene[4096], set[CLI_KEY_SWEEP_SET];
+	char scene[4096], set[CLI_KEY_SWEEP_SET];
 	json_t *from = NULL;
 
 	if (!status)
@@ -297,19 +297,12 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (!status)
 		status = solve(&result, &orbit, &label, report);
 	showing.comments = comments;
-	if (!status)
+	if (!status) {
+		cli_integrate_warn(&model, label.omega, &result);
 		status = cli_show(&settings->common, &showing, &result, report);
+	}
 	if (!status && settings->animate)
 		status = animate(&result, settings, report);
-	if (!status)
-		cli_known_warn(&model, label.omega);
-	if (!status)
-		cli_fixed_warn(&result.model_error);
-	if (!status)
-		cli_range_warn(&model, cli_range_reach(NULL, &model, result.run.state, result.run.rows,
-		                                       2*result.run.n));
-	if (!status && cli_integrate_slack(text, sizeof text, &result))
-		cli_warn(text);
 	free(orbit.k);
 	free(orbit.amplitude);
 	hawser_frf_clear(&frf);

@@ -360,15 +360,13 @@ static void add_entries(struct cli_frf_picture *of)
 		                    "with lines lt 7 lw 1 " HAWSER__UNSTABLE_DASH);
 }
 
-/* branch [points]: see struct cli_frf_picture; told: what says how good it is. */
+/* branch [points]: see struct cli_frf_picture. */
 static enum hawser_status draw(const char *path, const struct cli_frf_result *result,
-                               const struct cli_frf_result *told, const int *branch,
-                               struct hawser_report *report)
+                               const int *branch, struct hawser_report *report)
 {
 	struct cli_frf_picture of = {.result = result, .branch = branch};
 	double from = result->from, to = result->to, room = HAWSER__LEGEND_CM, height;
 	enum hawser_status status;
-	char text[80];
 
 	of.x = cli_frf_axis(result->model);
 	of.y = cli_model_axis(result->model, "", "m");
@@ -392,9 +390,6 @@ static enum hawser_status draw(const char *path, const struct cli_frf_result *re
 	add_entries(&of);
 	draw_panels(&of, (room + cli_frf_details_cm(&of))/height);
 	cli_frf_draw_details(&of, room);
-	for (int k = 0, note; (note = cli_frf_caution(text, sizeof text, told, k)) >= 0; k++)
-		if (note > 0)
-			hawser__legend_once(&of.figure.legend, text, "with points pt 8 ps 1.2 lc rgb '#b00020'");
 	return hawser__figure_finish(&of.figure, report);
 }
 
@@ -406,14 +401,14 @@ enum hawser_status cli_frf_draw(const char *path, const void *context, struct ha
 	enum hawser_status status;
 
 	if (result->others == 0)
-		return draw(path, result, result, NULL, report);
+		return draw(path, result, NULL, report);
 	all = *result;
 	status = cli_frf_join(&joined, result) ? hawser__no_memory(report, "picture") : HAWSER_OK;
 	all.frf = &joined.frf;
 	all.peak = joined.peak;
 	all.peaks = joined.peaks;
 	if (!status)
-		status = draw(path, &all, result, joined.branch, report);
+		status = draw(path, &all, joined.branch, report);
 	cli_joined_clear(&joined);
 	return status;
 }

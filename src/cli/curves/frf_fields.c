@@ -222,23 +222,6 @@ static const struct hawser__field end_field[] = {
 };
 #undef OF
 
-static void warnings_json(struct hawser__json *json, json_t *into, const void *row)
-{
-	const struct cli_frf_result *result = row;
-	char text[CLI_WARNING_SIZE];
-	int note;
-
-	(void)into;
-	cli_warnings_json(json, NULL);
-	for (int k = 0; !result->said && (note = cli_frf_note(text, sizeof text, row, k)) >= 0; k++)
-		if (note > 0)
-			hawser__json_text(json, json_object_get(json->root, "warnings"), NULL, text);
-	for (const char *line = result->said; line && *line; line += strcspn(line, "\n") + 1) {
-		snprintf(text, sizeof text, "%.*s", (int)strcspn(line, "\n"), line);
-		hawser__json_text(json, json_object_get(json->root, "warnings"), NULL, text);
-	}
-}
-
 static void parameters_json(struct hawser__json *json, json_t *into, const void *row)
 {
 	const struct hawser_rom_source *source = &((const struct cli_frf_result *)row)->model->source;
@@ -360,9 +343,6 @@ static const struct hawser__field result_field[] = {
 	{"gaps", NULL, "parts of the range in which no branch was found",
 	 HAWSER__OBJECTS_OF(gap_list), .when = BRANCHES},
 	THROUGH(model, cli_basis_field),
-	{"warnings", NULL, "what standard error says: a large error of the model, a range "
-	 "beyond its modes, a slack cable, undecided stability, gaps, branches that were not found",
-	 HAWSER__CALLS(warnings_json)},
 	{"tori", NULL, "curves of quasi-periodic motions, with --tori",
 	 HAWSER__STORED(struct cli_frf_result, tori, curves, cli_tori_field), .when = TORI},
 	{"sweeps", NULL, "sweeps by settled time integration",

@@ -214,45 +214,20 @@ static int undecided(char *text, size_t size, const struct cli_frf_result *resul
 	return frf->undecided > 0 && frf->undecided < frf->points && cli_frf_damped(result);
 }
 
-int cli_frf_caution(char *text, size_t size, const struct cli_frf_result *result, int k)
-{
-	const struct cli_frf_result *worst = cli_fixed_worst(result);
-	char unused[CLI_WARNING_SIZE];
-	double off = worst ? worst->error.fixed.estimated : 0.0;
-
-	switch (k) {
-	case 0:
-		snprintf(text, size, "may be off by %s%.0f %%", off < 1.0 ? "" : "more than ", 100.0*off);
-		return worst != NULL;
-	case 1:
-		snprintf(text, size, "beyond the modes of the model");
-		return cli_known_lacks(unused, sizeof unused, result->model, fmax(result->from, result->to));
-	case 2:
-		snprintf(text, size, ends_slack(result) ? "ends slack" : "slack in parts");
-		return slack(unused, sizeof unused, result);
-	case 3:
-		snprintf(text, size, "stability undecided in parts");
-		return undecided(unused, sizeof unused, result);
-	case 4:
-		snprintf(text, size, "a part of the range");
-		return result->model->exact.until > 0.0;
-	default:
-		return -1;
-	}
-}
+enum { SLACK = 0, UNDECIDED = 7 };
 
 int cli_frf_note(char *text, size_t size, const struct cli_frf_result *result, int k)
 {
 	static int (*const note[])(char *, size_t, const struct cli_frf_result *) = {
-		slack, cli_frf_lift, lost, unstable, work, gaps, unsearched, undecided,
-		none_stable};
+		[SLACK] = slack, cli_frf_lift, lost, unstable, work, gaps, unsearched,
+		[UNDECIDED] = undecided, none_stable};
 
 	return k < (int)(sizeof note/sizeof *note) ? note[k](text, size, result) : -1;
 }
 
-char *cli_frf_warnings(struct cli_model *model, const struct cli_frf_result *result)
+void cli_frf_warn(struct cli_model *model, const struct cli_frf_result *result)
 {
-	char *said = NULL, **before = cli_warn_into(&said), text[CLI_WARNING_SIZE];
+	char text[CLI_WARNING_SIZE];
 	int note;
 
 	cli_basis_warn(result->model);
@@ -262,10 +237,12 @@ char *cli_frf_warnings(struct cli_model *model, const struct cli_frf_result *res
 	cli_exact_warn(result->model);
 	cli_range_warn_frf(model, result);
 	for (int k = 0; (note = cli_frf_note(text, sizeof text, result, k)) >= 0; k++)
-		if (note > 0)
+		if (note > 0 && k == SLACK)
+			cli_caution(ends_slack(result) ? "ends slack" : "slack in parts", text);
+		else if (note > 0 && k == UNDECIDED)
+			cli_caution("stability undecided in parts", text);
+		else if (note > 0)
 			cli_warn(text);
 	for (int k = 0; k < result->misses; k++)
 		cli_warn(result->missed[k].text);
-	cli_warn_into(before);
-	return said;
 }

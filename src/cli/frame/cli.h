@@ -332,10 +332,10 @@ double cli_processor_seconds(void); /* of the calling thread */
  * (scaled), which a modal model without condensed modes omits; 0 if the model has it. And a comment. */
 double cli_speeding_tension(const struct cli_model *model, double omega);
 void cli_speeding_comment(struct hawser__table *table, const struct cli_model *model, double omega);
-/* Add "warnings": a list with one text, or empty (NULL). */
-void cli_warnings_json(struct hawser__json *json, const char *warning);
-/* Print the same on standard error, also with --quiet. */
+/* Say it on standard error, also with --quiet, and in `warnings` of the JSON that is written next. */
 void cli_warn(const char *warning);
+/* The same, and in its picture a few words. */
+void cli_caution(const char *brief, const char *warning);
 /* A file of --vtk, or NULL: its name, and that it can be written. */
 enum hawser_status cli_vtk_check(const char *path, const char *command,
                                  struct hawser_report *report) HAWSER_MUST_CHECK;
@@ -446,7 +446,6 @@ struct cli_frf_result {
 	const struct cli_frf_result *other; /* [others] further branches (frf_cover.h) */
 	const double *gap; /* [gaps][2] scaled Omega: parts of the range in which no branch was found */
 	const struct cli_missed *missed; /* [misses] what was not followed (frf_cover.h) */
-	const char *said;                /* lines: all that is warned of; NULL: nothing */
 	int others, gaps, misses, label_every; /* label_every: 0: of events alone */
 	int observed;   /* most unstable multipliers of further branches, not asked for; 0: no limit */
 	int unsearched; /* 1: further branches are not searched for, since the model is too far off */
@@ -464,12 +463,10 @@ int cli_frf_direction(const struct hawser_frf *frf);
 /* Warning k about a result, from 0: slackness, parts of the range without a branch and the like
  * (frf_notes.c). 1: text [size] is it; 0: there is nothing to say; -1: no further k. */
 int cli_frf_note(char *text, size_t size, const struct cli_frf_result *result, int k);
-/* All that is warned of, a line each, for JSON and standard error; the caller frees it. */
-char *cli_frf_warnings(struct cli_model *model, const struct cli_frf_result *result);
+/* Say all that is warned of. */
+void cli_frf_warn(struct cli_model *model, const struct cli_frf_result *result);
 /* Whether the model has damping: without it stability is undecided everywhere. */
 int cli_frf_damped(const struct cli_frf_result *result);
-/* The same in a few words, for the picture, of the errors of the model too. */
-int cli_frf_caution(char *text, size_t size, const struct cli_frf_result *result, int k);
 void cli_frf_peak_comments(struct hawser__table *table, const struct cli_frf_result *result);
 void cli_frf_comments(struct hawser__table *table, const void *result);
 extern const struct cli_showing cli_frf_showing;

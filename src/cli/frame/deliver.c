@@ -319,14 +319,17 @@ enum hawser_status cli_show(const struct cli_common *common, const struct cli_sh
 	if (!taker)
 		cli_writing(1); /* formatting is the first part of writing */
 	show_table(&table, showing, result);
-	if (common->json)
+	if (common->json) {
 		show_json(&json, showing, result);
+		cli_warnings_json(&json);
+	}
 	if (common->json && !taker && table.about && !json.status &&
 	    !json.members.write) /* a model file has no columns */
 		json.status = json_object_set(json.root, "columns", table.about)
 		              ? hawser__no_memory(&json.report, "json") : HAWSER_OK;
 	status = taker ? hand_over(common, &table, &json, showing, result, report)
 	               : cli_deliver(common, &table, &json, &drawing, report);
+	cli_warnings_end();
 	hawser__json_clear(&json);
 	hawser__table_clear(&table);
 	return status;

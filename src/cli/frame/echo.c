@@ -11,6 +11,7 @@
 
 #include "cli/frame/colour.h"
 #include "cli/frame/within.h"
+#include "output/drawing/style.h"
 
 /* Of a scene that the table of keys does not describe; NULL of others. */
 static const char *other_kind(const struct cli_common *common)
@@ -317,14 +318,6 @@ void cli_speeding_comment(struct hawser__table *table, const struct cli_model *m
 		                      "model.energy: exact have it)", missing);
 }
 
-void cli_warnings_json(struct hawser__json *json, const char *warning)
-{
-	json_t *list = hawser__json_array(json, json->root, "warnings");
-
-	if (warning)
-		hawser__json_text(json, list, NULL, warning);
-}
-
 void cli_warn_doubts(const struct hawser_scene *scene)
 {
 	struct hawser_doubt doubt[HAWSER_DOUBTS];
@@ -360,7 +353,7 @@ void cli_warn_wake(const struct hawser_scene *scene, const struct hawser_statics
 	cli_warn(text);
 }
 
-static char **kept;
+static char **kept, *said; /* lines; `said`: since the last result */
 
 char **cli_warn_into(char **text)
 {
@@ -371,22 +364,48 @@ char **cli_warn_into(char **text)
 }
 
 /* Add a line to the text; without memory it is not kept. */
-static void keep(const char *line)
+static void keep(char **into, const char *line)
 {
-	size_t used = *kept ? strlen(*kept) : 0, more = strlen(line);
-	char *text = realloc(*kept, used + more + 2);
+	size_t used = *into ? strlen(*into) : 0, more = strlen(line);
+	char *text = realloc(*into, used + more + 2);
 
 	if (!text)
 		return;
 	memcpy(text + used, line, more);
 	memcpy(text + used + more, "\n", 2);
-	*kept = text;
+	*into = text;
 }
 
 void cli_warn(const char *warning)
 {
+	keep(&said, warning);
 	if (kept)
-		keep(warning);
+		keep(kept, warning);
 	else
 		cli_say(CLI_WARNING, warning);
+}
+
+void cli_caution(const char *brief, const char *warning)
+{
+	hawser__legend_caution(brief);
+	cli_warn(warning);
+}
+
+void cli_warnings_json(struct hawser__json *json)
+{
+	json_t *list = json_object_get(json->root, "warnings") ? NULL /* a list of its own */
+	               : hawser__json_array(json, json->root, "warnings");
+
+	for (char *line = list ? said : NULL, *end; line && (end = strchr(line, '\n')); line = end + 1) {
+		*end = '\0';
+		hawser__json_text(json, list, NULL, line);
+		*end = '\n';
+	}
+}
+
+void cli_warnings_end(void)
+{
+	free(said);
+	said = NULL;
+	hawser__legend_caution(NULL);
 }

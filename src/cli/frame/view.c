@@ -116,14 +116,3 @@ const struct hawser__field cli_naturals_field[] = {
 	 .kind = HAWSER__VECTOR, HAWSER__PLACE(struct cli_model, natural), .vector = &natural_vector},
 	HAWSER__END,
 };
-
-static void warnings_json(struct hawser__json *json, json_t *into, const void *text)
-{
-	(void)into;
-	cli_warnings_json(json, *(const char *)text ? text : NULL);
-}
-
-const struct hawser__field cli_warnings_field[] = {
-	{"warnings", NULL, "texts", HAWSER__CALLS(warnings_json)},
-	HAWSER__END,
-};

@@ -55,8 +55,6 @@ extern const struct hawser__field cli_si_field[], cli_naturals_field[], cli_choi
                                   cli_basis_field[], cli_exact_field[];
 /* Of a struct cli_model_error. */
 extern const struct hawser__field cli_fixed_field[], cli_certificate_field[];
-/* Of a char []: `warnings`, the text, or none if it is empty. */
-extern const struct hawser__field cli_warnings_field[];
 /* Of a struct cli_frf_result: its peaks. */
 extern const struct hawser__list cli_frf_peak_list;
 /* The same as a table. */

@@ -46,6 +46,9 @@ void cli_show_to(const struct cli_taker *taker);
 /* From now on add warnings, a line each, to *text, which the caller frees, in place of standard
  * error; NULL: no longer. */
 char **cli_warn_into(char **text);
+/* Add "warnings", and forget them after a result. */
+void cli_warnings_json(struct hawser__json *json);
+void cli_warnings_end(void);
 
 /* --- signals.c --- */
 

@@ -9,6 +9,7 @@
 
 #include "cli/model/axis.h"
 #include "cli/map/hill_result.h"
+#include "cli/model/exact.h"
 #include "cli/frame/progress.h"
 #include "cli/map/tongues.h"
 #include "cli/frame/view.h"
@@ -107,7 +108,7 @@ static void warn(const struct hawser_hill_chart *chart)
 	if (chart->missed > 0) {
 		snprintf(text, sizeof text, "at %ld points no response was found, and boundaries may be "
 		         "missing there: %.300s", chart->missed, chart->why);
-		cli_warn(text);
+		cli_caution("no response in parts", text);
 	}
 	cli_tongues_warn(&chart->narrow);
 }
@@ -206,18 +207,24 @@ static enum hawser_status boundaries(struct cli_hill_result *result, struct cli_
 		source.from[k] = result->axis[k].from;
 		source.to[k] = result->axis[k].to;
 	}
-	status = cli_judged_plane(&result->judged, &source, model, cli_judged_free(model, settings->n),
-	                          report);
+	if (!settings->rest)
+		status = cli_exact_plane(&(struct cli_plane){{source.key[0], source.key[1]},
+		                         {source.from[0], source.from[1]}, {source.to[0], source.to[1]},
+		                         source.omega, 0}, model, settings->n, result->common, report);
+	if (!status)
+		status = cli_judged_plane(&result->judged, &source, model, cli_judged_free(model, settings->n),
+		                          report);
 	if (!status)
 		status = hawser_hill_cable_open(&field, &source, report);
 	if (!status)
 		status = trace(result, &field, settings, report);
 	if (!status)
 		status = cli_judged_chart(&result->judged, &source, &result->chart, report);
-	if (!status)
+	if (!status) {
+		cli_exact_range_warn(model);
 		cli_judged_warn(&result->judged);
-	if (!status)
 		status = cli_show(result->common, &cli_hill_boundaries, result, report);
+	}
 	hawser_hill_cable_close(&field);
 	return status;
 }

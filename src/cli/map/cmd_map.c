@@ -160,7 +160,7 @@ static void warn_uncomputed(const struct hawser_map *map)
 	if (map->incomplete > 0) {
 		snprintf(text, sizeof text, "in %d rows responses may be missing, since a curve could not be "
 		         "followed to its end; the first: %.300s", map->incomplete, map->broken);
-		cli_warn(text);
+		cli_caution("responses may be missing", text);
 	}
 	if (count == 0)
 		return;
@@ -300,6 +300,23 @@ static void take_axis(struct cli_map_result *result, int k, const struct cli_map
 	result->options.to[k] = axis->backwards ? axis->from : axis->to;
 }
 
+/* A map of amplitudes may take the exact energy; of the stability of responses the error is stated. */
+static enum hawser_status judge_model(const struct cli_map_result *result,
+                                      struct cli_model *model, int n, struct hawser_report *report)
+{
+	const struct hawser_map_options *options = &result->options;
+	const char *name = result->quantity->name;
+	int k = strcmp(result->key[1], "Omega") == 0, whole = strcmp(name, "amplitude") == 0;
+	const struct cli_plane plane = {
+		{result->key[0], result->key[1]}, {options->from[0], options->from[1]},
+		{options->to[0], options->to[1]}, result->omega,
+		!whole ? 0 : options->points[k || strcmp(result->key[0], "Omega") == 0 ? 1 - k : 1]};
+
+	if (!whole && strcmp(name, "multiplier") != 0 && strcmp(name, "unstable") != 0)
+		return HAWSER_OK;
+	return cli_exact_plane(&plane, model, n, result->common, report);
+}
+
 static enum hawser_status make(struct settings *settings, struct hawser__ranks *ranks,
                                struct hawser_report *report)
 {
@@ -318,8 +335,8 @@ static enum hawser_status make(struct settings *settings, struct hawser__ranks *
 	}
 	if (!status && settings->omega)
 		status = cli_map_frequency(&result.omega, settings->omega, "Omega", &model, report);
-	if (!status)
-		status = cli_exact_map(&result, &model, settings->n, report);
+	if (!status && !settings->rest)
+		status = judge_model(&result, &model, settings->n, report);
 	if (!status && model.has_scene && model.scene.travel.braking > 0.0)
 		cli_warn("travel.braking is left out: the map is of travel.speed, the speed before");
 	if (!status)
@@ -328,16 +345,16 @@ static enum hawser_status make(struct settings *settings, struct hawser__ranks *
 		cli_map_part_done(&result.options, &map, settings->common.quiet || is_worker(ranks));
 	else if (!status && !is_worker(ranks))
 		cli_map_judge(&result);
-	if (!status && result.options.parts == 0 && !is_worker(ranks))
-		status = write_result(&result, settings, report);
 	if (!status && !is_worker(ranks)) {
 		if (*result.flat)
-			cli_warn(result.flat);
+			cli_caution(result.flat[0] == 'e' ? "empty" : "constant", result.flat);
 		cli_exact_range_warn(&model);
 		warn_uncomputed(&map);
 		cli_judged_warn(&result.judged);
 		cli_tongues_warn(&map.narrow);
 	}
+	if (!status && result.options.parts == 0 && !is_worker(ranks))
+		status = write_result(&result, settings, report);
 	hawser_map_clear(&map);
 	hawser_basins_clear(&result.basins);
 	cli_model_clear(&model);

@@ -8,6 +8,7 @@
 
 #include "cli/model/axis.h"
 #include "cli/model/condensed.h"
+#include "cli/model/exact.h"
 #include "cli/map/hill_result.h"
 #include "cli/map/tongues.h"
 #include "cli/frame/view.h"
@@ -276,6 +277,8 @@ static void boundaries_table(struct hawser__table *table, const void *of)
 		                      "missing there: %s", chart->missed, chart->why);
 	if (chart->interrupted)
 		hawser__table_comment(table, "interrupted: boundaries are missing");
+	if (result->model)
+		cli_exact_range_comments(table, result->model);
 	hawser__table_comment(table, result->model ? "%ld points of the plane"
 	                                           : "%ld eigenvalue problems", chart->evaluations);
 	hawser__fields_columns(table, point_field, &view);

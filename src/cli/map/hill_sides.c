@@ -18,7 +18,7 @@
 #include "core/order.h"
 #include "core/report.h"
 
-enum { ROWS = 100, CELLS = 60, HALVINGS = 8 };
+enum { ROWS = 100, CELLS = 24, HALVINGS = 8 };
 static const double overlap = 0.1;  /* of the height of a row, so that no gap shows between two
                                      * rows */
 

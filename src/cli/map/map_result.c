@@ -415,7 +415,6 @@ static const struct hawser__field result_field[] = {
 	{"Omega", NULL, "frequency of the excitation, if it is no parameter", OF(omega),
 	 .unit = HAWSER__RADIAN_S, .when = OMEGA},
 	{"", NULL, "", HAWSER__PART_OF(struct cli_map_result, judged, cli_judged_field)},
-	{"", NULL, "", HAWSER__PART_OF(struct cli_map_result, flat, cli_warnings_field)},
 	{"points", NULL, "lists by name", HAWSER__ARRAYS_OF(point_list), .flags = HAWSER__STREAM},
 	{"", NULL, "", HAWSER__PART_OF(struct cli_map_result, basins, basins_field), .when = BASINS},
 	{"", NULL, "", HAWSER__THROUGH(struct cli_map_result, map, map_field)},

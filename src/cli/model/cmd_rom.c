@@ -356,8 +356,6 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (!status && settings->export[0])
 		status = export(settings, &model, report);
 	settings->common.delivered = settings->export[0] != NULL;
-	if (!status)
-		status = cli_show(&settings->common, &showing, &result, report);
 	if (!status && model.has_scene && model.rom.drag)
 		cli_warn(model.scene.wind.present
 		         ? "the force of the wind is no part of these entries with wind.form: exact: hawser "
@@ -366,6 +364,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		           "its force from the scene");
 	if (!status)
 		cli_made_warn(&model);
+	if (!status)
+		status = cli_show(&settings->common, &showing, &result, report);
 	cli_model_clear(&model);
 	return status;
 }

@@ -14,7 +14,6 @@
 
 #include "cli/model/exact.h"
 #include "cli/model/label.h"
-#include "cli/map/map_result.h"
 #include "cli/frame/progress.h"
 #include "cli/model/state.h"
 #include "cli/frame/view.h"
@@ -300,6 +299,14 @@ static enum hawser_status judge(struct hawser_frf *frf, struct cli_model *model,
 	return status == HAWSER_ERR_MEMORY ? status : HAWSER_OK;
 }
 
+/* Whether its error over a range can be estimated: that of a span of condensed modes. */
+static int is_judged(const struct cli_model *model)
+{
+	return model->has_scene && !model->made && !model->automatic && !model->rom.exact &&
+	       model->scene.model.energy != HAWSER_ENERGY_EXACT &&
+	       model->scene.model.condense == HAWSER_CONDENSE_STATIC;
+}
+
 enum hawser_status cli_exact_range(struct cli_model *model, double from, double to, double after,
                                    const struct cli_common *common, struct hawser_report *report)
 {
@@ -311,13 +318,16 @@ enum hawser_status cli_exact_range(struct cli_model *model, double from, double 
 	struct hawser_frf frf = {.n = 0};
 	enum hawser_status status;
 
-	if (!cli_exact_calls(model, NULL) || model->rom.harmonics == 0 || from == to)
+	model->error.to = fmax(from, to);
+	if (!is_judged(model) || !hawser_rom_loaded(&model->rom) || from == to)
 		return HAWSER_OK;
-	model->error = (struct cli_model_error){.stated = 1, .timed = !common->reproducible,
+	model->error = (struct cli_model_error){.stated = 1, .to = model->error.to,
+	                                        .timed = !common->reproducible,
 	                                        .about = "folds and peaks", .advice = cli_fixed_advice,
 	                                        .per_omega = cli_per_omega(model), .fixed.estimated = NAN};
 	status = judge(&frf, model, &options, report);
-	if (!status && is_wanted(model, &model->error)) {
+	if (!status && after >= 0.0 && is_wanted(model, &model->error) &&
+	    (model->error.unweighed || isfinite(model->error.fixed.estimated))) {
 		options.step_max = 0.0;
 		status = search(&better, model, &model->error, NULL, &options, &frf, frf.points, after, report);
 		hawser_accuracy_clear(&better);
@@ -344,24 +354,27 @@ static enum hawser_status choose_for(struct cli_model *model, int n, double from
 		model->scene.model.energy = HAWSER_ENERGY_EXACT;
 		model->scene.model.basis = own.exact.functions;
 	}
+	if (!status)
+		cli_known_warn(&own, to/unit);
 	model->exact = own.exact;
 	model->error = own.error;
 	cli_model_clear(&own);
 	return status;
 }
 
-enum hawser_status cli_exact_map(const struct cli_map_result *map, struct cli_model *model, int n,
-                                 struct hawser_report *report)
+enum hawser_status cli_exact_plane(const struct cli_plane *plane, struct cli_model *model, int n,
+                                   const struct cli_common *common, struct hawser_report *report)
 {
-	int k = strcmp(map->key[1], "Omega") == 0, axis = k || strcmp(map->key[0], "Omega") == 0;
-	double from = axis ? map->options.from[k] : map->omega/around;
-	double to = axis ? map->options.to[k] : map->omega*around;
-	double rows = map->options.points[axis ? 1 - k : 1];
+	int k = strcmp(plane->key[1], "Omega") == 0, axis = k || strcmp(plane->key[0], "Omega") == 0;
+	double from = axis ? plane->from[k] : plane->omega/around;
+	double to = axis ? plane->to[k] : plane->omega*around;
 
-	if (strcmp(map->quantity->name, "amplitude") != 0 || !cli_exact_calls(model, NULL) ||
-	    model->scene.beam.form || !(from > 0.0))
+	if (!model->has_scene && from > 0.0)
+		model->error.to = to/cli_per_omega(model);
+	if (!model->has_scene || model->scene.beam.form || !(from > 0.0) ||
+	    (model->scene.travel.present && plane->rows == 0)) /* of which judged.h states the error */
 		return HAWSER_OK;
-	return choose_for(model, n, from, to, row*rows, map->common, report);
+	return choose_for(model, n, from, to, plane->rows > 0 ? row*plane->rows : -1.0, common, report);
 }
 
 void cli_exact_range_comments(struct hawser__table *table, const struct cli_model *model)
@@ -372,6 +385,8 @@ void cli_exact_range_comments(struct hawser__table *table, const struct cli_mode
 
 void cli_exact_range_warn(const struct cli_model *model)
 {
+	if (model->rom.n > 0)
+		cli_known_warn(model, model->error.to);
 	cli_fixed_warn(&model->error);
 	cli_exact_warn(model);
 }
@@ -457,7 +472,7 @@ void cli_exact_warn(const struct cli_model *model)
 	char text[CLI_WARNING_SIZE];
 
 	if (unfinished(text, sizeof text, model))
-		cli_warn(text);
+		cli_caution("a part of the range", text);
 	if (!model->exact.failed[0])
 		return;
 	snprintf(text, sizeof text, "the exact energy was called for, and not taken: %s",

@@ -27,16 +27,22 @@ enum hawser_status cli_exact_trace(struct hawser_frf *frf, struct hawser_frf_opt
                                    struct hawser_report *report) HAWSER_MUST_CHECK;
 /* For commands that do not trace that response: model->error becomes the error of the modes in the
  * response over the range (scaled), and where they are not good enough, the model becomes that of the
- * exact energy, if two of its bases agree there. after: the time of the command, over that of the curve
- * with long steps that chooses a basis. Does nothing for other models, or where nothing drives them. */
+ * exact energy, if two of its bases agree there. after: the time of the command, over that of the
+ * curve with long steps that chooses a basis; below 0: the error alone. Does nothing for other
+ * models, or where nothing drives them. */
 enum hawser_status cli_exact_range(struct cli_model *model, double from, double to, double after,
                                    const struct cli_common *common,
                                    struct hawser_report *report) HAWSER_MUST_CHECK;
-/* The same for a map of amplitudes: by the responses of the scene itself over its frequencies. The
- * scene then has the keys of the exact energy. n: of cli_model_load. */
-struct cli_map_result;
-enum hawser_status cli_exact_map(const struct cli_map_result *map, struct cli_model *model, int n,
-                                 struct hawser_report *report) HAWSER_MUST_CHECK;
+/* The same for a plane of two parameters, of a span at rest: by the responses of the scene itself over
+ * its frequencies. The scene then has the keys of the exact energy. n: of cli_model_load. */
+struct cli_plane {
+	const char *key[2];
+	double from[2], to[2], omega; /* rad/s */
+	int rows; /* responses that are followed; 0: the error alone */
+};
+enum hawser_status cli_exact_plane(const struct cli_plane *plane, struct cli_model *model, int n,
+                                   const struct cli_common *common,
+                                   struct hawser_report *report) HAWSER_MUST_CHECK;
 void cli_exact_range_comments(struct hawser__table *table, const struct cli_model *model);
 void cli_exact_range_warn(const struct cli_model *model);
 /* Where a result (TEXT: FILE or FILE#LABEL, or NULL) is of the exact energy and the scene leaves the

@@ -252,7 +252,7 @@ static void warn(const struct cli_model_error *error, int number)
 {
 	char text[CLI_WARNING_SIZE], branch[24] = "";
 	const char *more = error->fixed.estimated < 1.0 ? "" : "more than ";
-	char most[64];
+	char most[64], brief[48];
 
 	if (!is_much(error))
 		return;
@@ -269,7 +269,8 @@ static void warn(const struct cli_model_error *error, int number)
 		snprintf(text, sizeof text, "%s%s may be off by %s%.0f %% because of what the model leaves "
 		         "out, by an estimate to first order%s: %s", branch, error->about, more,
 		         100.0*error->fixed.estimated, mostly(most, sizeof most, &error->fixed), error->advice);
-	cli_warn(text);
+	snprintf(brief, sizeof brief, "may be off by %s%.0f %%", more, 100.0*error->fixed.estimated);
+	cli_caution(brief, text);
 }
 
 void cli_fixed_warn(const struct cli_model_error *error)
@@ -338,7 +339,7 @@ void cli_range_warn(struct cli_model *model, double *reached)
 	         "(hawser rom prints the range of each)", j + 1, rom->label ? rom->label[j] : "mode",
 	         reached[j]*rom->range[j].largest, 100.0*HAWSER_LAW_LIMIT, rom->range[j].amplitude);
 	free(reached);
-	cli_warn(text);
+	cli_caution("moves further than the model is right", text);
 }
 
 /* A curve over a key of the scene has other models than that of the scene. */

@@ -16,6 +16,7 @@ struct cli_model_error {
 	int stated;        /* 1: it, or why it is not known, belongs to the result */
 	int compared;      /* 1: by the motion of a model of another size, else mode by mode */
 	double per_omega;  /* rad/s per scaled frequency */
+	double to;         /* scaled: largest frequency of the command */
 	int timed;         /* 1: with the time that the estimate took */
 	const char *about, *advice; /* "folds and peaks"; what may be closer */
 	struct hawser_accuracy_fixed fixed; /* estimated: NAN if it is not known */

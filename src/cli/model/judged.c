@@ -120,7 +120,7 @@ void cli_judged_warn(const struct cli_judged *judged)
 		         *judged->unit ? " " : "", judged->unit, edges->share, judged->coordinates,
 		         judged->waves > 0 ? "hawser hill --Omega has a larger model, for single points"
 		         : "leave -n and the keys of model out, and they follow from the speed");
-		cli_warn(text);
+		cli_caution("boundaries are rough", text);
 	}
 	if (edges->compared > 0)
 		return;
@@ -129,7 +129,7 @@ void cli_judged_warn(const struct cli_judged *judged)
 	snprintf(text, sizeof text, "natural frequencies of the travelling cable are off by %.1e with %d "
 	         "coordinates, and boundaries of stability by as much: take more modes (-n), or --set "
 	         "model.energy=exact", judged->error, judged->coordinates);
-	cli_warn(text);
+	cli_caution("boundaries are rough", text);
 }
 
 enum hawser_status cli_judged_choose(struct cli_judged *judged, struct cli_model *model, int free,

@@ -111,5 +111,5 @@ void cli_known_warn(const struct cli_model *model, double omega)
 	char text[CLI_WARNING_SIZE];
 
 	if (cli_known_lacks(text, sizeof text, model, omega))
-		cli_warn(text);
+		cli_caution("beyond the modes of the model", text);
 }

@@ -301,30 +301,33 @@ static enum hawser_status solve(struct hawser_trajectory *run, struct cli_integr
 	return status;
 }
 
+void cli_integrate_warn(struct cli_model *model, double omega,
+                        const struct cli_integrate_result *result)
+{
+	char text[CLI_WARNING_SIZE];
+
+	cli_known_warn(model, omega);
+	cli_fixed_warn(&result->model_error);
+	cli_exact_warn(model);
+	cli_range_warn(model, cli_range_reach(NULL, model, result->run.state, result->run.rows,
+	                                      2*result->run.n));
+	if (cli_integrate_slack(text, sizeof text, result))
+		cli_caution("slack in parts", text);
+	if (cli_integrate_moves(text, sizeof text, result))
+		cli_warn(text);
+	if (cli_integrate_wind(text, sizeof text, result))
+		cli_warn(text);
+}
+
 static enum hawser_status write_result(struct cli_integrate_result *result, struct cli_model *model,
                                        struct hawser_report *report)
 {
 	enum hawser_status status = cli_integrate_fill(result, report);
-	char text[CLI_WARNING_SIZE];
 
-	if (!status)
-		status = cli_show(result->common, &cli_integrate_showing, result, report);
-	if (!status)
-		cli_known_warn(result->model, result->omega);
-	if (!status)
-		cli_fixed_warn(&result->model_error);
-	if (!status)
-		cli_exact_warn(result->model);
-	if (!status)
-		cli_range_warn(model, cli_range_reach(NULL, model, result->run.state, result->run.rows,
-		                                      2*result->run.n));
-	if (!status && cli_integrate_slack(text, sizeof text, result))
-		cli_warn(text);
-	if (!status && cli_integrate_moves(text, sizeof text, result))
-		cli_warn(text);
-	if (!status && cli_integrate_wind(text, sizeof text, result))
-		cli_warn(text);
-	return status;
+	if (status)
+		return status;
+	cli_integrate_warn(model, result->omega, result);
+	return cli_show(result->common, &cli_integrate_showing, result, report);
 }
 
 /* Whether it is of a net, and of its model. */

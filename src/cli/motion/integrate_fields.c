@@ -195,16 +195,6 @@ static const struct hawser__list history_list = ROWS(run.rows, history_field),
                                  exponent_list = ROWS(lyapunov.m, exponent_field),
                                  spectrum_list = ROWS(bins, spectrum_field);
 
-static void warnings_json(struct hawser__json *json, json_t *into, const void *row)
-{
-	char text[CLI_WARNING_SIZE];
-
-	(void)into;
-	cli_warnings_json(json, cli_integrate_slack(text, sizeof text, row) ||
-	                        cli_integrate_moves(text, sizeof text, row) ||
-	                        cli_integrate_wind(text, sizeof text, row) ? text : NULL);
-}
-
 static int coordinates(const void *context)
 {
 	return states(context)/2;
@@ -268,8 +258,6 @@ static const struct hawser__field integrate_field[] = {
 	{"tension.max", NULL, "greatest", OF(most), .unit = HAWSER__NEWTON, .when = KNOWN},
 	{"", NULL, "", HAWSER__PART_OF(struct cli_integrate_result, surge, cli_surge_field),
 	 .when = SURGES},
-	{"warnings", NULL, "sentences about a slack cable, or ends that move at the start",
-	 HAWSER__CALLS(warnings_json)},
 	{"lyapunov", NULL, "Lyapunov exponents, with --lyapunov", HAWSER__ARRAYS_OF(exponent_list),
 	 .when = EXPONENTS},
 	{"lyapunov_periods", NULL, "number of periods of which they are averages", OF(lyapunov.averaged),

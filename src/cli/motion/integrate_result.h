@@ -85,6 +85,9 @@ void cli_integrate_free(struct cli_integrate_result *result);
 int cli_integrate_slack(char *text, size_t size, const struct cli_integrate_result *result);
 /* The same of ends that move when a run from rest begins. */
 int cli_integrate_moves(char *text, size_t size, const struct cli_integrate_result *result);
+/* Say what is wrong with it, at this forcing frequency (scaled). */
+void cli_integrate_warn(struct cli_model *model, double omega,
+                        const struct cli_integrate_result *result);
 /* The same of a wind: nothing moves, or too fast for the force to the third order. */
 int cli_integrate_wind(char *text, size_t size, const struct cli_integrate_result *result);
 /* surge.c: axial waves if the travel speed changes and the model is not of full order, comments and a

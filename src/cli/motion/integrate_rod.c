@@ -160,8 +160,6 @@ const struct hawser__field cli_rod_motion_field[] = {
 	 .unit = HAWSER__METRE},
 	{"interrupted", NULL, "whether the run ended early",
 	 HAWSER__FLAG_AT(struct result, motion.interrupted), .from = HAWSER__IN_PARENT},
-	{"", NULL, "", HAWSER__PART_OF(struct result, warning, cli_warnings_field),
-	 .from = HAWSER__IN_PARENT},
 	HAWSER__END,
 };
 static const struct hawser__list row_list = {
@@ -301,10 +299,10 @@ enum hawser_status cli_integrate_rod(const void *context, struct hawser_report *
 	if (!status) {
 		judge(result);
 		gather(&result->probed, result);
+		if (*result->warning)
+			cli_warn(result->warning);
 		status = cli_show(settings->common, &showing, result, report);
 	}
-	if (!status && *result->warning)
-		cli_warn(result->warning);
 	hawser_rod_motion_clear(&result->motion);
 	hawser_rod_clear(&result->rod);
 	free(result);

@@ -161,7 +161,6 @@ const struct hawser__field cli_span_field[] = {
 	 .unit = HAWSER__SECOND, .flags = HAWSER__NULL},
 	{"slack_S", NULL, "where, from end A", OF(run.slack_S), .unit = HAWSER__METRE,
 	 .flags = HAWSER__NULL},
-	{"", NULL, "", HAWSER__PART_OF(struct result, of.warning, cli_warnings_field)},
 	HAWSER__END,
 };
 static const struct hawser__field cost_field[] = {
@@ -333,10 +332,10 @@ enum hawser_status cli_integrate_span(const struct cli_common *common,
 	result->common = common;
 	result->settings = settings;
 	status = solve(result, report);
-	if (!status)
-		status = cli_show(common, &showing, result, report);
 	if (!status && *result->of.warning)
 		cli_warn(result->of.warning);
+	if (!status)
+		status = cli_show(common, &showing, result, report);
 	hawser_net_span_motion_clear(&result->run);
 	cli_model_clear(&result->of.model);
 	free(result);

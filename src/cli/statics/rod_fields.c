@@ -94,7 +94,6 @@ const struct hawser__field cli_rod_field[] = {
 	{"profile_columns", NULL, "columns of the profile", HAWSER__KEYS_OF(cli_rod_point_list)},
 	{"profile", NULL, "nodes of the mesh: lists of these columns",
 	 HAWSER__ROWS_OF(cli_rod_point_list)},
-	{"", NULL, "", HAWSER__PART_OF(struct cli_rod, warning, cli_warnings_field)},
 	HAWSER__END,
 };
 #undef PART

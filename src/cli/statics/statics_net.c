@@ -234,7 +234,6 @@ static const struct hawser__field net_field[] = {
 	{"", NULL, "", HAWSER__PART_OF(struct result, stiffness, cli_stiffness_member)},
 	{"profile", NULL, "with --profile, of each cable: [S, x, y, z, T], m and N",
 	 HAWSER__CALLS(profile_json), .when = PROFILE},
-	{"", NULL, "", HAWSER__PART_OF(struct result, warning, cli_warnings_field)},
 	HAWSER__END,
 };
 #undef OF
@@ -321,10 +320,10 @@ enum hawser_status cli_statics_net(const void *settings, struct hawser_report *r
 		warn(&result);
 	if (!status && kinds->vtk)
 		status = cli_contacts_vtk(kinds->vtk, &result.mesh.net, &result.st, report);
-	if (!status)
-		status = cli_show(&kinds->common, &showing, &result, report);
 	if (!status && *result.warning)
 		cli_warn(result.warning);
+	if (!status)
+		status = cli_show(&kinds->common, &showing, &result, report);
 	hawser_net_statics_clear(&result.st);
 	hawser_net_clear(&result.mesh.net);
 	return status;

@@ -167,10 +167,10 @@ enum hawser_status cli_statics_rod(const void *settings, struct hawser_report *r
 		if (kinds->vtk)
 			status = write_vtk(kinds->vtk, &result.st, report);
 	}
-	if (!status)
-		status = cli_show(&kinds->common, &showing, &result, report);
 	if (!status && *result.warning)
 		cli_warn(result.warning);
+	if (!status)
+		status = cli_show(&kinds->common, &showing, &result, report);
 	hawser_rod_statics_clear(&result.st);
 	hawser_rod_clear(&result.scene);
 	return status;

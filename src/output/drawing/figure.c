@@ -411,6 +411,7 @@ enum hawser_status hawser__figure_finish(struct hawser__figure *figure, struct h
 		hawser__figure_abort(figure);
 		return status;
 	}
+	hawser__legend_cautions(&figure->legend);
 	if (figure->legend.count)
 		hawser__legend_draw(&figure->out, &figure->legend);
 	return hawser__picture_finish(&figure->out, report);

@@ -66,6 +66,24 @@ void hawser__legend_once(struct hawser__legend *legend, const char *title, const
 	hawser__legend_add(legend, title, "%s", style);
 }
 
+enum { CAUTIONS = 6 };
+static char caution[CAUTIONS][80];
+static int cautions;
+
+void hawser__legend_caution(const char *brief)
+{
+	if (!brief)
+		cautions = 0;
+	else if (cautions < CAUTIONS)
+		snprintf(caution[cautions++], sizeof *caution, "%s", brief);
+}
+
+void hawser__legend_cautions(struct hawser__legend *legend)
+{
+	for (int k = 0; k < cautions; k++)
+		hawser__legend_once(legend, caution[k], "with points pt 8 ps 1.2 lc rgb '#b00020'");
+}
+
 /* Width of an entry in cm, with its sample and the gap to the next entry. Markup and continuation
  * bytes of UTF-8 have no width; a letter has 0.6 of the font size of 12 px. */
 static double entry_width(const struct hawser__legend_entry *entry)

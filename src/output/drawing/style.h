@@ -32,6 +32,10 @@ void hawser__legend_add(struct hawser__legend *legend, const char *title, const 
 	__attribute__((format(printf, 3, 4)));
 /* The same, unless an entry has that title. */
 void hawser__legend_once(struct hawser__legend *legend, const char *title, const char *style);
+/* Words for the legend of the next pictures; NULL: none any longer. */
+void hawser__legend_caution(const char *brief);
+/* Add them. */
+void hawser__legend_cautions(struct hawser__legend *legend);
 void hawser__legend_draw(struct hawser__picture *picture, const struct hawser__legend *legend);
 /* Copy an SVG picture up to the attributes of its outermost element. */
 void hawser__picture_head(FILE *to, FILE *from);

@@ -447,7 +447,7 @@ enum hawser_status hawser__read_model(const struct hawser__parser *reader, struc
 	static const char *const keys[] = {"hawser_rom", "n", "D", "K", "Q", "C", "harmonics", "ramp",
 		"M", "terms", "first_order", "relaxation", "parameters", "periods", "labels",
 		"second_order_shapes", "scale", "shapes", "range", "contacts", "known", "ends", "command",
-		"version", "scene", "stats", "accuracy", "columns", "comment", NULL};
+		"version", "scene", "stats", "accuracy", "warnings", "columns", "comment", NULL};
 	const json_t *D = json_object_get(root, "D"), *Q = json_object_get(root, "Q");
 	const json_t *C = json_object_get(root, "C"), *list = json_object_get(root, "harmonics");
 	const json_t *shapes = json_object_get(root, "second_order_shapes");

@@ -54,6 +54,7 @@ double hawser__plan_slowness(void);
 void hawser__estimate_full_cost(struct hawser_plan_row *row, const struct hawser_survey *survey);
 void hawser__estimate_closed_cost(struct hawser_plan_row *row, const struct hawser_survey *survey);
 void hawser__estimate_cost(struct hawser_plan_row *row, const struct hawser_survey *survey);
+void hawser__estimate_with(struct hawser_plan_row *row, double seconds); /* besides */
 void hawser__estimate_exact_cost(struct hawser_plan_row *row, const struct hawser_survey *survey);
 void hawser__estimate_chosen_cost(struct hawser_plan_row *row, const struct hawser_survey *survey);
 void hawser__estimate_auto_cost(struct hawser_plan_row *row, const struct hawser_survey *survey);

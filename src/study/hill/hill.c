@@ -70,7 +70,7 @@ const char *hawser_hill_kind_name(enum hawser_hill_kind kind)
 }
 
 int hawser__hill_told_to_stop(const struct hawser_hill_options *options, int boundaries, int points,
-                              double began)
+                              struct hawser__span *span)
 {
 	struct hawser_progress_state state;
 	char stage[32];
@@ -78,7 +78,9 @@ int hawser__hill_told_to_stop(const struct hawser_hill_options *options, int bou
 	if (!hawser__is_watched(&options->progress))
 		return 0;
 	snprintf(stage, sizeof stage, "boundary %d", boundaries + 1);
-	state = hawser__progress_state(stage, "points", points, began);
+	state = hawser__progress_state(stage, "points", points, span->began);
+	if (span->to > 0.0)
+		hawser__span_foretell(span, &state);
 	return hawser__told_to_stop(&options->progress, &state);
 }
 
@@ -382,7 +384,7 @@ void hawser__hill_follow(struct hawser__hill *hill, struct hawser_hill_boundary 
 		if (turned < 0.3*TURN)
 			step = fmin(1.5*step, hill->options->step);
 		if (hawser__hill_told_to_stop(hill->options, hill->chart->boundaries, boundary->points,
-		                              hill->began)) {
+		                              &hill->span)) {
 			hill->chart->interrupted = 1;
 			return;
 		}

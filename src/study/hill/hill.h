@@ -8,6 +8,7 @@
 #include <hawser/hill.h>
 
 #include "continuation/false_position.h"
+#include "core/progress.h"
 #include "response/floquet/hill_matrix.h"
 #include "study/map/ridge.h"
 
@@ -36,7 +37,7 @@ struct hawser__hill {
 	struct hawser__hill_worker *worker; /* [threads] */
 	int threads;
 	int backwards;                  /* 1: the boundary is followed in reverse */
-	double began;                   /* start time, s, hawser__wall_seconds */
+	struct hawser__span span;       /* the part that is done: of the search lines */
 	struct hawser__ridge_log tongues;
 	enum hawser_status status;      /* first status that is not HAWSER_OK */
 	struct hawser_report *report;
@@ -145,7 +146,7 @@ void hawser__hill_close(struct hawser__hill *hill);
 /* Report progress: number of complete boundaries, and of points of the next. Returns the answer of
  * the caller's function. */
 int hawser__hill_told_to_stop(const struct hawser_hill_options *options, int boundaries, int points,
-                              double began);
+                              struct hawser__span *span);
 
 /* Check the options of a trace: HAWSER_ERR_ARGUMENT. */
 enum hawser_status hawser__hill_check(const struct hawser_hill_options *options,

@@ -79,6 +79,8 @@ static void search(struct hawser__hill *hill, const struct hawser__hill_line *li
 	for (int t = 0; t < hill->threads && !hill->status; t++)
 		if ((hill->status = hill->worker[t].status))
 			*hill->report = hill->worker[t].report;
+	hill->chart->interrupted |= hawser__hill_told_to_stop(hill->options, hill->chart->boundaries, 0,
+	                                                      &hill->span);
 	for (int kind = 0; kind < scan.kinds; kind++)
 		for (int i = 0; i < line->samples && !hill->status && !hill->chart->interrupted; i++) {
 			const double *g = line->g + i*HAWSER_HILL_KINDS + kind;
@@ -105,7 +107,10 @@ static void all_lines(struct hawser__hill *hill, double *g)
 		const struct hawser__hill_line up = {{(double)k/lines, 1e-3}, {0.0, 0.999},
 		                                     hill->options->samples, g};
 
+		hawser__span_stage(&hill->span, (double)(lines - k)/(lines + 1),
+		                   (lines - k + 1.0)/(lines + 1));
 		search(hill, &across);
+		hawser__span_stage(&hill->span, (lines - k + 0.5)/(lines + 1), (lines - k + 1.0)/(lines + 1));
 		if (!hill->status && !hill->chart->interrupted)
 			search(hill, &up);
 	}
@@ -204,7 +209,7 @@ enum hawser_status hawser_hill_trace(struct hawser_hill_chart *chart,
 	struct hawser_report unused;
 	struct hawser_hill_options settled = *options;
 	struct hawser__hill hill = {.field = field, .options = &settled, .chart = chart, .report =
-	                            report ? report : &unused, .began = hawser__wall_seconds()};
+	                            report ? report : &unused, .span.began = hawser__wall_seconds()};
 	double *g;
 
 	memset(chart, 0, sizeof *chart);

@@ -303,7 +303,7 @@ enum hawser_status hawser_mathieu_trace(struct hawser_hill_chart *chart, double 
                                         struct hawser_report *report)
 {
 	struct hawser_hill_options settled = *options;
-	double began = hawser__wall_seconds();
+	struct hawser__span span = {.began = hawser__wall_seconds()};
 	enum hawser_status status;
 
 	memset(chart, 0, sizeof *chart);
@@ -321,7 +321,7 @@ enum hawser_status hawser_mathieu_trace(struct hawser_hill_chart *chart, double 
 			status = note(&walk);
 		if (!status)
 			chart->interrupted = hawser__hill_told_to_stop(options, chart->boundaries, 0,
-			                                               began);
+			                                               &span);
 	}
 	if (status)
 		hawser_hill_clear(chart);

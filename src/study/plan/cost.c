@@ -135,6 +135,11 @@ static void take(struct hawser_plan_row *row, double points, double seconds)
 	row->estimated = 1;
 }
 
+void hawser__estimate_with(struct hawser_plan_row *row, double seconds)
+{
+	take(row, row->points, row->seconds + seconds);
+}
+
 static void state(struct hawser_plan_row *row, const struct hawser_survey *survey, double before,
                   double curves, double point)
 {

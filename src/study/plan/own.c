@@ -13,6 +13,7 @@
 #include "study/accuracy/survey.h"
 
 enum { FUNCTIONS = 12 }; /* of the smallest basis that most scenes need */
+#define COMMAND 0.02 /* s: reading, statics and modes of a span, and its model; measured */
 
 static const struct hawser_fidelity *named(const char *name)
 {
@@ -68,6 +69,8 @@ enum hawser_status hawser__estimate_own(struct hawser_plan_row *row, struct haws
 	}
 	*row = made(fidelity, number);
 	row->choice.fidelity->estimate(row, survey);
+	if (isfinite(row->seconds))
+		hawser__estimate_with(row, COMMAND);
 	survey->fixed.estimated = NAN;
 	if (strcmp(fidelity, "condensed") != 0 || !survey->choice)
 		return HAWSER_OK;
