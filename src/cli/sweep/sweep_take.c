@@ -335,8 +335,12 @@ void cli_sweep_take(struct cli_sweep_rows *rows, const struct cli_taken *result,
 
 	cli_sweep_rows_clear(rows); /* of a command that shows two results, the last */
 	if (strcmp(choice->rows, "table") == 0) {
-		for (int c = 0; c < result->table->columns; c++)
-			(void)column_of(rows, result->table->column[c], result->table->column[c], c);
+		for (int c = 0; c < result->table->columns; c++) {
+			const char *key = json_string_value(json_object_get(
+				json_array_get(result->table->about, (size_t)c), "key"));
+
+			(void)column_of(rows, result->table->column[c], key ? key : result->table->column[c], c);
+		}
 		rows->failed |= hawser__table_visit(result->table, &by) != 0;
 	} else if (strcmp(choice->rows, "values") == 0) {
 		take_values(&taking);
