@@ -81,7 +81,7 @@ static int interrupted(struct hawser__hill *hill, const struct hawser__hill_work
 
 	if (worker->number != 0 || !chart)
 		return 0;
-	chart->interrupted |= hawser__hill_told_to_stop(hill->options, chart->boundaries, 0, hill->began);
+	chart->interrupted |= hawser__hill_told_to_stop(hill->options, chart->boundaries, 0, &hill->span);
 	return chart->interrupted;
 }
 
