@@ -16,6 +16,7 @@ RUNS = (
     "folds chairlift.yaml", "folds b-table-4.2.yaml", "locus b-table-4.3-line-2.yaml", "campbell b-table-5.4.yaml",
     "map chairlift.yaml --x Omega=0.9w1:1.1w1 --y factor.load=0.5:1 --points 64x64 --threads 1",
     "map chairlift.yaml --x Omega=0.8w1:2.2w1 --y load.per_length[2]=0.1:4 --quantity amplitude --points 40x40 --threads 1",
+    "hill chairlift.yaml --x Omega=0.9w1:1.1w1 --y factor.load=0.5:1",
     "integrate chairlift.yaml --Omega w1 --until 20000T --every T",
 )
 LIMIT = 60

@@ -220,6 +220,7 @@ static void three_ways(void)
 	}
 	source.orbit = 1e-9; /* as hill has it */
 	source.quantity = "growth";
+	source.orbit = 1e-8; /* the responses of hill */
 	growth = by_map(&source, at[2][0], at[2][1]);
 	close_to(growth, decay, 1e-10, "growth from the multipliers");
 	ok(growth < 0.0, "it is negative where all motions decay: %g", growth);
