@@ -16,7 +16,8 @@ extern "C" {
 #endif
 
 /* What has no counterpart in a mesh is refused by HAWSER_ERR_SCENE, which names the key: an
- * inextensible cable, bending stiffness, travel, elastic supports, springs, dampers, absorbers. */
+ * inextensible cable, bending stiffness, travel, elastic supports, dampers to a deck, cubic
+ * absorbers. */
 struct hawser_net_span_options {
 	int elements; /* of the whole cable, 2 or more; 0: 120. With attachments, whose parts have an even
 	               * number, nearly so many */

@@ -41,6 +41,7 @@ enum hawser_status hawser__exact_open(struct hawser__exact *exact, const struct 
 			return hawser__fail(report, HAWSER_ERR_SCENE, "net", "%s: the method catenary takes loads "
 			                    "of whole cables, and that of cable %s has an extent: choose another "
 			                    "method", net->name, net->cable[net->load[i].cable].name);
+	joints.absorbers = 0; /* their masses are in those of their nodes */
 	joints.cable = malloc(cables*sizeof *joints.cable);
 	if (!joints.cable)
 		return hawser__no_memory(report, "net");
