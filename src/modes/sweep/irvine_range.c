@@ -142,8 +142,8 @@ static enum hawser_status find_range(double *taut, double *slack, const struct s
 	if (!status)
 		status = find(slack, sweep, lambda_slack, low, high, report);
 	if (!status && isfinite(contained)) {
-		*taut = fmax(*taut, contained + log(beside));
-		*slack = fmin(*slack, contained - log(beside));
+		*taut = fmax(*taut, fmin(contained + log(beside), high));
+		*slack = fmin(*slack, fmax(contained - log(beside), low));
 	}
 	if (!status && (sweep->given == HAWSER_GIVEN_T0 || sweep->given == HAWSER_GIVEN_T1))
 		status = cut_turn(slack, sweep, *taut, report);
