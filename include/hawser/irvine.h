@@ -76,7 +76,8 @@ struct hawser_irvine_options {
 	enum hawser_given sweep; /* HAWSER_GIVEN_NONE: H */
 	double from, to;         /* N or m; 0 for either: see hawser_irvine_range */
 	double contained; /* N, horizontal tension (of the apparent cable, if it travels) that the default
-	                   * range contains, with a quarter of it on both sides; 0: none */
+	                   * range contains, with a quarter of it on both sides where the bounds of
+	                   * strain and sag allow that; 0: none */
 	double speed, fluctuation; /* m/s, as in struct hawser_motion, constant over the sweep; the
 	                            * swept quantity is then that of the steady state */
 	const struct hawser_attachment *attach; /* [attachments] of a cable at rest, in any order */

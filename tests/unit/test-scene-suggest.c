@@ -123,8 +123,10 @@ static void nearest(void)
 			continue; /* other names of keys */
 		limit = hawser__edit_limit(strlen(name));
 		best = minimum(name, of);
-		if (best > limit)
+		if (best > limit) { /* one letter is near every other one */
 			best = minimum(name, "");
+			best = name[1] || best == 0 ? best : 1000;
+		}
 		suggested(hint, of, name);
 		(void)sscanf(hint, "did you mean %60[^ ?]", want);
 		near += best <= limit;

@@ -141,9 +141,9 @@ static enum hawser_status find_range(double *taut, double *slack, const struct s
 	status = find(taut, sweep, lambda_taut, low, high, report);
 	if (!status)
 		status = find(slack, sweep, lambda_slack, low, high, report);
-	if (!status && *slack < *taut - 0.01 && isfinite(contained)) {
-		*taut = fmax(*taut, contained + log(beside));
-		*slack = fmin(*slack, contained - log(beside));
+	if (!status && isfinite(contained)) {
+		*taut = fmax(*taut, fmin(contained + log(beside), high));
+		*slack = fmin(*slack, fmax(contained - log(beside), low));
 	}
 	if (!status && (sweep->given == HAWSER_GIVEN_T0 || sweep->given == HAWSER_GIVEN_T1))
 		status = cut_turn(slack, sweep, *taut, report);
