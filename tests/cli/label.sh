@@ -286,7 +286,7 @@ refuses 1 "--continue own-more.json: that curve is complete (end of the range): 
 	frf "$own" --over a=1.5:0.6 --continue own-more.json
 refuses 1 "--continue own-cycles.json: that curve is over a: continue it over the same key" \
 	frf "$own" --over b=0.5:2 --continue own-cycles.json
-refuses_like 1 "no branch begins there: .* also of a Hopf point over the same parameter" \
+refuses_like 1 "no branch begins there: .* or a Hopf point over the same parameter" \
 	frf "$own" --over a=1.5:0.6 --switch own-cycles.json#1
 works "the labels of --switch are those of the result" frf cascade.json --from 1.6 --to 0.7 --step 0.01 --label-every 0 \
 	--switch 1 --json switched.json -q

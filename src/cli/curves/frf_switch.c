@@ -370,8 +370,9 @@ enum hawser_status cli_switch_trace(struct hawser_frf *frf, const struct cli_frf
 	if (k == 2 + own || strcmp(label->over, own ? result->over->axis.key : "") != 0)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
 		                    "--switch %s: no branch begins there: give the label of a period doubling "
-		                    "or a branch point of a response over the frequency, or, of a model that "
-		                    "nothing excites, also of a Hopf point over the same parameter", text);
+		                    "or a branch point %s", text, own
+		                    ? "or a Hopf point over the same parameter"
+		                    : "of a response over the frequency");
 	event.kind = kinds[k];
 	if (event.kind == HAWSER_HOPF)
 		point.omega = 0.0;
