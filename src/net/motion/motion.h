@@ -125,6 +125,9 @@ struct hawser__support_table {
 enum hawser_status hawser__support_read(struct hawser__support_table *table, const char *path,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser__support_at(double x[3], double v[3], const struct hawser__support_table *table, double t);
+/* As at the ends of the table beyond it. */
+void hawser__support_within(double x[3], double v[3], const struct hawser__support_table *table,
+                            double t);
 void hawser__support_acceleration(double a[3], const struct hawser__support_table *table, double t);
 void hawser__support_clear(struct hawser__support_table *table);
 
