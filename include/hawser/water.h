@@ -25,6 +25,8 @@ struct hawser_water {
 	struct hawser_water_level *current; /* [levels] upwards, linear between, and as at the ends beyond
 	                                     * them; owned */
 	int levels;     /* 0: no current */
+	char *file;     /* of velocities over time, lines `t ux uy uz` (s, m/s), a cubic spline, and as at
+	                 * the ends beyond: of them `current` has that of t = 0; NULL: none; owned */
 	struct hawser_waves_given given; /* the waves as the scene has them */
 	struct hawser_waves waves; /* [count] 0: none; owned */
 };

@@ -31,6 +31,7 @@ void hawser_net_clear(struct hawser_net *net)
 	free(net->winch);
 	free(net->absorber);
 	free(net->water.current);
+	free(net->water.file);
 	hawser_waves_clear(&net->water.waves);
 	memset(net, 0, sizeof *net);
 }

@@ -93,6 +93,35 @@ static void sinks(void)
 	hawser_net_motion_clear(&motion);
 }
 
+/* A buoy that weighs nothing in the water, on a slack line, goes with a current that grows with
+ * time. */
+static void drifts(void)
+{
+	char path[] = P_tmpdir "/hawser-current-XXXXXX";
+	static const char rows[] = "# t ux uy uz\n0 0 0 0\n5 0.5 0 0.1\n10 1 0 0.2\n";
+	struct hawser_net_motion motion = {0};
+	int released = 1, handle = mkstemp(path);
+	struct swim swim;
+
+	if (handle < 0 || write(handle, rows, sizeof rows - 1) != (ssize_t)sizeof rows - 1)
+		exit(99);
+	close(handle);
+	swim_of(&swim, (const double[3]){0.0, -50.0, 0.0}, (const double[3]){20.0, -50.0, 0.0}, 90.0, 1e6,
+	        0.0, 0.0, 1);
+	swim.net.water.levels = 1;
+	swim.net.water.file = path;
+	swim.node[1].buoy = (struct hawser_water_buoy){2050.0, 2.0, 1.3, 0.5};
+	swim.node[1].mass = 2050.0;
+	swim.net.dynamics.release = &released;
+	swim.net.dynamics.releases = 1;
+	if (swum(&motion, &swim, 7.3, 7.3, 0.1, &(struct hawser_net_probe){1, -1, 0.0})) {
+		close_to(motion.v[motion.rows - 1][0], 0.73, 1e-12, "velocity with the current");
+		close_to(motion.v[motion.rows - 1][2], 0.146, 1e-12, "velocity with the current along z");
+	}
+	hawser_net_motion_clear(&motion);
+	remove(path);
+}
+
 /* The speeds at which cables of three directions sink steadily: the loads are in balance. */
 static void steady(void)
 {
@@ -302,6 +331,7 @@ CASE(reference_net_water_motion)
 {
 	pendulum();
 	sinks();
+	drifts();
 	steady();
 	slopes();
 	string_modes();

@@ -108,7 +108,8 @@ static void path_of(char *to, const struct scene *scene, const char *path)
 static int is_left_out(const struct hawser__tree_key *row)
 {
 	static const char *const part[] = {
-		"net.nodes.*", ".plane.", ".segment.", "tow.tow.waypoints", "tow.tow.ends", "tow.tow.speed",
+		"net.nodes.*", "net.cables[].EA.", ".plane.", ".segment.", "tow.tow.waypoints", "tow.tow.ends",
+		"tow.tow.speed",
 		"tow.tow.start", "contact.path", "rod.rod[]", "loads.*[]", "loads.**[]", "factor",
 		"net.obstacles[].velocity", "net.failures", "net.winches", "tow.body.mass", "tow.body.CdA",
 		"tow.body.inertia", "rod.loads[].from",

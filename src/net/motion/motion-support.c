@@ -158,6 +158,16 @@ void hawser__support_at(double x[3], double v[3], const struct hawser__support_t
 	}
 }
 
+void hawser__support_within(double x[3], double v[3], const struct hawser__support_table *table,
+                            double t)
+{
+	double at = fmin(fmax(t, table->t[0]), table->t[table->rows - 1]);
+
+	hawser__support_at(x, v, table, at);
+	for (int k = 0; k < 3 && at != t; k++)
+		v[k] = 0.0;
+}
+
 static int grow(struct hawser__support_table *table, int *room)
 {
 	int more = *room ? 2**room : 64;
@@ -201,7 +211,8 @@ static enum hawser_status rows(struct hawser__support_table *table, FILE *file, 
 		number++;
 		if (!parse(value, &blank, line))
 			return hawser__fail(report, HAWSER_ERR_SCENE, "net", "%s:%d: a line must have 4 numbers: "
-			                    "time in s, and displacements x, y, z in m", path, number);
+			                    "time in s, and displacements x, y, z in m (of a current, velocities "
+			                    "in m/s)", path, number);
 		if (blank)
 			continue;
 		if (table->rows && value[0] <= table->t[table->rows - 1])
@@ -213,8 +224,8 @@ static enum hawser_status rows(struct hawser__support_table *table, FILE *file, 
 		memcpy(table->x[table->rows++], value + 1, sizeof *table->x);
 	}
 	if (table->rows < 2)
-		return hawser__fail(report, HAWSER_ERR_SCENE, "net", "%s: the motion of a support needs two "
-		                    "times at least", path);
+		return hawser__fail(report, HAWSER_ERR_SCENE, "net", "%s: a motion of a support, or a current, "
+		                    "needs two times at least", path);
 	return HAWSER_OK;
 }
 

@@ -130,6 +130,9 @@ enum hawser_status hawser__supports_read(struct hawser__support_table **table, i
                                          const struct hawser_net *net, double until,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser__support_at(double x[3], double v[3], const struct hawser__support_table *table, double t);
+/* As at the ends of the table beyond it. */
+void hawser__support_within(double x[3], double v[3], const struct hawser__support_table *table,
+                            double t);
 void hawser__support_acceleration(double a[3], const struct hawser__support_table *table, double t);
 void hawser__support_clear(struct hawser__support_table *table);
 

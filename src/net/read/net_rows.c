@@ -219,9 +219,11 @@ static const struct hawser__tree_key net_rows[] = {
 	       "mean height of its surface, above which it is dry")
 	VECTOR("net.water.current", 3, OPTIONAL, "m/s", ANY, NOWHERE, "[0, 0, 0]",
 	       "velocity of the water")
-	MAPPING("net.water.current", OPTIONAL, "velocity of the water over the height")
-	LIST("net.water.current.table", REQUIRED, "heights, upwards, with velocities: linear between, "
+	MAPPING("net.water.current", OPTIONAL, "velocity of the water over the height, or over time")
+	LIST("net.water.current.table", OPTIONAL, "heights, upwards, with velocities: linear between, "
 	     "and as at the ends beyond them")
+	TEXT("net.water.current.file", OPTIONAL, NOWHERE, NULL, "file of velocities over time, lines of "
+	     "time in s and velocities along x, y, z in m/s; statics takes that of t = 0")
 	VECTOR("net.water.current.table[]", 4, OPTIONAL, "m, m/s, m/s, m/s", ANY, NOWHERE, NULL,
 	       "[y, ux, uy, uz]")
 	NUMBER("net.water.depth", OPTIONAL, "m", POSITIVE_OR_INF, NET_AT(water.depth), NULL,

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "net/motion/motion.h"
 #include "net/read/read.h"
 
 #define ROUND_OFF 1e-9 /* of the depth, by which a node may be below the bed; chosen */
@@ -33,6 +34,31 @@ static enum hawser_status table(struct hawser__reader *reader, struct hawser_wat
 			                             "upwards", level->y, level[-1].y);
 	}
 	return status;
+}
+
+static enum hawser_status over_time(struct hawser__reader *reader, struct hawser_water *water,
+                                    const struct hawser__tree *tree)
+{
+	struct hawser__support_table table = {0};
+	struct hawser_report why;
+	const char *path = "";
+	double rate[3];
+	enum hawser_status status = hawser__tree_text(reader, &path, tree, "water.current.file");
+
+	if (status)
+		return status;
+	if (hawser__support_read(&table, path, &why))
+		return hawser__reader_fail(reader, &tree->at, "water.current.file: %s", why.message);
+	water->current = calloc(1, sizeof *water->current);
+	water->file = strdup(path);
+	if (!water->current || !water->file) {
+		hawser__support_clear(&table);
+		return hawser__no_memory(reader->report, "scene");
+	}
+	water->levels = 1;
+	hawser__support_within(water->current->u, rate, &table, 0.0);
+	hawser__support_clear(&table);
+	return HAWSER_OK;
 }
 
 static enum hawser_status waves(struct hawser__reader *reader, struct hawser_net *net,
@@ -67,6 +93,8 @@ enum hawser_status hawser__net_water(struct hawser__reader *reader, struct hawse
 	if (status || !current)
 		return status;
 	rows = hawser__tree_find(current, "table");
+	if (!rows && hawser__tree_find(current, "file"))
+		return over_time(reader, water, hawser__tree_find(current, "file"));
 	if (current->kind == HAWSER__MAPPING && (!rows || rows->kind != HAWSER__SEQUENCE || !rows->child))
 		return hawser__reader_fail(reader, &current->at, "water.current must be a velocity, such as "
 		                           "[0.8 m/s, 0, 0.6 m/s], or {table: [[-200 m, 0.1 m/s, 0, 0], [0, "

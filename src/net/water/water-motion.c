@@ -32,6 +32,7 @@ struct hawser__water_motion {
 	double part;         /* of the increment, in the places of the step */
 	double lost;         /* W, of the drag at the last residual */
 	struct hawser__near *near; /* NULL: no waves */
+	struct hawser__support_table series; /* of the current over time; rows 0: none */
 	struct hawser__hold hold;
 };
 
@@ -40,6 +41,7 @@ void hawser__water_motion_clear(struct hawser__water_motion *water)
 	if (!water)
 		return;
 	hawser__near_free(water->near);
+	hawser__support_clear(&water->series);
 	hawser__hold_clear(&water->hold);
 	free(water);
 }
@@ -76,6 +78,12 @@ enum hawser_status hawser__water_motion_open(struct hawser__motion *motion,
 	motion->other = hawser__hold(&water->hold, (size_t)mesh->elements + 1, sizeof *motion->other);
 	if (water->hold.short_of_memory)
 		return hawser__no_memory(report, "net");
+	if (mesh->water->of->file) {
+		enum hawser_status status = hawser__support_read(&water->series, mesh->water->of->file, report);
+
+		if (status)
+			return status;
+	}
 	if (mesh->water->of->waves.count) {
 		enum hawser_status status = hawser__near_open(&water->near, &mesh->water->of->waves,
 		                                              mesh->nodes, report);
@@ -93,7 +101,12 @@ static void flow(struct hawser__motion *motion, struct hawser__near *near, doubl
 {
 	struct hawser__water_motion *water = motion->water;
 	const struct hawser_water *of = motion->mesh->water->of;
+	double later[3] = {0.0}, rate[3] = {0.0}; /* of a current over time, beyond that of t = 0 */
 
+	if (water->series.rows)
+		hawser__support_within(later, rate, &water->series, t);
+	for (int k = 0; k < 3 && water->series.rows; k++)
+		later[k] -= of->current->u[k];
 	for (int i = 0; i < motion->nodes; i++) {
 		struct hawser_wave_flow wave = {.elevation = 0.0};
 		double u_y[3];
@@ -103,9 +116,10 @@ static void flow(struct hawser__motion *motion, struct hawser__near *near, doubl
 			hawser__near_at(&wave, near, i, water->mid[i], t);
 		else if (of->waves.count)
 			hawser_waves_at(&wave, &of->waves, water->mid[i], t);
-		for (int k = 0; k < 3; k++)
-			water->u[i][k] += wave.u[k];
-		memcpy(water->du[i], wave.du, sizeof wave.du);
+		for (int k = 0; k < 3; k++) {
+			water->u[i][k] += wave.u[k] + later[k];
+			water->du[i][k] = wave.du[k] + rate[k];
+		}
 		water->surface[i] = of->surface;
 		if (of->waves.stretching != HAWSER_STRETCH_NONE)
 			water->surface[i] += wave.elevation;
