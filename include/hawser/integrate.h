@@ -133,11 +133,11 @@ enum hawser_status hawser_spectrum(double *frequency, double *amplitude, int *bi
                                    struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* The largest line of this spectrum that is folded (aliased), as its frequency is above the highest
- * one, 1/(2 dt): its amplitude, and where it appears (cycles per time unit); told by `rates`, the
- * derivatives of the samples by time. What is left by leakage and errors of the rates is some 1e-4 of
- * the largest line at most; 0: nothing. If the line is folded once, its true frequency is 1/dt -
- * *frequency; if it is folded further, the amplitude is that many times too large. Statuses: as
- * hawser_spectrum. */
+ * one, 1/(2 dt): its *amplitude, and the *frequency at which it appears (cycles per time unit); told by
+ * rates[rows], the derivatives of samples[rows] by time. What is left by leakage and errors of the
+ * rates is some 1e-4 of the largest line at most; 0: nothing. If the line is folded once, its true
+ * frequency is 1/dt - *frequency; if it is folded further, the amplitude is that many times too large.
+ * Statuses: as hawser_spectrum. */
 enum hawser_status hawser_spectrum_folded(double *amplitude, double *frequency,
                                           const double *samples, const double *rates, int rows,
                                           double dt, struct hawser_report *report) HAWSER_MUST_CHECK;
