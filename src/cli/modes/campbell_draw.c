@@ -6,7 +6,6 @@
 #include <math.h>
 
 #include "cli/modes/campbell_result.h"
-#include "core/append.h"
 #include "core/report.h"
 #include "output/drawing/figure.h"
 
@@ -51,12 +50,6 @@ static void measure(struct drawing *of)
 	of->real = of->low < 0.0 || of->high > 0.0;
 	of->from = campbell->station[0].speed;
 	of->to = campbell->criticals ? campbell->limit : campbell->station[campbell->stations - 1].speed;
-	if (!of->real) { /* before the title, which ends with its unit */
-		of->im.title[0] = '\0';
-		hawser__append(of->im.title, sizeof of->im.title, "", "all real parts 0");
-		hawser__append(of->im.title, sizeof of->im.title, "; ", "%s",
-		               cli_campbell_axis("im", of->result).title);
-	}
 	of->tics = campbell->in_plane > 0 && campbell->in_plane < campbell->branches &&
 	           of->to - of->from < 0.05*of->to ? 4 : 8;
 }
@@ -126,7 +119,8 @@ static void draw_column(struct drawing *of, const struct column *column)
 	hawser__figure_panel(&of->figure, &(struct hawser__panel_frame){column->left, column->right,
 		of->real ? 0.44 : 0.31, 0.94, .x = speed,
 		.y = {&of->im, 0.0, roof*of->top, .tics = 9, .untitled = beside}});
-	fprintf(of->figure.out.script, "set label '%s' at graph 0.5,1.04 center\n", column->title);
+	fprintf(of->figure.out.script, "set label '%s%s' at graph 0.5,1.04 center\n", column->title,
+	        of->real || beside ? "" : "; all real parts 0");
 	draw_branches(of, column, of->result->campbell.im);
 	draw_excitation(of);
 	for (int veers = 0; veers < 2 && !beside; veers++)
