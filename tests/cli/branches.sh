@@ -69,7 +69,7 @@ END
 refuses 1 "--switch 16: no branch begins there: give the label of a period doubling, a branch point or a Hopf point of this response, \
 which its table's head lists" frf string.json --from 0.9 --to 1.4 --switch 16 -q
 refuses 1 "--switch plain.json#16: no branch begins there: give the label of a period doubling or a branch point of a \
-response over the frequency, or, of a model that nothing excites, also of a Hopf point over the same parameter" frf string.json --from 0.9 --to 1.4 --switch plain.json#16
+response over the frequency" frf string.json --from 0.9 --to 1.4 --switch plain.json#16
 refuses 1 "--switch plain.json#20: that event is at Omega = 1.18545252, which is not in the range: give a range that has it" \
 	frf string.json --from 0.9 --to 1.1 --switch plain.json#20
 refuses 1 "--switch x: write a label of this response, or FILE#LABEL" frf string.json --switch x
