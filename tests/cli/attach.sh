@@ -160,7 +160,7 @@ r = json.load(open("nes.json"))
 assert r["scene"]["attach"][0]["absorber_cubic"] == 40
 assert max(p["amplitude"]["y_stroke_tmd"] for p in r["points"]) > 0
 END
-works "its response" frf --unstable 9 --set model.energy=quartic "$SRCDIR/notebooks-data/scenes/stay-sink.yaml" --from 5.9rad/s --to 6.6rad/s --json sink.json -q
+works "its response" frf --unstable 9 "$SRCDIR/notebooks-data/scenes/stay-sink.yaml" --from 5.9rad/s --to 6.6rad/s --json sink.json -q
 if command -v gnuplot >/dev/null; then
 	works "the picture" frf "$SRCDIR/notebooks-data/scenes/stay-sink.yaml" -n 2 --from 5.9rad/s --to 6rad/s --plot sink.svg -q
 	try "has the stroke" grep -q "stroke sink\|stroke-sink" sink.svg
@@ -179,7 +179,6 @@ for name, cubic, tolerance in (("sink.json", k3, 0.012), ("soft.json", 0, 1e-4))
     assert worst < tolerance, (name, worst)
 r = json.load(open("sink.json"))
 assert {"fold", "torus"} <= {e["kind"] for e in r["events"]}, r["events"]
-assert json.load(open("soft.json"))["model_error"]["estimated"] < 0.01, "by the exact energy"
 top = [max(x for _, x, _ in points(name)) for name in ("sink.json", "soft.json")]
 assert 0.5 < top[0]/top[1] < 0.6, top
 END
