@@ -262,8 +262,8 @@ static void creeps(void)
 	static const char *const set[] = {
 		"obstacles=[{plane: {point: [0, -900], normal: [0, 1]}}]",
 		"nodes={A: [0, 0, 0], B: [101, 0, 0]}",
-		"cables=[{name: c, from: A, to: B, EA: {static: 20 MN, dynamic: 50 MN, viscosity: 0.2 GN s}, "
-		"rho: 1e-3, length0: 100, elements: 4}]",
+		("cables=[{name: c, from: A, to: B, EA: {static: 20 MN, dynamic: 50 MN, viscosity: 0.2 GN s}, "
+		 "rho: 1e-3, length0: 100, elements: 4}]"),
 		"supports.B={motion: {x: {amplitude: 0.37, Omega: 0.62831853071795862}}}",
 		"cables.c.rho=2.3", "supports.B.motion.x.amplitude=3"};
 	const struct hawser_net_probe at = {.node = 1, .cable = -1};

@@ -304,13 +304,13 @@ static void take_axis(struct cli_map_result *result, int k, const struct cli_map
 static enum hawser_status judge_model(const struct cli_map_result *result,
                                       struct cli_model *model, int n, struct hawser_report *report)
 {
-	const struct hawser_map_options *options = &result->options;
+	const struct hawser_map_options *map = &result->options;
 	const char *name = result->quantity->name;
 	int k = strcmp(result->key[1], "Omega") == 0, whole = strcmp(name, "amplitude") == 0;
 	const struct cli_plane plane = {
-		{result->key[0], result->key[1]}, {options->from[0], options->from[1]},
-		{options->to[0], options->to[1]}, result->omega,
-		!whole ? 0 : options->points[k || strcmp(result->key[0], "Omega") == 0 ? 1 - k : 1]};
+		{result->key[0], result->key[1]}, {map->from[0], map->from[1]},
+		{map->to[0], map->to[1]}, result->omega,
+		!whole ? 0 : map->points[k || strcmp(result->key[0], "Omega") == 0 ? 1 - k : 1]};
 
 	if (!whole && strcmp(name, "multiplier") != 0 && strcmp(name, "unstable") != 0)
 		return HAWSER_OK;
