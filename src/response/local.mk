@@ -140,6 +140,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/floquet/monodromy_step.c \
 	%D%/orbit/newton.c \
 	%D%/branch/normal_form.c \
+	%D%/branch/orbits.c \
 	%D%/time/nystrom.c \
 	%D%/time/nystrom.h \
 	%D%/floquet/periodic.c \

@@ -206,6 +206,7 @@ static enum hawser_status prepare(void *owner, int *ended)
 	if ((status = hawser__trace_climbs(trace)))
 		return status;
 	trace->orbit->ops->metric(trace->orbit, trace->here.y);
+	hawser__known_aim(trace);
 	if (trace->orbit->own)
 		return hawser__own_ends(trace, ended);
 	return hawser__trace_vanish(trace, ended);

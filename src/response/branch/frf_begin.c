@@ -70,8 +70,10 @@ static enum hawser_status first_orbit(struct hawser__trace *trace)
 	char tried[HAWSER__WAYS][80] = {"", ""};
 	struct hawser__raised raised = {.x = trace->start_y};
 	double *x = trace->mark_y;
-	enum hawser_status status;
+	enum hawser_status status = hawser__known_first(trace, &found);
 
+	if (status || found)
+		return status;
 	if (trace->orbit->own) {
 		if ((status = hawser__own_equilibrium(trace, trace->next.y)))
 			return status;

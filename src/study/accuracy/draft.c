@@ -33,9 +33,18 @@ void hawser__traced_clear(struct hawser__traced *traced)
 	*traced = (struct hawser__traced){.functions = 0};
 }
 
+void hawser__traced_give(struct hawser__traced *traced, struct hawser__draft *chosen)
+{
+	if (traced->functions != chosen->functions)
+		return;
+	chosen->orbits = traced->orbits;
+	traced->orbits = (struct hawser__orbits){.n = 0};
+}
+
 void hawser__draft_clear(struct hawser__draft *draft)
 {
 	hawser_rom_clear(&draft->rom);
+	hawser__orbits_clear(&draft->orbits);
 	hawser__curve_clear(&draft->curve);
 	*draft = (struct hawser__draft){.functions = 0};
 }
@@ -248,7 +257,7 @@ enum hawser_status hawser__draft_carry(struct hawser__draft *draft, double *away
 /* The same basis with a draft of its own, in place of the last one, with which it is compared. */
 enum hawser_status hawser__draft_draw(struct hawser__draft *next, double *moved,
                                       struct hawser__traced *traced,
-                                      const struct hawser__draft *chosen, struct hawser_accuracy *a,
+                                      struct hawser__draft *chosen, struct hawser_accuracy *a,
                                       const struct hawser_accuracy_options *options,
                                       const struct hawser_frf_options *settled, double before,
                                       struct hawser_report *report)
@@ -267,6 +276,7 @@ enum hawser_status hawser__draft_draw(struct hawser__draft *next, double *moved,
 	    traced->end == last.end)
 		status = hawser__curve_distance(moved, &last.curve, &traced->curve, report);
 	*moved = fmax(*moved, UNSEEN*a->asked);
+	hawser__traced_give(&last, chosen);
 	hawser__traced_clear(&last);
 	return status;
 }
