@@ -32,6 +32,7 @@ static const struct cli_option options[] = {
 	 CLI_TEXT(quantity)},
 	{"points", 0, "NXxNY", "resolution (200x200)", CLI_TEXT(points)},
 	{"modes", 'n', "N", "number of modes (the scene's model.modes)", CLI_INTEGER(n)},
+	CLI_LIBRARY_OPTION,
 	{"Omega", 0, "FREQUENCY", "frequency of the forcing, if it is no axis", CLI_TEXT(omega)},
 	CLI_HEADING("What is mapped"),
 	{"rest", 0, "", "stability of rest, whatever moves the model", CLI_FLAG(rest)},

@@ -305,7 +305,7 @@ static enum hawser_status open_model(struct hawser__basins *basins, struct hawse
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
 		                    "the quantity basin needs a forcing frequency: give Omega");
 	basins->model_source = (struct hawser_map_source){.scene = source->scene, .rom = source->rom,
-		.key = {"Omega", "factor.load"}, .quantity = "amplitude"};
+		.file = source->file, .key = {"Omega", "factor.load"}, .quantity = "amplitude"};
 	status = hawser_map_cable_open(&basins->inner, &basins->model_source, report);
 	if (!status)
 		status = basins->inner.open(&basins->inner_worker, basins->inner.context, report);

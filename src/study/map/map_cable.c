@@ -174,7 +174,7 @@ static enum hawser_status describe(struct hawser__map_cable *cable, struct hawse
 	size_t size = 0;
 	FILE *stream;
 
-	if (source->rom && (status = hawser_rom_text(source->rom, &model, report)))
+	if (source->rom && !source->rom->plug && (status = hawser_rom_text(source->rom, &model, report)))
 		return status;
 	stream = open_memstream(&text, &size);
 	if (!stream) {
@@ -186,6 +186,8 @@ static enum hawser_status describe(struct hawser__map_cable *cable, struct hawse
 	        source->key[1], source->omega, source->waves, model ? model : "");
 	if (source->scene)
 		status = hawser_scene_write(source->scene, stream, report);
+	for (int i = 0; source->rom && source->rom->plug && i < source->file->parameters; i++)
+		fprintf(stream, "%s %a\n", source->file->parameter[i].name, source->file->parameter[i].value);
 	/* when memory is short, glibc's fclose returns 0 but sets no text */
 	if ((fclose(stream) != 0 || !text) && !status)
 		status = hawser__no_memory(report, "map");
@@ -243,7 +245,11 @@ enum hawser_status hawser_map_cable_open(struct hawser_map_field *field,
 		return hawser__no_memory(report, "map");
 	cable->source = *source;
 	status = check(cable, report);
-	if (!status && source->rom)
+	for (int k = 0; k < 2 && !status && source->rom; k++)
+		if (cable->reach[k] == HAWSER__REACH_LOAD && source->rom->plug &&
+		    source->from[k] != source->to[k]) /* of a basin they are equal */
+			status = hawser__more_refuse(source->rom, "a factor of load or damping", report);
+	if (!status && source->rom && !cable->quantity->about.nonlinear)
 		status = hawser__more_refuse(source->rom, "a map or the stability of rest", report);
 	if (!status && source->rom)
 		status = hawser__periods_refuse(source->rom, "a map or the stability of rest", report);
