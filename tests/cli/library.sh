@@ -86,10 +86,9 @@ refuses 1 "a factor of load or damping $only" \
 	map --model-library duffing.so --quantity amplitude --x Omega=0.5:2 --y factor.load=0.5:1
 works "a locus" locus --model-library duffing.so --over eps=0.1:0.6 --from 0.5 --to 2 --step 0.1 --json locus.json -q
 works "of the file" locus duffing.json --over eps=0.1:0.6 --from 0.5 --to 2 --step 0.1 --json file-locus.json -q
-for on in "--x Omega=0.9:1.5 --y eps=0.1:0.3" "--x eps=0.1:0.3 --y F=0.1:0.3 --Omega 1.2"; do
-	works "a map ($on)" map --model-library duffing.so --quantity amplitude $on --points 7x3 --json "map${on##* }.json" -q
-	works "of the file" map duffing.json --quantity amplitude $on --points 7x3 --json "file-map${on##* }.json" -q
-done
+over="--x eps=0.1:0.3 --y F=0.1:0.3 --Omega 1.2 --points 3x3"
+works "a map" map --model-library duffing.so --quantity amplitude $over --json map.json -q
+works "of the file" map duffing.json --quantity amplitude $over --json file-map.json -q
 python "agree" <<'PY'
 import json
 load = lambda name: json.load(open(name + ".json"))
@@ -98,9 +97,8 @@ assert len(a) == len(b) and [len(c["points"]) for c in a] == [len(c["points"]) f
 for c, d in zip(a, b):
     for p, q in zip(c["points"], d["points"]):
         assert abs(p["Omega"]/q["Omega"] - 1) < 1e-9 and abs(p["parameter"]/q["parameter"] - 1) < 1e-9, (p, q)
-for on in "eps=0.1:0.3", "1.2":
-    a, b = (load(name + on)["points"] for name in ("map", "file-map"))
-    assert a["branches"] == b["branches"] and max(a["branches"]) == 3, a["branches"]
-    assert all(abs(x/y - 1) < 1e-8 for x, y in zip(a["value"], b["value"]))
+a, b = (load(name)["points"] for name in ("map", "file-map"))
+assert a["branches"] == b["branches"] and a["branches"].count(3) > 2, a["branches"]
+assert all(abs(x/y - 1) < 1e-8 for x, y in zip(a["value"], b["value"]))
 PY
 done_testing

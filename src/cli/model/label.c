@@ -159,6 +159,12 @@ static double present(const char *key, const struct cli_model *model)
 	return value;
 }
 
+double cli_label_at(const struct cli_label *label, const char *key, const struct cli_model *model)
+{
+	return strcmp(key, "Omega") == 0 ? label->omega*cli_per_omega(model)
+	       : strcmp(key, label->over) == 0 ? label->parameter : present(key, model);
+}
+
 static int same(double a, double b)
 {
 	return fabs(a - b) <= SAME*fmax(fabs(a), fabs(b));

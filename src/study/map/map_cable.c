@@ -34,6 +34,7 @@ int hawser__map_cable_cheap(const void *context)
 	return cable->varies == 0 ? 2 : cable->varies == 1 ? 1 : 0;
 }
 
+enum { COLUMNS = 3 }; /* of maps whose models are cheap; chosen */
 enum { LISTED = 8 }; /* coordinates of a full-order model whose tongues are searched, the slowest;
                       * chosen */
 
@@ -184,6 +185,10 @@ static enum hawser_status describe(struct hawser__map_cable *cable, struct hawse
 	fprintf(stream, "hawser %s, %s%s over %s and %s, Omega %a, waves %d\n%s", hawser_version(),
 	        source->quantity, cable->moves ? " of the response" : "", source->key[0],
 	        source->key[1], source->omega, source->waves, model ? model : "");
+	if (source->start)
+		fprintf(stream, "from %a %a\n", source->start->at[0], source->start->at[1]);
+	for (int i = 0; source->start && i < 2*source->start->coordinates; i++)
+		fprintf(stream, "%a\n", source->start->state[i]);
 	if (source->scene)
 		status = hawser_scene_write(source->scene, stream, report);
 	for (int i = 0; source->rom && source->rom->plug && i < source->file->parameters; i++)
@@ -238,6 +243,7 @@ enum hawser_status hawser_map_cable_open(struct hawser_map_field *field,
                                          struct hawser_report *report)
 {
 	struct hawser__map_cable *cable = calloc(1, sizeof *cable);
+	enum hawser__reach other;
 	enum hawser_status status;
 
 	*field = (struct hawser_map_field){.name = source->quantity};
@@ -285,6 +291,9 @@ enum hawser_status hawser_map_cable_open(struct hawser_map_field *field,
 	if (cable->quantity->about.nonlinear) {
 		field->row = hawser__map_worker_row;
 		field->along = hawser__map_row_along(cable);
+		field->start = source->start;
+		other = cable->reach[1 - field->along];
+		field->columns = other == HAWSER__REACH_LOAD || other == HAWSER__REACH_PARAMETER ? COLUMNS : 0;
 	}
 	return HAWSER_OK;
 }
