@@ -153,6 +153,9 @@ struct hawser_folds_options {
 	int skip_isolas;           /* 1: do not trace detached curves at the nominal load */
 	int starts;                /* number of pseudo-random motions from which detached curves are looked
 	                            * for as well; 0: 96; or HAWSER_NONE */
+	const struct hawser_frf_options *first; /* NULL, or where the response at the nominal load begins:
+	                            * its start, along and begin. It is followed to both sides, and no
+	                            * others are searched for folds */
 	const char *method;        /* of the responses (hawser_frf_options); NULL: "balance", whose
 	                            * orbits at folds start the curves without conversion; "auto": the
 	                            * method that suits the model */

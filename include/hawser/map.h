@@ -56,6 +56,13 @@ struct hawser_map_condensed {
 struct hawser__map_row;
 struct hawser__ranks; /* other processes that compute; the program has them of mpirun */
 
+/* A motion whose curves a map by rows has too, as one on a detached curve. */
+struct hawser_map_start {
+	double at[2];         /* [2] x and y, in the range of the map */
+	int coordinates;      /* n, of the model */
+	const double *state;  /* [2n] scaled, at phase 0 */
+};
+
 /* A field to be mapped. The results of `point` depend on (x, y) only. */
 struct hawser_map_field {
 	const char *name;     /* of the quantity */
@@ -95,6 +102,9 @@ struct hawser_map_field {
 	enum hawser_status (*row)(void *worker, struct hawser__map_row *row,
 	                          struct hawser_report *report);
 	int along;
+	int columns; /* of a map by rows: curves are followed along the other coordinate too, at so many of
+	              * its values, and from their responses curves along the rows */
+	const struct hawser_map_start *start; /* of a map by rows: the same through this motion; or NULL */
 };
 
 struct hawser_map_options {
@@ -234,6 +244,7 @@ struct hawser_map_source {
 	int rest;              /* 1: stability is that of rest. 0: with a forcing frequency it is that of
 	                        * the periodic response that grows out of rest with the excitation,
 	                        * where a load, moving ends or a fluctuating speed move the model */
+	const struct hawser_map_start *start; /* of the quantity amplitude, or NULL */
 };
 /* The field of a scene with a travelling beam, over two numeric keys of its section: the quantity
  * "growth" or "unstable" of the `modes` eigenvalues of least modulus, with `functions` Legendre

@@ -35,6 +35,8 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/time/beam_model.c \
 	%D%/time/beam_motion.c \
 	%D%/branch/branches.c \
+	%D%/branch/slower.c \
+	%D%/branch/slower.h \
 	%D%/orbit/certify.c \
 	%D%/orbit/certify.h \
 	%D%/torus/circle.c \

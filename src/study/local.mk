@@ -95,6 +95,7 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/map/map_row_model.c \
 	%D%/map/map_row_result.c \
 	%D%/map/map_rows.c \
+	%D%/map/map_rows_across.c \
 	%D%/map/map_rows.h \
 	%D%/map/map_rows_file.c \
 	%D%/map/map_rows_file.h \

@@ -249,6 +249,7 @@ static const struct row {
 	ROW(hawser_map_sample),
 	ROW(hawser_map_shift),
 	ROW(hawser_map_source),
+	ROW(hawser_map_start),
 	ROW(hawser_match_options),
 	ROW(hawser_measured),
 	ROW(hawser_mode),

@@ -79,8 +79,8 @@ refuses 1 "--period 3: the motion at --from-label cascade-frf.json#16 has 2 peri
 	frf cascade.json --from 1.6 --to 0.7 --from-label cascade-frf.json#16 --period 3
 refuses 1 "--period 2: modes are chosen for motions of one period of the load: give a number of modes" \
 	frf "$chairlift" --set model.modes=auto --period 2
-refuses 1 "--over does not go with --switch: leave out one of them" \
-	frf cascade.json --over factor.load=1:2 --Omega 1 --switch 3
+refuses 1 "--switch cascade-frf.json#15: no branch begins there: give the label of a period doubling or a branch point over the same \
+parameter" frf cascade.json --over factor.load=1:2 --switch cascade-frf.json#15
 cat >mathieu.json <<'END'
 {"n": 1, "K": [[1]], "D": [[0.05]], "C": [[0, 0, 0, 0, 0.5]], "harmonics": [{"k": 1, "phase": "cos", "K": [[0.3]]}]}
 END
@@ -104,7 +104,21 @@ for result, name, count, text in ((scales, "scales", 2, "was not found: no orbit
     assert len(result["warnings"]) == count and all(text in w for w in result["warnings"]), result["warnings"]
     assert sum(line.startswith("# warning: ") and text in line for line in open(name + ".tsv")) == count
 END
-refuses 1 "--over does not go with --branches: leave out one of them" \
-	frf cascade.json --over factor.load=1:2 --Omega 1 --branches 1
+works "whirling over a key" frf string.json --over factor.load=3:0.3 --Omega 1.1 --branches 1 --json whirl-over.json -q
+works "its locus" locus string.json --kind branch-point --from 0.9 --to 1.4 --over factor.load=0.5:1.5 --json whirl-locus.json -q
+python "begins at the locus" <<'END'
+import json
+over, locus = (json.load(open(f"whirl-{name}.json")) for name in ("over", "locus"))
+born = [b["born_at"] for b in over["branches"]]
+assert born and max(p["coordinates"][1] for p in over["branches"][0]["points"]) > 0.1, born
+for at in born:
+    near = []
+    for curve in locus["curves"]:
+        p = curve["points"]
+        for a, b in zip(p, p[1:]):
+            if (a["Omega"] - 1.1)*(b["Omega"] - 1.1) <= 0:
+                near.append(a["parameter"] + (b["parameter"] - a["parameter"])*(1.1 - a["Omega"])/(b["Omega"] - a["Omega"]))
+    assert min(abs(x - at) for x in near) < 1e-3, (at, near)
+END
 refuses_like 1 "--branches" frf cascade.json --branches -1
 done_testing

@@ -123,6 +123,41 @@ for n in range(1000):
     y = [p + h/6*(A + 2*B + 2*C + D) for p, A, B, C, D in zip(y, a, b, c, d)]
 assert max(abs(p - q) for p, q in zip(x, y)) < 1e-6, (x, y)
 END
+python "a motion of it" <<'END'
+import json
+point = next(p for p in json.load(open("isola-found.json"))["isolas"][0]["points"] if p["stable"])
+json.dump({"state": point["state"]}, open("isola-state.json", "w"))
+open("isola-omega", "w").write(repr(point["Omega"]))
+END
+works "its response" frf isola.json --start isola-state.json --at "$(cat isola-omega)" --from 0.9 --to 2.3 --json isola-frf.json -q
+works "its folds" folds isola.json --from 0.9 --to 2.3 --load-from 0.1 --load-to 1.2 --from-label isola-frf.json#1 \
+	--json isola-folds.json --tsv isola-folds.tsv -q
+works "a map with it" map isola.json --quantity amplitude --x Omega=0.9:2.3 --y factor.load=0.9:1.1 --points 15x3 \
+	--from-label isola-frf.json#1 --json isola-map.json -q
+works "and without" map isola.json --quantity amplitude --x Omega=0.9:2.3 --y factor.load=0.9:1.1 --points 15x3 \
+	--json isola-not.json -q
+python "where the detached curve is, the map has two responses more" <<'END'
+import json
+load = lambda name: json.load(open(f"isola-{name}.json"))
+curve, = load("folds")["curves"]
+assert [e["kind"] for e in curve["events"] if e["kind"] != "nominal"] == ["isola-centre"], curve["events"]
+nominal = sorted(e["Omega"] for e in curve["events"] if e["kind"] == "nominal")
+ends = sorted(e["Omega"] for e in load("frf")["events"] if e["kind"] == "fold")
+assert len(nominal) == 2 and all(abs(a/b - 1) < 1e-8 for a, b in zip(nominal, ends)), (nominal, ends)
+folds = [(p["load"], p["Omega"]) for p in curve["points"]]
+assert "# folds: those of the response through isola-frf.json#1 only" in open("isola-folds.tsv").read()
+more = 0
+for (x, y), a, b in zip(((x, y) for y in (0.9, 1.0, 1.1) for x in [0.9 + 0.1*i for i in range(15)]),
+                        load("map")["points"]["branches"], load("not")["points"]["branches"]):
+    if y == 1.0:
+        assert a - b == (2 if ends[0] < x < ends[1] else 0), (x, y, a, b)
+    more += a > b
+assert 30 <= more <= 33, more
+END
+refuses 1 "--from-label isola-frf.json#1: that motion is at Omega = 1.13333333, which is not in the range: give a range that has it" \
+	map isola.json --quantity amplitude --x Omega=1.5:2.3 --y factor.load=0.9:1.1 --from-label isola-frf.json#1
+refuses 1 "--from-label is for the quantity amplitude: the quantity basin is of one response" \
+	map isola.json --quantity basin --x u1=0:1 --y u2=0:1 --Omega 1 --from-label isola-frf.json#1
 try "the table says what was searched" grep -q '^# isolas: looked for by 12 pseudo-random motions at 3 ' isola.tsv
 try "or that nothing was" grep -q '^# isolas: not looked for by pseudo-random motions' none.tsv
 done_testing

@@ -211,10 +211,44 @@ refuses_like 1 "at a fold the motion can't be followed in another parameter" \
 	frf pair.json --over factor.load=0.5:2 --from-label "pair-frf.json#$(cat fold)"
 refuses_like 1 "the motion of the label is at Omega = .*: leave --Omega out" \
 	frf pair.json --over factor.load=0.5:2 --Omega 1.77 --from-label pair-frf.json#2
-refuses_like 1 "a motion of several periods of the load is followed over the frequency only" \
-	frf cascade.json --over factor.load=0.5:2 --from-label cascade-frf.json#16
-refuses_like 1 "a motion of several periods of the load is followed over the frequency only: hawser frf" \
-	locus cascade.json --from 1.6 --to 0.7 --from-label cascade-frf.json#16
+refuses 1 "loci of motions of 2 periods of the load are those of their folds, period doublings, tori and branch points, and begin \
+at such a motion: give a label of one (--from-label)" \
+	locus cascade.json --kind resonance --from 1.6 --to 0.7 --from-label cascade-frf.json#16
+works "a motion of two periods over a key" frf cascade.json --over factor.load=0.9:1.1 --from-label cascade-frf.json#16 \
+	--json slow-over.json -q
+works "its period doubling over the load and the frequency" locus cascade.json --kind period-doubling --from 1.6 --to 0.7 \
+	--over factor.load=0.9:1.1 --step 0.1 --from-label cascade-frf.json#16 --json slow-locus.json --tsv slow-locus.tsv -q
+cat >last.py <<'END'
+import sys; sys.path.insert(0, ".")
+from lib import *
+curve, = load(sys.argv[1])["curves"]
+last = max(curve["points"], key=lambda p: p["parameter"])
+END
+python "its last point" <<'END'
+import sys; sys.argv = ["", "slow-locus"]
+exec(open("last.py").read())
+open("last", "w").write(repr(last["Omega"]))
+END
+works "branches over the load there" frf cascade.json --over factor.load=0.9:1.2 --Omega "$(cat last)" --branches 1 \
+	--json slow-branches.json -q
+works "one alone, from its label" frf cascade.json --over factor.load=0.9:1.2 --switch "slow-branches.json#$(python3 -S - <<'END'
+import sys; sys.path.insert(0, ".")
+from lib import *
+print(load("slow-branches")["events"][0]["label"])
+END
+)" --json slow-switch.json -q
+python "the branches' own doublings are at the locus" <<'END'
+import sys; sys.argv = ["", "slow-locus"]
+exec(open("last.py").read())
+over, all, alone = map(load, ("slow-over", "slow-branches", "slow-switch"))
+assert over["period"] == 2 and gap(over["points"][0], labels(load("cascade-frf"))[16]) < 1e-6
+assert load("slow-locus")["period"] == 2 and "# motions of 2 periods of the load\n" in open("slow-locus.tsv").read()
+assert last["parameter"] == 1.1 and [b["period"] for b in all["branches"]] == [2]
+first, second = all["events"][0], all["branches"][0]["events"][0]
+assert all["branches"][0]["born_at"] == first["parameter"] < last["parameter"]
+for event in second, alone["events"][0]:
+    assert event["kind"] == "period-doubling" and abs(event["parameter"]/1.1 - 1) < 1e-9, event
+END
 cat >half.json <<'END'
 {"n": 1, "periods": 2, "K": [[1]], "D": [[0.4]], "Q": [[0, 0, 0, -1]],
  "harmonics": [{"k": 2, "phase": "cos", "f": [0.25]}]}

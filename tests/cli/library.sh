@@ -20,8 +20,8 @@ for name in none unnamed wrong; do
 	try "and $name" build $name.c $name.so
 done
 cat >duffing.json <<'JSON'
-{"hawser_rom": 1, "n": 1, "parameters": {"eps": 0.1}, "K": [[1]], "D": [[0.05]], "C": [[0, 0, 0, 0, "eps"]],
- "harmonics": [{"k": 1, "f": [0.18]}]}
+{"hawser_rom": 1, "n": 1, "parameters": {"eps": 0.1, "F": 0.18}, "K": [[1]], "D": [[0.05]], "C": [[0, 0, 0, 0, "eps"]],
+ "harmonics": [{"k": 1, "f": ["F"]}]}
 JSON
 works "its response" frf --model-library duffing.so --from 0.5 --to 2 --set eps=0.2 --json response.json -q
 works "over a parameter" frf --model-library ./duffing.so --over eps=0.02:1 --Omega 1.2 --json over.json -q
@@ -76,9 +76,29 @@ refuses 1 "--set size=3: duffing.so has these parameters: delta, eps, F" \
 	frf --model-library duffing.so --set size=3
 refuses 1 "duffing.so has no parameter size; its parameters are: delta, eps, F" \
 	frf --model-library duffing.so --over size=3:4 --Omega 1
-only="takes models with D, K, Q and C only; this one is a function, which hawser frf (by shooting) and hawser integrate \
-take"
+only="takes models with D, K, Q and C only; this one is a function, which hawser frf (by shooting), hawser integrate, hawser locus \
+(--over a parameter, --kind fold and others) and hawser map --quantity amplitude take"
 refuses 1 "a factor of load or damping $only" frf --model-library duffing.so --over factor.load=1:2 --Omega 1
 refuses 1 "a backbone $only" frf --model-library duffing.so --from 0.5 --to 1 --backbone 1
 refuses_like 1 "unknown option --model-library" folds --model-library duffing.so
+refuses 1 "a locus of resonances $only" locus --model-library duffing.so --kind resonance --over eps=0.1:1 --from 0.5 --to 2
+refuses 1 "a factor of load or damping $only" \
+	map --model-library duffing.so --quantity amplitude --x Omega=0.5:2 --y factor.load=0.5:1
+works "a locus" locus --model-library duffing.so --over eps=0.1:0.6 --from 0.5 --to 2 --step 0.1 --json locus.json -q
+works "of the file" locus duffing.json --over eps=0.1:0.6 --from 0.5 --to 2 --step 0.1 --json file-locus.json -q
+over="--x eps=0.1:0.3 --y F=0.1:0.3 --Omega 1.2 --points 3x3"
+works "a map" map --model-library duffing.so --quantity amplitude $over --json map.json -q
+works "of the file" map duffing.json --quantity amplitude $over --json file-map.json -q
+python "agree" <<'PY'
+import json
+load = lambda name: json.load(open(name + ".json"))
+a, b = (load(name)["curves"] for name in ("locus", "file-locus"))
+assert len(a) == len(b) and [len(c["points"]) for c in a] == [len(c["points"]) for c in b]
+for c, d in zip(a, b):
+    for p, q in zip(c["points"], d["points"]):
+        assert abs(p["Omega"]/q["Omega"] - 1) < 1e-9 and abs(p["parameter"]/q["parameter"] - 1) < 1e-9, (p, q)
+a, b = (load(name)["points"] for name in ("map", "file-map"))
+assert a["branches"] == b["branches"] and a["branches"].count(3) > 2, a["branches"]
+assert all(abs(x/y - 1) < 1e-8 for x, y in zip(a["value"], b["value"]))
+PY
 done_testing

@@ -61,8 +61,8 @@ refuses_like 1 "the model has no forcing: .* with --over KEY=FROM:TO" frf "$cycl
 refuses 1 "--set ep=1: named.json has these parameters: eps, F" frf named.json --set ep=1
 refuses 1 "--set eps=1 kg: write NAME=NUMBER for a parameter of a model file" frf named.json --set "eps=1 kg"
 refuses 1 "named.json has no parameter ep; its parameters are: eps, F" frf named.json --over ep=1:2 --Omega 1
-only="takes models with D, K, Q and C only; this one has terms besides, which hawser frf and hawser integrate \
-take"
+only="takes models with D, K, Q and C only; this one has terms besides, which hawser frf, hawser integrate, hawser locus (--over a \
+parameter, --kind fold and others) and hawser map --quantity amplitude take"
 refuses 1 "a search for folds $only" folds terms.json --from 1 --to 2
 refuses 1 "the method of multiple scales $only" mms terms.json
 refuses 1 "a backbone $only" frf terms.json --backbone 1

@@ -15,7 +15,7 @@
 
 struct settings {
 	struct cli_common common;
-	const char *from, *to, *method;
+	const char *from, *to, *method, *label;
 	double load_from, load_to, tolerance;
 	int n, points, no_isolas, starts, unstable;
 };
@@ -40,6 +40,8 @@ static const struct cli_option options[] = {
 	                "method for the responses: balance, shooting or auto (balance)"),
 	{"unstable", 0, "N", "end responses at other loads where more than N multipliers are unstable (2)",
 	 CLI_INTEGER(unstable)},
+	{"from-label", 0, "FILE#LABEL", "only of the response through this label of a JSON result of frf",
+	 CLI_TEXT(label), .excludes = "no-isolas, starts, unstable"},
 	CLI_HEADING("Detached curves"),
 	{"no-isolas", 0, "", "do not trace detached curves at the model's own load",
 	 CLI_FLAG(no_isolas)},
@@ -63,6 +65,7 @@ static const char *const notes[] = {
 
 static enum hawser_status trace(struct hawser_folds *folds, const struct settings *settings,
                                 const struct cli_folds_result *result,
+                                const struct hawser_frf_options *first,
                                 struct hawser_report *report)
 {
 	struct cli_watch watch = {.progress = {.quiet = settings->common.quiet}};
@@ -77,6 +80,7 @@ static enum hawser_status trace(struct hawser_folds *folds, const struct setting
 	choice.tolerance = cli_tolerance(settings->tolerance, result->model);
 	if (settings->points > 0)
 		choice.max_points = settings->points;
+	choice.first = first;
 	choice.most_unstable = settings->unstable;
 	choice.skip_isolas = settings->no_isolas;
 	choice.starts = settings->starts > 0 ? settings->starts
@@ -87,6 +91,29 @@ static enum hawser_status trace(struct hawser_folds *folds, const struct setting
 	return status;
 }
 
+/* The motion of --from-label; along [2n] is used at a fold. */
+static enum hawser_status open_label(struct cli_label *label, struct hawser_frf_options *first,
+                                     double **along, const struct settings *settings,
+                                     const struct cli_folds_result *result,
+                                     struct hawser_report *report)
+{
+	const struct cli_model *model = result->model;
+	enum hawser_status status = cli_label_open(label, "from-label", settings->label, NULL, model,
+	                                           &settings->common, report);
+
+	if (!status && label->period > 1)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "folds",
+		                      "--from-label %s: that motion has %d periods of the load: hawser locus "
+		                      "--over factor.load follows the folds of its response", settings->label,
+		                      label->period);
+	*first = (struct hawser_frf_options){.from = result->from, .to = result->to};
+	*along = status ? NULL : calloc(2*(size_t)model->rom.n, sizeof **along);
+	if (!status && !*along)
+		status = hawser__no_memory(report, "folds");
+	return status ? status
+	       : cli_label_begin(first, *along, label, NULL, model, settings->label, report);
+}
+
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
 	const struct settings *settings = context;
@@ -94,11 +121,16 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	struct cli_model model = {0};
 	struct cli_folds_result result = {.common = &settings->common, .model = &model,
 	                                  .folds = &folds, .load_from = settings->load_from,
-	                                  .load_to = settings->load_to};
+	                                  .load_to = settings->load_to, .label = settings->label};
+	struct cli_label label = {.state = NULL};
+	struct hawser_frf_options first;
+	double *along = NULL;
 	enum hawser_status status = cli_outputs_check(&settings->common, report);
 
 	if (!status)
 		status = cli_model_load(&model, &settings->common, settings->n, report);
+	if (!status)
+		status = cli_exact_as(&model, settings->label, report);
 	if (!status)
 		status = cli_range(&result.from, &result.to, settings->from, settings->to, "folds", &model,
 		                   report);
@@ -110,15 +142,18 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		                         report);
 	if (!status)
 		status = cli_choice_build(&model, result.from, result.to, report);
-	if (!status) {
-		status = trace(&folds, settings, &result, report);
-	}
+	if (!status && settings->label)
+		status = open_label(&label, &first, &along, settings, &result, report);
+	if (!status)
+		status = trace(&folds, settings, &result, label.state ? &first : NULL, report);
 	if (!status) {
 		cli_exact_range_warn(&model);
 		cli_range_warn(&model, cli_range_reach(NULL, &model, folds.coordinate, folds.points,
 		                                       model.rom.n));
 		status = cli_show(&settings->common, &cli_folds_showing, &result, report);
 	}
+	free(along);
+	cli_label_clear(&label);
 	hawser_folds_clear(&folds);
 	cli_model_clear(&model);
 	return status;

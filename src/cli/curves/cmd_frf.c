@@ -65,7 +65,7 @@ static const struct cli_option options[] = {
 	{"tori", 0, "", "follow quasi-periodic motions from torus points too", CLI_FLAG(tori)},
 	{"over", 0, "KEY=FROM:TO", "follow the motion in a parameter instead, at the frequency --Omega",
 	 CLI_TEXT(over),
-	 .excludes = "from, to, at, sweep, backbone, beside, period, tori"},
+	 .excludes = "from, to, at, sweep, backbone, beside, tori"},
 	{"Omega", 0, "FREQUENCY", "frequency of the load with --over; of a limit cycle, about",
 	 CLI_TEXT(omega),
 	 .needs = "over"},
@@ -418,8 +418,7 @@ static enum hawser_status curves(const struct settings *settings, struct hawser_
 		result.over = &over;
 	}
 	if (!status && settings->over)
-		status = cli_over_check(&over, settings->branches ? "branches" : settings->switched ? "switch"
-		                        : NULL, goes_on(settings), report);
+		status = cli_over_check(&over, goes_on(settings), report);
 	if (!status && settings->over)
 		result.from = result.to = over.omega/cli_per_omega(&model);
 	else if (!status)

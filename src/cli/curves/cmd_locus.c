@@ -30,6 +30,7 @@ static const struct cli_option options[] = {
 	CLI_RANGE_OPTIONS("end of the range at which the response begins (0.6w1)",
 	                  "the other end of the range (3.3w1)"),
 	CLI_MODES_OPTION,
+	CLI_LIBRARY_OPTION,
 	CLI_HEADING("Parameters, and where curves begin"),
 	CLI_TEXT_WITH(and, "KEY=FROM:TO", "a parameter instead of the frequency, and its range",
 	              .excludes = "from, to, near"),
@@ -100,13 +101,13 @@ static enum hawser_status start_of(double *at, const struct cli_over *over, cons
 static enum hawser_status trace(struct hawser_locus *locus, const struct settings *settings,
                                 const struct cli_locus_result *result, const struct cli_over *over,
                                 const struct hawser_rom_plane *plane,
-                                const struct hawser_frf_options *first, struct cli_model *model,
-                                struct hawser_report *report)
+                                const struct hawser_frf_options *first, int periods,
+                                struct cli_model *model, struct hawser_report *report)
 {
 	struct cli_watch watch = {.progress = {.quiet = settings->common.quiet}};
 	struct hawser_locus_options choice = {.from = result->from, .to = result->to,
 		.parameter_from = over->from, .parameter_to = over->to, .max_points = settings->points,
-		.plane = plane, .harmonic = settings->harmonic, .first = first};
+		.plane = plane, .harmonic = settings->harmonic, .first = first, .periods = periods};
 	double near = 0.0;
 	enum hawser_status status = kind_of(&choice.kind, settings->kind, report);
 
@@ -136,10 +137,6 @@ static enum hawser_status open_label(struct cli_label *label, struct hawser_frf_
 	enum hawser_status status = cli_label_open(label, "from-label", settings->label, NULL,
 	                                           result->model, &settings->common, report);
 
-	if (!status && label->period > 1)
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "locus",
-		                      "--from-label %s: a motion of several periods of the load is followed "
-		                      "over the frequency only: hawser frf", settings->label);
 	*first = (struct hawser_frf_options){.from = result->from, .to = result->to};
 	return status ? status : cli_label_begin(first, along, label, NULL, result->model, settings->label,
 	                                         report);
@@ -235,7 +232,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	}
 	if (!status)
 		status = trace(&locus, settings, &result, &over, settings->and ? &plane : NULL,
-		               settings->label ? &first : NULL, &model, report);
+		               settings->label ? &first : NULL, label.period, &model, report);
 	if (!status) {
 		cli_exact_range_warn(&model);
 		cli_range_warn(&model, cli_range_reach(NULL, &model, locus.coordinate, locus.points,

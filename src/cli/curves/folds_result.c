@@ -153,7 +153,11 @@ static void comments(struct hawser__table *table, const void *of)
 	cli_exact_range_comments(table, model);
 	for (c = 0; c < folds->curves; c++)
 		comment_curve(table, result, c);
-	comment_least(table, result);
+	if (result->label)
+		hawser__table_comment(table, "folds: those of the response through %s only: others were not "
+		                      "looked for", result->label);
+	else
+		comment_least(table, result);
 	for (i = 0; i < folds->isolas; i++) {
 		const struct hawser_frf *frf = &folds->isola[i];
 
@@ -164,7 +168,8 @@ static void comments(struct hawser__table *table, const void *of)
 			                      i + 1, hawser_event_name(frf->event[e].kind),
 			                      frf->event[e].omega*per_omega, rad_s);
 	}
-	comment_starts(table, folds);
+	if (!result->label)
+		comment_starts(table, folds);
 	comment_lost(table, result);
 	if (folds->note[0])
 		hawser__table_comment(table, "note: %s", folds->note);

@@ -11,6 +11,7 @@ struct cli_folds_result {
 	const struct hawser_folds *folds;
 	double from, to; /* scaled */
 	double load_from, load_to;
+	const char *label; /* of --from-label, or NULL */
 };
 extern const struct cli_showing cli_folds_showing;
 enum hawser_status cli_folds_draw(const char *path, const void *result,

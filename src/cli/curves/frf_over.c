@@ -85,17 +85,13 @@ enum hawser_status cli_over_open(struct cli_over *over, const char *text, const 
 	return status;
 }
 
-enum hawser_status cli_over_check(const struct cli_over *over, const char *branches, int goes_on,
+enum hawser_status cli_over_check(const struct cli_over *over, int goes_on,
                                   struct hawser_report *report)
 {
-	if (over->guess > 0.0 && !goes_on)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
-		                    "--Omega: nothing excites the model, and rest has no frequency: leave it "
-		                    "out; limit cycles begin with --branches 1, or with --start FILE");
-	if (over->omega == 0.0 || !branches)
-		return HAWSER_OK;
-	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf", "--over does not go with --%s: leave out "
-	                    "one of them", branches);
+	return over->guess == 0.0 || goes_on ? HAWSER_OK
+	       : hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
+	                      "--Omega: nothing excites the model, and rest has no frequency: leave it "
+	                      "out; limit cycles begin with --branches 1, or with --start FILE");
 }
 
 void cli_over_clear(struct cli_over *over)

@@ -22,9 +22,8 @@ struct cli_over {
 enum hawser_status cli_over_open(struct cli_over *over, const char *text, const char *frequency,
                                  struct cli_model *model, struct hawser_report *report)
 	HAWSER_MUST_CHECK;
-/* Branches (the name of their option, or NULL) are followed over the frequency, or of a model that
- * nothing excites; goes_on: the first motion is given. HAWSER_ERR_ARGUMENT. */
-enum hawser_status cli_over_check(const struct cli_over *over, const char *branches, int goes_on,
+/* goes_on: the first motion is given. HAWSER_ERR_ARGUMENT: a frequency of rest. */
+enum hawser_status cli_over_check(const struct cli_over *over, int goes_on,
                                   struct hawser_report *report) HAWSER_MUST_CHECK;
 void cli_over_clear(struct cli_over *over);
 

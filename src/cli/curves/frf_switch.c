@@ -78,10 +78,11 @@ static int is_end(const struct cli_cover *cover, const struct hawser_frf_event *
 }
 
 /* The same for branch points. */
-static int meets(const struct hawser_frf *frf, double omega)
+static int meets(const struct hawser_frf *frf, double parameter)
 {
 	for (int e = 0; e < frf->events; e++)
-		if (frf->event[e].kind == HAWSER_BRANCH_POINT && fabs(frf->event[e].omega/omega - 1.0) < SAME)
+		if (frf->event[e].kind == HAWSER_BRANCH_POINT &&
+		    fabs(frf->event[e].parameter/parameter - 1.0) < SAME)
 			return 1;
 	return 0;
 }
@@ -106,7 +107,7 @@ static int begins(const struct cli_cover *cover, const struct cli_frf_result *re
 		for (int k = 0; k < cover->borns; k++)
 			if (cover->born[k]->parent == frf->branch &&
 			    (frf->swing ? has_event(cover->born[k], event)
-			                : meets(cover->born[k], event->omega)))
+			                : meets(cover->born[k], event->parameter)))
 				return 0;
 		return 1;
 	}
@@ -260,8 +261,6 @@ enum hawser_status cli_cover_switch(struct cli_cover *cover, struct cli_frf_resu
 	int level[MOST_BORN + 1] = {0}, left = 0, label;
 	enum hawser_status status;
 
-	if (result->over && result->over->omega > 0.0)
-		return HAWSER_OK;
 	if ((status = find_label(&label, switched, result, report)))
 		return status;
 	if (depth == 0)
@@ -355,8 +354,9 @@ enum hawser_status cli_switch_trace(struct hawser_frf *frf, const struct cli_frf
 	static const enum hawser_event_kind kinds[] = {HAWSER_BRANCH_POINT, HAWSER_PERIOD_DOUBLING,
 		HAWSER_HOPF};
 	const struct cli_model *model = result->model;
-	int own = result->over && hawser_rom_autonomous(&model->rom), k = 0;
-	double at = own ? label->parameter : label->omega;
+	const char *over = result->over ? result->over->axis.key : NULL;
+	int own = over && hawser_rom_autonomous(&model->rom), k = 0;
+	double at = over ? label->parameter : label->omega;
 	struct hawser_frf_event event = {.omega = label->omega, .parameter = at, .located = 1,
 		.hopf.omega = label->omega};
 	struct hawser_frf_point point = {.omega = label->omega, .parameter = at};
@@ -367,21 +367,21 @@ enum hawser_status cli_switch_trace(struct hawser_frf *frf, const struct cli_frf
 
 	while (k < 2 + own && strcmp(label->kind, hawser_event_name(kinds[k])) != 0)
 		k++;
-	if (k == 2 + own || strcmp(label->over, own ? result->over->axis.key : "") != 0)
+	if (k == 2 + own || strcmp(label->over, over ? over : "") != 0)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
 		                    "--switch %s: no branch begins there: give the label of a period doubling "
 		                    "or a branch point %s", text, own
 		                    ? "or a Hopf point over the same parameter"
-		                    : "of a response over the frequency");
+		                    : over ? "over the same parameter" : "of a response over the frequency");
 	event.kind = kinds[k];
 	if (event.kind == HAWSER_HOPF)
 		point.omega = 0.0;
 	if (!(at >= fmin(options->from, options->to) && at <= fmax(options->from, options->to)))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
 		                    "--switch %s: that event is at %s = %.9g%s, which is not in the range: "
-		                    "give a range that has it", text, own ? label->over : "Omega",
-		                    at*(own ? 1.0 : cli_per_omega(model)),
-		                    own ? "" : cli_unit(model, " rad/s"));
+		                    "give a range that has it", text, over ? over : "Omega",
+		                    at*(over ? 1.0 : cli_per_omega(model)),
+		                    over ? "" : cli_unit(model, " rad/s"));
 	status = hawser_branch_switch(frf, &model->rom, &from, 0, options, report);
 	frf->parent = 0;
 	frf->branch = 1;

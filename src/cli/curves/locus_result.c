@@ -54,6 +54,8 @@ static void comments(struct hawser__table *table, const void *of)
 	                      result->parameter_from, result->parameter_to,
 	                      *result->unit && *result->unit != '1' ? " " : "",
 	                      *result->unit != '1' ? result->unit : "");
+	if (locus->response.period > 1)
+		hawser__table_comment(table, "motions of %d periods of the load", locus->response.period);
 	if (result->first && result->omega > 0.0)
 		hawser__table_comment(table, "Omega = %.12g%s", result->omega,
 		                      cli_unit(result->model, " rad/s"));
@@ -76,8 +78,8 @@ static void comments(struct hawser__table *table, const void *of)
 /* --- fields --- */
 
 /* the first parameter is Omega, or another one; of bifurcations, or of resonances */
-/* OWN: of an autonomous model */
-enum { LINE = 1, PLANE = 2, BIFURCATION = 4, RESONANCE = 8, OWN = 16 };
+/* OWN: of an autonomous model; SLOWER: of motions of several periods of the load */
+enum { LINE = 1, PLANE = 2, BIFURCATION = 4, RESONANCE = 8, OWN = 16, SLOWER = 32 };
 
 HAWSER__LABELS(kind_name, hawser_event_name, enum hawser_event_kind)
 
@@ -203,6 +205,8 @@ static const struct hawser__field locus_field[] = {
 	{"kind", NULL, "of the bifurcations", HAWSER__LABEL_AT(struct hawser_locus, kind, kind_name)},
 	{"harmonic", NULL, "of the load, of resonances", HAWSER__AT(struct hawser_locus, harmonic),
 	 .when = RESONANCE},
+	{"period", NULL, "periods of the load in one of the motion, if more than 1",
+	 HAWSER__AT(struct hawser_locus, response.period), .when = SLOWER},
 	{"at", NULL, "the parameter at which the curves begin", HAWSER__AT(struct hawser_locus, at)},
 	{"curves", NULL, "loci", HAWSER__OBJECTS_OF(curve_list)},
 	{"not_followed", NULL, "number of bifurcations from which no curve could be begun",
@@ -257,7 +261,8 @@ static struct cli_head head(const void *of)
 	                      ? "harmonic balance, phase quadrature, pseudo-arclength continuation"
 	                      : "harmonic balance, minimally augmented bifurcation, pseudo-arclength "
 	                        "continuation", result->model,
-	                      (result->first ? PLANE : LINE) | (resonance ? RESONANCE : BIFURCATION));
+	                      (result->first ? PLANE : LINE) | (resonance ? RESONANCE : BIFURCATION) |
+	                      (result->locus->response.period > 1 ? SLOWER : 0));
 }
 
 /* A special point is written after the point that precedes it on the curve. */

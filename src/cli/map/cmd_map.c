@@ -11,6 +11,7 @@
 #include "cli/model/exact.h"
 #include "cli/frame/hdf5.h"
 #include "cli/model/judged.h"
+#include "cli/model/label.h"
 #include "cli/map/map_part.h"
 #include "cli/frame/part.h"
 #include "cli/frame/progress.h"
@@ -20,7 +21,7 @@
 
 struct settings {
 	struct cli_common common;
-	const char *x, *y, *points, *quantity, *omega, *checkpoint, *boundary, *part, *hdf5;
+	const char *x, *y, *points, *quantity, *omega, *checkpoint, *boundary, *part, *hdf5, *label;
 	double jump, tolerance;
 	int n, depth, coarse, threads, full, partial, stable, rest;
 };
@@ -32,9 +33,12 @@ static const struct cli_option options[] = {
 	 CLI_TEXT(quantity)},
 	{"points", 0, "NXxNY", "resolution (200x200)", CLI_TEXT(points)},
 	{"modes", 'n', "N", "number of modes (the scene's model.modes)", CLI_INTEGER(n)},
+	CLI_LIBRARY_OPTION,
 	{"Omega", 0, "FREQUENCY", "frequency of the forcing, if it is no axis", CLI_TEXT(omega)},
 	CLI_HEADING("What is mapped"),
 	{"rest", 0, "", "stability of rest, whatever moves the model", CLI_FLAG(rest)},
+	{"from-label", 0, "FILE#LABEL", "amplitude: with the motions that are connected to this label of a "
+	 "JSON result of frf", CLI_TEXT(label)},
 	{"stable", 0, "", "amplitude: min, max and branches of stable responses only", CLI_FLAG(stable)},
 	CLI_HEADING("Resolution"),
 	{"depth", 0, "N", "resolution of 2^N cells along each axis, instead of --points",
@@ -171,7 +175,7 @@ static void warn_uncomputed(const struct hawser_map *map)
 
 static enum hawser_status trace(struct hawser_map *map, struct cli_map_result *result,
                                 const struct cli_model *model, const struct settings *settings,
-                                struct hawser_report *report)
+                                const struct hawser_map_start *start, struct hawser_report *report)
 {
 	struct hawser_map_source source = {
 		.scene = model->has_scene ? &model->scene : NULL,
@@ -180,7 +184,7 @@ static enum hawser_status trace(struct hawser_map *map, struct cli_map_result *r
 		.from = {result->options.from[0], result->options.from[1]},
 		.to = {result->options.to[0], result->options.to[1]}, .omega = result->omega,
 		.quantity = result->quantity->name, .rest = settings->rest,
-		.orbit = 1e-2*settings->tolerance};
+		.start = start, .orbit = 1e-2*settings->tolerance};
 	struct cli_watch watch = {.progress = {.quiet = result->common->quiet}};
 	struct hawser_map_options choice = result->options;
 	struct hawser_map_field field;
@@ -269,6 +273,10 @@ static enum hawser_status check(struct cli_map_result *result, struct settings *
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
 		                      "--stable: only the responses of the quantity amplitude are stable or "
 		                      "not: the number of instabilities is a column of every map");
+	if (!status && settings->label && strcmp(result->quantity->name, "amplitude") != 0)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
+		                      "--from-label is for the quantity amplitude: the quantity %s is of one "
+		                      "response", result->quantity->name);
 	if (!status && settings->rest && result->quantity->nonlinear)
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
 		                      "--rest is for growth, multiplier and unstable: the quantity %s is of "
@@ -317,6 +325,44 @@ static enum hawser_status judge_model(const struct cli_map_result *result,
 	return cli_exact_plane(&plane, model, n, result->common, report);
 }
 
+/* The motion at --from-label; label->state is its own. */
+static enum hawser_status open_label(struct cli_label *label, struct hawser_map_start *start,
+                                     struct cli_map_result *result, const struct settings *settings,
+                                     struct hawser_report *report)
+{
+	const char *over = strcmp(result->key[0], "Omega") == 0 ? result->key[1] : result->key[0];
+	const struct hawser_map_options *map = &result->options;
+	struct cli_model model = {0};
+	int k = 0;
+	enum hawser_status status = cli_model_load(&model, &settings->common, settings->n, report);
+
+	if (!status)
+		status = cli_exact_as(&model, settings->label, report);
+	if (!status)
+		status = cli_label_open(label, "from-label", settings->label, over, &model,
+		                        &settings->common, report);
+	for (; k < 2 && !status; k++) {
+		start->at[k] = cli_label_at(label, result->key[k], &model);
+		if (!(start->at[k] >= fmin(map->from[k], map->to[k]) &&
+		      start->at[k] <= fmax(map->from[k], map->to[k])))
+			status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
+			                      "--from-label %s: that motion is at %s = %.9g, which is not in the "
+			                      "range: give a range that has it", settings->label, result->key[k],
+			                      start->at[k]);
+	}
+	if (!status && label->period > 1)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
+		                      "--from-label %s: that motion has %d periods of the load, and those of a "
+		                      "map have one: hawser frf --over and hawser locus follow it",
+		                      settings->label, label->period);
+	if (!status && !(result->omega > 0.0))
+		result->omega = strcmp(over, result->key[0]) == 0 ? cli_label_at(label, "Omega", &model) : 0.0;
+	start->coordinates = model.rom.n;
+	start->state = label->state;
+	cli_model_clear(&model);
+	return status;
+}
+
 static enum hawser_status make(struct settings *settings, struct hawser__ranks *ranks,
                                struct hawser_report *report)
 {
@@ -325,6 +371,8 @@ static enum hawser_status make(struct settings *settings, struct hawser__ranks *
 	struct cli_map_result result = {.common = &settings->common, .model = &model, .map = &map,
 	                                .full = settings->full};
 	struct cli_map_axis axis[2] = {{.copy = NULL}};
+	struct cli_label label = {.state = NULL};
+	struct hawser_map_start start;
 	enum hawser_status status = check(&result, settings, ranks, report);
 
 	if (!status)
@@ -335,12 +383,14 @@ static enum hawser_status make(struct settings *settings, struct hawser__ranks *
 	}
 	if (!status && settings->omega)
 		status = cli_map_frequency(&result.omega, settings->omega, "Omega", &model, report);
+	if (!status && settings->label)
+		status = open_label(&label, &start, &result, settings, report);
 	if (!status && !settings->rest)
 		status = judge_model(&result, &model, settings->n, report);
 	if (!status && model.has_scene && model.scene.travel.braking > 0.0)
 		cli_warn("travel.braking is left out: the map is of travel.speed, the speed before");
 	if (!status)
-		status = trace(&map, &result, &model, settings, report);
+		status = trace(&map, &result, &model, settings, label.state ? &start : NULL, report);
 	if (!status && result.options.parts > 0)
 		cli_map_part_done(&result.options, &map, settings->common.quiet || is_worker(ranks));
 	else if (!status && !is_worker(ranks))
@@ -357,6 +407,7 @@ static enum hawser_status make(struct settings *settings, struct hawser__ranks *
 		status = write_result(&result, settings, report);
 	hawser_map_clear(&map);
 	hawser_basins_clear(&result.basins);
+	cli_label_clear(&label);
 	cli_model_clear(&model);
 	free(axis[0].copy);
 	free(axis[1].copy);

@@ -137,7 +137,7 @@ enum hawser_status cli_fixed_conclude(struct cli_frf_result *result, struct cli_
 
 	locate(result);
 	for (int k = 0; k < result->others && !status; k++) {
-		status = cli_fixed_estimate(&other[k], report);
+		status = result->over ? HAWSER_OK : cli_fixed_estimate(&other[k], report);
 		locate(&other[k]);
 	}
 	return status;

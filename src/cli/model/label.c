@@ -159,6 +159,12 @@ static double present(const char *key, const struct cli_model *model)
 	return value;
 }
 
+double cli_label_at(const struct cli_label *label, const char *key, const struct cli_model *model)
+{
+	return strcmp(key, "Omega") == 0 ? label->omega*cli_per_omega(model)
+	       : strcmp(key, label->over) == 0 ? label->parameter : present(key, model);
+}
+
 static int same(double a, double b)
 {
 	return fabs(a - b) <= SAME*fmax(fabs(a), fabs(b));
@@ -347,12 +353,9 @@ enum hawser_status cli_label_begin(struct hawser_frf_options *choice, double *al
 	if (choice->end_at_slack && label->least <= 0.0)
 		return refuse(label, text, "there the cable is slack: take a label before, or --slack follow",
 		              report);
-	if (over && (fold || label->period > 1))
-		return refuse(label, text, fold
-		              ? "at a fold the motion can't be followed in another parameter: take a label "
-		                "beside it"
-		              : "a motion of several periods of the load is followed over the frequency only",
-		              report);
+	if (over && fold)
+		return refuse(label, text, "at a fold the motion can't be followed in another parameter: take "
+		              "a label beside it", report);
 	choice->start = label->state;
 	choice->direction = label->direction;
 	if (own && strcmp(label->kind, "hopf") != 0) /* there it is the equilibrium */

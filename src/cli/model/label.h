@@ -50,6 +50,10 @@ enum hawser_status cli_label_scene(char *scene, size_t size, int *modes, json_t 
  * of the scene or model, or has no such label. */
 int cli_label_value(char *set, size_t size, const json_t *result, const char *text);
 
+/* The value of a key at the motion: Omega, in the unit of a map's axis, a factor, or a key of the scene
+ * or model. NAN: not known. */
+double cli_label_at(const struct cli_label *label, const char *key, const struct cli_model *model);
+
 /* Set the first orbit of a trace. `along` [2n], the caller's, is used at a fold.
  * HAWSER_ERR_ARGUMENT: no curve begins there. */
 enum hawser_status cli_label_begin(struct hawser_frf_options *choice, double *along,

@@ -8,6 +8,8 @@
  * Newton's method would return to the old branch. The orbit must be none of the old branch: after a
  * period doubling it does not close after the period of the old one.
  *
+ * The place of an orbit is its frequency, in that of the old branch, or the parameter of the family.
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -18,12 +20,11 @@
 #include <string.h>
 
 #include <hawser/branches.h>
-#include <hawser/scales.h>
 
 #include "core/report.h"
 #include "response/time/flow.h"
-#include "response/orbit/load.h"
 #include "response/orbit/shooting.h"
+#include "response/branch/slower.h"
 #include "response/branch/trace.h"
 #include "response/cycle/cycle.h"
 
@@ -37,39 +38,6 @@ enum { SIZE = sizeof size/sizeof *size, SMALL = 3 };
 /* At a small distance Omega changes by less than this part of the parent's way to the event: in a
  * cascade the branch's own period doubling is at 0.2. Chosen. */
 #define NEAR 0.1
-
-/* A model whose base frequency is a fraction of that of the load. */
-struct slower {
-	struct hawser__load load; /* .rom is the model */
-	double *known;
-};
-
-static void close_slower(struct slower *slower)
-{
-	hawser__load_clear(&slower->load);
-	free(slower->known);
-}
-
-static enum hawser_status open_slower(struct slower *slower, const struct hawser_rom *rom, int b,
-                                      struct hawser_report *report)
-{
-	size_t modes = (size_t)rom->known.modes;
-	enum hawser_status status = hawser__load_open(&slower->load, rom, report);
-
-	slower->load.rom.periods = 0;
-	slower->known = malloc((modes*(size_t)rom->harmonics + 1)*sizeof *slower->known);
-	if (!status && !slower->known)
-		status = hawser__no_memory(report, "frf");
-	for (int h = 0; h < rom->harmonics && !status; h++) {
-		double *known = slower->known + modes*(size_t)h;
-
-		if (!rom->harmonic[h].known)
-			continue;
-		memcpy(known, rom->harmonic[h].known, modes*sizeof *known);
-		slower->load.rom.harmonic[h].known = known;
-	}
-	return status ? status : hawser_subharmonic_base(&slower->load.rom, b, report);
-}
 
 /* --- the direction --- */
 
@@ -140,11 +108,11 @@ enum hawser_status hawser__branch_direction(double *v, const struct hawser_rom *
 /* --- the first orbit --- */
 
 struct search {
-	const struct hawser_rom *old, *rom; /* models of the old and of the new branch */
+	const struct hawser__slower *old, *new; /* models of the old and of the new branch */
 	int b;                              /* periods of the old one in the new one */
 	const struct hawser_frf_options *options;
-	double reach;                       /* largest change of Omega to a near orbit; 0: any */
-	double start;                       /* frequency and */
+	double reach;                       /* largest change of the place to a near orbit; 0: any */
+	double start;                       /* place and */
 	const double *near;                 /* [m] state of the old branch before the event */
 	double *x, *v;                      /* [m] the old orbit and its direction */
 	double *along, *state, *other;      /* [m] from the old orbit to the new one; this; workspace */
@@ -152,8 +120,13 @@ struct search {
 	struct hawser_report *report, why;  /* why: of the last attempt that failed */
 };
 
-/* state [m] and frequency of the last orbit of a short trace. */
-static enum hawser_status last_of(double *state, double *omega, int *found,
+static const struct hawser_rom_family *family_of(const struct hawser__slower *models)
+{
+	return models->family.model ? &models->family : NULL;
+}
+
+/* state [m] and place of the last orbit of a short trace. */
+static enum hawser_status last_of(double *state, double *place, int *found,
                                   const struct hawser_rom *rom,
                                   const struct hawser_frf_options *options,
                                   struct hawser_report *why)
@@ -163,7 +136,7 @@ static enum hawser_status last_of(double *state, double *omega, int *found,
 
 	*found = frf.points > 0 && (options->max_points == 1 || frf.end == HAWSER_END_RANGE);
 	if (*found)
-		*omega = frf.point[frf.points - 1].omega;
+		*place = frf.point[frf.points - 1].parameter;
 	if (*found)
 		memcpy(state, frf.state + (size_t)(frf.points - 1)*2*(size_t)rom->n,
 		       2*(size_t)rom->n*sizeof *state);
@@ -175,16 +148,29 @@ static enum hawser_status last_of(double *state, double *omega, int *found,
 static enum hawser_status walk(struct search *search, int *found, double there)
 {
 	const struct hawser_frf_options options = {.method = search->options->method,
-		.from = search->start, .to = there, .tolerance = search->options->tolerance,
-		.start = search->near, .skip_events = 1, .samples = HAWSER_NONE, .step_max = 0.3};
+		.family = family_of(search->old), .from = search->start, .to = there,
+		.tolerance = search->options->tolerance, .start = search->near, .skip_events = 1,
+		.samples = HAWSER_NONE, .step_max = 0.3};
 	double unused;
 
 	*found = there == search->start;
 	if (*found) {
-		memcpy(search->x, search->near, 2*(size_t)search->old->n*sizeof *search->x);
+		memcpy(search->x, search->near, 2*(size_t)search->old->rom->n*sizeof *search->x);
 		return HAWSER_OK;
 	}
-	return last_of(search->x, &unused, found, search->old, &options, &search->why);
+	return last_of(search->x, &unused, found, search->old->rom, &options, &search->why);
+}
+
+/* The period map of the old branch's model at this place, as hawser__branch_period. */
+static enum hawser_status old_period(struct search *search, double *x, double *A, double there)
+{
+	const struct hawser_rom_family *family = family_of(search->old);
+	const struct hawser_rom *rom = search->old->rom;
+	enum hawser_status status = !family ? HAWSER_OK
+	                            : family->model(family->context, &rom, there, search->report);
+
+	return status ? status : hawser__branch_period(x, A, rom, family ? family->omega*rom->time : there,
+	                                               search->report);
 }
 
 static double distance(const double *a, const double *b, int m)
@@ -201,14 +187,14 @@ static double distance(const double *a, const double *b, int m)
 /* The old orbit at `there` and its direction, in x and v; *found is 0 if there is none. */
 static enum hawser_status old_orbit(struct search *search, int *found, double there)
 {
-	int m = 2*search->old->n;
+	int m = 2*search->old->rom->n;
 	double extent;
 	enum hawser_status status = walk(search, found, there);
 
 	if (status || !*found)
 		return status;
 	memcpy(search->other, search->x, (size_t)m*sizeof *search->x);
-	status = hawser__branch_period(search->other, search->A, search->old, there, search->report);
+	status = old_period(search, search->other, search->A, there);
 	if (!status)
 		status = eigenvector(search->v, search->A, m, search->b == 2 ? -1.0 : 1.0, search->report);
 	extent = cblas_dnrm2(m, search->x, 1);
@@ -218,86 +204,89 @@ static enum hawser_status old_orbit(struct search *search, int *found, double th
 	return status;
 }
 
-/* The orbit at the distance e in the direction of v; *found is 1 for one of another branch. Its
- * frequency (of the old branch) is *omega. */
-static enum hawser_status attempt(struct search *search, int *found, double *omega, double there,
+/* The orbit at the distance e in the direction of v; *found is 1 for one of another branch, at
+ * *place. */
+static enum hawser_status attempt(struct search *search, int *found, double *place, double there,
                                   double e)
 {
-	struct hawser_frf_options options = {.method = search->options->method,
-		.from = 0.9*there/search->b, .to = 1.1*there/search->b, .begin = there/search->b,
+	const struct hawser_rom_family *family = family_of(search->new);
+	double per = family ? 1.0 : search->b;
+	struct hawser_frf_options options = {.method = search->options->method, .family = family,
+		.from = family ? search->options->from : 0.9*there/per,
+		.to = family ? search->options->to : 1.1*there/per, .begin = there/per,
 		.tolerance = search->options->tolerance, .start = search->x, .along = search->along,
 		.max_points = 1, .skip_events = 1, .samples = HAWSER_NONE};
-	int m = 2*search->rom->n, twice = search->b > 1;
+	int m = 2*search->new->rom->n, twice = search->b > 1;
 	enum hawser_status status;
 
 	for (int i = 0; i < m; i++)
 		search->along[i] = e*search->v[i];
-	status = last_of(search->state, omega, found, search->rom, &options, &search->why);
+	status = last_of(search->state, place, found, search->new->rom, &options, &search->why);
 	if (status || !*found)
 		return status;
-	*omega *= search->b;
+	*place *= per;
 	memcpy(search->other, search->state, (size_t)m*sizeof *search->other);
 	if (twice) /* the direction changes its sign: their distance is 2 e */
-		status = hawser__branch_period(search->other, NULL, search->old, *omega, search->report);
+		status = old_period(search, search->other, NULL, *place);
 	*found = distance(twice ? search->other : search->x, search->state, m) > (twice ? 0.5 : OFF)*e;
 	return status;
 }
 
-/* *omega: frequency of the first orbit (of the old branch), whose state is search->state and which is
- * search->along from search->x; 0 if none was found. `at`: of the event. */
-static enum hawser_status look(struct search *search, double *omega, double at)
+/* *place: that of the first orbit, whose state is search->state and which is search->along from
+ * search->x; NAN if none was found. `at`: of the event. */
+static enum hawser_status look(struct search *search, double *place, double at)
 {
 	enum hawser_status status;
 	int found;
 
-	*omega = 0.0;
+	*place = NAN;
 	if (search->b == 1) /* where the old orbit's Jacobian is singular */
 		at += SHORT*(search->start - at);
 	if ((status = old_orbit(search, &found, at)))
 		return status;
 	for (int k = 0, may = found; may && k < SIZE; k++) {
-		if ((status = attempt(search, &found, omega, at, size[k])))
+		if ((status = attempt(search, &found, place, at, size[k])))
 			return status;
 		/* another one may lie beyond events */
-		if (found && (k >= SMALL || search->reach == 0.0 || fabs(*omega - at) < search->reach))
+		if (found && (k >= SMALL || search->reach == 0.0 || fabs(*place - at) < search->reach))
 			return status;
-		*omega = 0.0;
+		*place = NAN;
 	}
 	return HAWSER_OK;
 }
 
 /* --- the branch --- */
 
+/* place, at: of the first orbit, and of the event. */
 static enum hawser_status follow(struct hawser_frf *branch, const struct search *search, int periods,
-                                 double omega, double at, const struct hawser_frf_options *as,
-                                 struct hawser_report *report)
+                                 double place, double at, struct hawser_report *report)
 {
-	struct hawser_frf_options options = *as;
-	double lo = fmin(as->from, as->to)/periods, hi = fmax(as->from, as->to)/periods;
+	struct hawser_frf_options options = *search->options;
+	double lo = fmin(options.from, options.to), hi = fmax(options.from, options.to);
+	double per = options.family ? 1.0 : search->b;
 	enum hawser_status status;
 
-	options.from = omega > at ? lo : hi;
-	options.to = omega > at ? hi : lo;
-	options.begin = at/periods;
+	options.family = family_of(search->new);
+	options.from = (place > at ? lo : hi)/per;
+	options.to = (place > at ? hi : lo)/per;
+	options.begin = at/per;
 	options.start = search->x;
 	options.along = search->along;
-	status = hawser_frf_trace(branch, search->rom, &options, report);
-	hawser__frf_in_loads(branch, periods, 0);
+	status = hawser_frf_trace(branch, search->new->rom, &options, report);
+	hawser__frf_in_loads(branch, periods, options.family != NULL);
 	return status;
 }
 
 static enum hawser_status check(const struct hawser_frf *from, int event,
-                                const struct hawser_frf_options *options,
                                 struct hawser_report *report)
 {
 	const struct hawser_frf_event *at = event >= 0 && event < from->events ? &from->event[event] : NULL;
 
-	if (at && at->located && !options->family &&
-	    (at->kind == HAWSER_PERIOD_DOUBLING || at->kind == HAWSER_BRANCH_POINT))
+	if (at && at->located && (at->kind == HAWSER_PERIOD_DOUBLING || at->kind == HAWSER_BRANCH_POINT))
 		return HAWSER_OK;
 	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
 	                    "event %d begins no branch that can be followed: a located period doubling or "
-	                    "branch point of a response over the frequency does", event);
+	                    "branch point does", event);
 }
 
 enum hawser_status hawser_branch_switch(struct hawser_frf *branch, const struct hawser_rom *rom,
@@ -307,16 +296,17 @@ enum hawser_status hawser_branch_switch(struct hawser_frf *branch, const struct 
 {
 	const struct hawser_frf_event *at = from->event + event;
 	int m = 2*rom->n, P = from->period, b;
+	double per = options->family ? 1.0 : P, place;
 	struct hawser_frf_options range = *options;
-	struct slower old = {.known = NULL}, new = {.known = NULL};
-	struct search search = {.options = &range, .report = report};
-	double *memory, omega;
+	struct hawser__slower old = {.rom = NULL}, new = {.rom = NULL};
+	struct search search = {.options = &range, .old = &old, .new = &new, .report = report};
+	double *memory;
 	enum hawser_status status;
 
 	if (event < from->events && options->family && options->family->omega == 0.0)
 		return event < 0 ? hawser__own_leave(branch, rom, from, event < -1, options, report)
 		                 : hawser__own_switch(branch, rom, from, event, options, report);
-	status = check(from, event, options, report);
+	status = check(from, event, report);
 
 	*branch = (struct hawser_frf){.n = rom->n};
 	if (status)
@@ -326,8 +316,8 @@ enum hawser_status hawser_branch_switch(struct hawser_frf *branch, const struct 
 	if (!memory)
 		return hawser__no_memory(report, "frf");
 	search.near = from->state + (size_t)at->after*(size_t)m;
-	search.start = from->point[at->after].omega/P;
-	search.reach = from->parent ? NEAR*fabs(at->omega - from->born)/P : 0.0;
+	search.start = from->point[at->after].parameter/per;
+	search.reach = from->parent ? NEAR*fabs(at->parameter - from->born_at)/per : 0.0;
 	search.A = memory;
 	search.x = memory + (size_t)m*(size_t)m;
 	search.v = search.x + m;
@@ -335,27 +325,26 @@ enum hawser_status hawser_branch_switch(struct hawser_frf *branch, const struct 
 	search.other = search.state + m;
 	search.along = search.other + m;
 	search.b = b;
-	search.old = &old.load.rom;
-	search.rom = &new.load.rom;
-	range.from /= P; /* in the frequency of the old branch */
-	range.to /= P;
-	status = open_slower(&old, rom, P/hawser__rom_periods(rom), report);
+	range.from /= per; /* in the frequency of the old branch */
+	range.to /= per;
+	status = hawser__slower_open(&old, rom, options->family, P/hawser__rom_periods(rom), report);
 	if (!status)
-		status = open_slower(&new, rom, P/hawser__rom_periods(rom)*b, report);
+		status = hawser__slower_open(&new, rom, options->family, P/hawser__rom_periods(rom)*b, report);
 	if (!status)
-		status = look(&search, &omega, at->omega/P);
-	if (!status && omega == 0.0)
+		status = look(&search, &place, at->parameter/per);
+	if (!status && isnan(place))
 		status = hawser__fail(report, HAWSER_ERR_CONVERGENCE, "frf",
 		                      "no orbit of another branch was found beside the %s at Omega %.9g%s; the "
 		                      "last attempt: %s", hawser_event_name(at->kind),
 		                      HAWSER_SHOWN(rom, at->omega/hawser__rom_periods(rom)),
 		                      search.why.message[0] ? search.why.message : "it led to the old branch");
 	if (!status)
-		status = follow(branch, &search, P*b, omega*P, at->omega, options, report);
+		status = follow(branch, &search, P*b, place, at->parameter/per, report);
 	branch->parent = from->branch;
-	branch->born = branch->born_at = at->omega;
-	close_slower(&old);
-	close_slower(&new);
+	branch->born = at->omega;
+	branch->born_at = at->parameter;
+	hawser__slower_close(&old);
+	hawser__slower_close(&new);
 	free(memory);
 	return status;
 }
@@ -365,22 +354,23 @@ enum hawser_status hawser_branch_trace(struct hawser_frf *branch, const struct h
                                        struct hawser_report *report)
 {
 	struct hawser_frf_options slow = *options;
-	struct slower slower = {.known = NULL};
+	struct hawser__slower slower = {.rom = NULL};
 	int own = hawser__rom_periods(rom);
+	double per = options->family ? 1.0 : periods;
 	enum hawser_status status;
 
 	*branch = (struct hawser_frf){.n = rom->n};
-	if (options->family || periods < 1 || periods % own)
+	if (periods < 1 || periods % own)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
-		                    "a motion of %d periods of the load is followed over the frequency only",
-		                    periods);
-	slow.from /= periods;
-	slow.to /= periods;
-	slow.begin /= periods;
-	status = open_slower(&slower, rom, periods/own, report);
+		                    "a motion of %d periods of the load: give a multiple of %d", periods, own);
+	slow.from /= per;
+	slow.to /= per;
+	slow.begin /= per;
+	status = hawser__slower_open(&slower, rom, options->family, periods/own, report);
+	slow.family = family_of(&slower);
 	if (!status)
-		status = hawser_frf_trace(branch, &slower.load.rom, &slow, report);
-	hawser__frf_in_loads(branch, periods, 0);
-	close_slower(&slower);
+		status = hawser_frf_trace(branch, slower.rom, &slow, report);
+	hawser__frf_in_loads(branch, periods, slow.family != NULL);
+	hawser__slower_close(&slower);
 	return status;
 }

@@ -14,6 +14,22 @@
 #define FIRST_STEP 0.05 /* relative to the orbit's size; short, since the first prediction has one
                          * tangent only; chosen */
 
+/* The model at the first orbit, and its frequency. */
+static enum hawser_status place(struct hawser__trace *trace, double *omega)
+{
+	const struct hawser_rom_family *family = trace->options.family;
+	struct hawser__orbit *orbit = trace->orbit;
+	enum hawser_status status;
+
+	*omega = trace->options.begin;
+	if (!family)
+		return HAWSER_OK;
+	status = family->model(family->context, &orbit->rom, trace->options.begin, trace->report);
+	if (!status)
+		*omega = family->omega*orbit->rom->time;
+	return status;
+}
+
 /* From a state [m], or NULL. If the mesh is too coarse for the first orbit, Newton's method fails even
  * for a good initial value: refine it and try again. */
 static enum hawser_status start(struct hawser__trace *trace, const double *x,
@@ -24,13 +40,11 @@ static enum hawser_status start(struct hawser__trace *trace, const double *x,
 	enum hawser_status status;
 
 	for (int refined = 0;; refined++) {
-		double omega = trace->options.begin;
+		double omega;
 
 		orbit->family = NULL; /* at the parameter `begin`, with Omega as the last unknown */
-		if (family && (status = family->model(family->context, &orbit->rom, omega, trace->report)))
+		if ((status = place(trace, &omega)))
 			return status;
-		if (family)
-			omega = family->omega*orbit->rom->time;
 		status = hawser__start(trace->here.y, orbit, &trace->here.correction, x, omega,
 		                       trace->options.tolerance, raised, trace->report);
 		orbit->family = family;
@@ -127,19 +141,21 @@ static enum hawser_status aim(struct hawser__trace *trace, int refined)
 {
 	const struct hawser_frf_options *options = &trace->options;
 	struct hawser__orbit *orbit = trace->orbit;
-	double *x = trace->mark_y, *base = trace->next.y, *y = trace->here.y, length;
+	double *x = trace->mark_y, *base = trace->next.y, *y = trace->here.y, length, omega;
 	enum hawser_status status;
 
 	for (int i = 0; i < orbit->m; i++)
 		x[i] = options->start[i] + options->along[i];
-	if ((status = orbit->ops->enrich(orbit, 1, trace->report)) ||
-	    (status = orbit->ops->from_state(orbit, base, options->start, options->begin, trace->report)) ||
-	    (status = orbit->ops->from_state(orbit, y, x, options->begin, trace->report)))
+	if ((status = place(trace, &omega)) ||
+	    (status = orbit->ops->enrich(orbit, 1, trace->report)) ||
+	    (status = orbit->ops->from_state(orbit, base, options->start, omega, trace->report)) ||
+	    (status = orbit->ops->from_state(orbit, y, x, omega, trace->report)))
 		return status;
 	for (int i = 0; i < refined && !status; i++)
 		status = orbit->ops->enrich(orbit, 1, trace->report);
 	if (status)
 		return status;
+	orbit->family = options->family;
 	y[orbit->size - 1] = base[orbit->size - 1] = options->begin;
 	orbit->ops->metric(orbit, base);
 	for (int i = 0; i < orbit->size; i++)

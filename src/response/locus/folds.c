@@ -331,6 +331,37 @@ static enum hawser_status nominal_load(struct hawser__fold_search *search)
 	return status;
 }
 
+/* The response at the nominal load through a motion that was given, to both sides. */
+static enum hawser_status given_response(struct hawser__fold_search *search)
+{
+	struct hawser_folds *folds = search->folds;
+	const struct hawser_frf_options *first = search->options->first;
+	struct hawser__fold_watch watch = {.options = search->options, .stage = "response"};
+	struct hawser_frf_options choice = hawser__fold_response(search, &watch);
+	struct hawser_frf *frf = &folds->response, back = {0};
+	enum hawser_status status;
+
+	choice.start = first->start;
+	choice.along = first->along;
+	choice.begin = first->begin;
+	status = hawser__fold_trace(search, frf, search->rom, &choice, search->report);
+	folds->interrupted = frf->end == HAWSER_END_INTERRUPTED;
+	if (!status && !folds->interrupted)
+		status = hawser__fold_curves(search, frf, 1.0);
+	if (status || folds->interrupted || frf->points < 2 || frf->end == HAWSER_END_CLOSED)
+		return status;
+	choice.start = frf->state;
+	choice.along = NULL;
+	choice.begin = frf->point[0].omega;
+	choice.direction = frf->point[1].omega > frf->point[0].omega ? -1 : 1;
+	status = hawser__fold_trace(search, &back, search->rom, &choice, search->report);
+	folds->interrupted = back.end == HAWSER_END_INTERRUPTED;
+	if (!status && !folds->interrupted)
+		status = hawser__fold_curves(search, &back, 1.0);
+	hawser_frf_clear(&back);
+	return status;
+}
+
 /* The note that explains why nothing was found. */
 static enum hawser_status none(const struct hawser__fold_search *search)
 {
@@ -357,14 +388,13 @@ static enum hawser_status none(const struct hawser__fold_search *search)
 	                    "loosen --tolerance", folds->lost);
 }
 
-static enum hawser_status search_curves(struct hawser__fold_search *search)
+/* Responses at all loads, and detached ones. */
+static enum hawser_status search_responses(struct hawser__fold_search *search)
 {
 	struct hawser_folds *folds = search->folds;
 	struct hawser__fold_level level;
-	enum hawser_status status;
+	enum hawser_status status = nominal_load(search);
 
-	hawser__fold_part(search, 0.0, NOMINAL);
-	status = nominal_load(search);
 	hawser__fold_part(search, NOMINAL, LARGEST);
 	if (!status && !folds->interrupted && search->options->load_to > 1.0)
 		status = hawser__fold_level(search, search->options->load_to, 0, &level);
@@ -375,6 +405,16 @@ static enum hawser_status search_curves(struct hawser__fold_search *search)
 		status = hawser__fold_isolas(search);
 	if (!status && !search->options->skip_isolas && !folds->interrupted)
 		status = hawser__fold_starts(search);
+	return status;
+}
+
+static enum hawser_status search_curves(struct hawser__fold_search *search)
+{
+	struct hawser_folds *folds = search->folds;
+	enum hawser_status status;
+
+	hawser__fold_part(search, 0.0, search->options->first ? 1.0 : NOMINAL);
+	status = search->options->first ? given_response(search) : search_responses(search);
 	if (status || folds->interrupted)
 		return status;
 	if (folds->curves == 0)

@@ -9,6 +9,8 @@
 #include "core/grow.h"
 #include "core/report.h"
 #include "core/settle.h"
+#include "response/branch/record.h"
+#include "response/branch/slower.h"
 #include "response/locus/locus_own.h"
 #include "response/locus/locus_responses.h"
 #include "response/locus/locus_walk.h"
@@ -89,13 +91,14 @@ static enum hawser_status check(const struct hawser_locus_options *o, struct haw
 	return HAWSER_OK;
 }
 
-static enum hawser_status check_model(const struct hawser_rom *rom, struct hawser_report *report)
+static enum hawser_status check_model(const struct hawser_rom *rom, enum hawser_event_kind kind,
+                                      struct hawser_report *report)
 {
 	if (rom->drag)
 		return hawser__drag_refuse(rom, "a locus of bifurcations", report);
-	if (rom->plug)
-		return hawser__more_refuse(rom, "a locus of bifurcations", report);
-	return HAWSER_OK;
+	if (rom->plug && kind == HAWSER_RESONANCE)
+		return hawser__more_refuse(rom, "a locus of resonances", report);
+	return hawser__periods_refuse(rom, "a locus of two parameters", report);
 }
 
 void hawser__locus_list_clear(struct hawser__locus_list *list)
@@ -354,7 +357,7 @@ static int tell(void *data, const struct hawser_progress_state *state)
 	return hawser__told_to_stop(told->progress, &shown);
 }
 
-enum hawser_status hawser_locus_trace(struct hawser_locus *locus,
+static enum hawser_status trace_locus(struct hawser_locus *locus,
                                       const struct hawser_rom_family *family,
                                       const struct hawser_locus_options *options,
                                       struct hawser_report *report)
@@ -369,16 +372,13 @@ enum hawser_status hawser_locus_trace(struct hawser_locus *locus,
 	struct hawser__locus_responses all = {.first = &locus->response};
 	enum hawser_status status;
 
-	*locus = (struct hawser_locus){.kind = own.kind, .at = own.at};
 	hawser_locus_settle(&own);
-	if ((status = check(&own, report)))
-		return status;
 	if (own.plane && own.plane->omega == 0.0)
 		return hawser__own_locus(locus, &own, report);
 	status = hawser__locus_open(&system, family, &own, report);
 	locus->n = system.n;
 	if (!status)
-		status = check_model(system.rom, report);
+		status = check_model(system.rom, own.kind, report);
 	choice.from = own.from;
 	choice.to = own.to;
 	choice.tolerance = own.tolerance;
@@ -413,6 +413,71 @@ enum hawser_status hawser_locus_trace(struct hawser_locus *locus,
 	hawser__locus_walk_close(&walk);
 	hawser__locus_close(&system);
 	return status;
+}
+
+/* Frequencies of the motion become those of the load. */
+static void in_loads(struct hawser_locus *locus, int periods)
+{
+	for (int i = 0; i < locus->points; i++)
+		locus->point[i].omega *= periods;
+	for (int e = 0; e < locus->events; e++)
+		locus->event[e].omega *= periods;
+	for (int i = 0; i < locus->lost; i++)
+		locus->lost_at[i] *= periods;
+	hawser__frf_in_loads(&locus->response, periods, 0);
+}
+
+/* With models whose base frequency is that of motions of so many periods of the load of `rom`. */
+static enum hawser_status trace_slower(struct hawser_locus *locus,
+                                       const struct hawser_rom_family *family,
+                                       const struct hawser_locus_options *options, int periods,
+                                       const struct hawser_rom *rom, struct hawser_report *report)
+{
+	struct hawser_locus_options slow = *options;
+	struct hawser_frf_options first = {.from = 0.0};
+	struct hawser__slower slower;
+	int own = hawser__rom_periods(rom);
+	enum hawser_status status;
+
+	if (periods%own || options->kind == HAWSER_RESONANCE || (periods > own && !options->first))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "locus",
+		                    "loci of motions of %d periods of the load are those of their folds, "
+		                    "period doublings, tori and branch points, and begin at such a motion: "
+		                    "give a label of one (--from-label)", periods);
+	if (options->first)
+		first = *options->first;
+	first.begin /= periods;
+	slow.first = options->first ? &first : NULL;
+	slow.from /= periods;
+	slow.to /= periods;
+	slow.near /= periods;
+	status = hawser__slower_open(&slower, rom, family, periods/own, report);
+	if (!status)
+		status = trace_locus(locus, &slower.family, &slow, report);
+	in_loads(locus, periods);
+	hawser__slower_close(&slower);
+	return status;
+}
+
+enum hawser_status hawser_locus_trace(struct hawser_locus *locus,
+                                      const struct hawser_rom_family *family,
+                                      const struct hawser_locus_options *options,
+                                      struct hawser_report *report)
+{
+	const struct hawser_rom *rom;
+	int periods = options->periods;
+	enum hawser_status status;
+
+	*locus = (struct hawser_locus){.kind = options->kind, .at = options->at};
+	if ((status = check(options, report)))
+		return status;
+	if (options->plane)
+		return trace_locus(locus, family, options, report);
+	if ((status = family->model(family->context, &rom, options->at, report)))
+		return status;
+	periods = periods > hawser__rom_periods(rom) ? periods : hawser__rom_periods(rom);
+	return periods > 1 ? trace_slower(locus, family, options, periods, rom, report)
+	                   : trace_locus(locus, family, options, report);
 }
 
 void hawser_locus_clear(struct hawser_locus *locus)

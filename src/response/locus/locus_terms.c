@@ -1,4 +1,5 @@
-/* response/locus/locus_terms.c - terms of any degree (rom.h) in the equations of a locus; see locus.h.
+/* response/locus/locus_terms.c - terms of any degree (rom.h), or a function of a library, in the
+ * equations of a locus; see locus.h.
  *
  *   P_u, P_v  derivatives of the terms' force by coordinates and velocities, at the samples
  *   x, x'     a signal and its derivative by the phase; its velocities are omega x'
@@ -16,9 +17,11 @@
 #include "response/locus/locus.h"
 #include "rom/terms/terms.h"
 
+#define FUNCTION 7 /* degree that a function of a library is given; the defect beyond tells; chosen */
+
 int hawser__locus_degree(const struct hawser_rom *rom)
 {
-	int most = 3;
+	int most = rom->plug ? FUNCTION : 3;
 
 	for (int i = 0; i < rom->terms; i++)
 		most = rom->term[i].factors > most ? rom->term[i].factors : most;

@@ -144,8 +144,9 @@ enum hawser_status hawser__more_refuse(const struct hawser_rom *rom, const char 
 	if (!hawser__rom_more(rom))
 		return HAWSER_OK;
 	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
-	                    "%s takes models with D, K, Q and C only; this one %s, which "
-	                    "hawser frf%s and hawser integrate take", what,
+	                    "%s takes models with D, K, Q and C only; this one %s, which hawser frf%s, "
+	                    "hawser integrate, hawser locus (--over a parameter, --kind fold and others) "
+	                    "and hawser map --quantity amplitude take", what,
 	                    rom->plug ? "is a function" : "has terms besides",
 	                    rom->plug ? " (by shooting)" : "");
 }

@@ -102,19 +102,11 @@ static enum hawser_status try_state(struct hawser__basins *basins, struct hawser
 static enum hawser_status follow(struct hawser__basins *basins, struct hawser__orbiter *orbiter,
                                  struct hawser_report *report)
 {
-	double w = basins->source->omega;
-	const double at[3] = {0.5*w, w, 2.0*w};
-	struct hawser__map_row row = {.at = at, .count = 3, .keep = 1, .keeps = 1};
-	struct hawser_report local = {.status = HAWSER_OK};
+	struct hawser__map_row row;
 	size_t m = 2*(size_t)basins->rom->n;
-	enum hawser_status status;
+	enum hawser_status status = hawser__map_row_at(&row, basins->rom, basins->source->omega, NULL,
+	                                               report);
 
-	row.answer = calloc(3, sizeof *row.answer);
-	if (!row.answer)
-		return hawser__no_memory(report, "map");
-	status = hawser__map_row_follow(&row, basins->rom, NULL, basins->omega, 1, &local);
-	if (status && status != HAWSER_ERR_MEMORY)
-		status = HAWSER_OK; /* the states of the map are left */
 	for (int i = 0; i < row.kept && !status; i++)
 		status = try_state(basins, orbiter, row.state + (size_t)i*m, 1, 1, report);
 	hawser__map_row_clear(&row);
@@ -305,7 +297,7 @@ static enum hawser_status open_model(struct hawser__basins *basins, struct hawse
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
 		                    "the quantity basin needs a forcing frequency: give Omega");
 	basins->model_source = (struct hawser_map_source){.scene = source->scene, .rom = source->rom,
-		.key = {"Omega", "factor.load"}, .quantity = "amplitude"};
+		.file = source->file, .key = {"Omega", "factor.load"}, .quantity = "amplitude"};
 	status = hawser_map_cable_open(&basins->inner, &basins->model_source, report);
 	if (!status)
 		status = basins->inner.open(&basins->inner_worker, basins->inner.context, report);

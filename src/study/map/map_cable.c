@@ -34,6 +34,7 @@ int hawser__map_cable_cheap(const void *context)
 	return cable->varies == 0 ? 2 : cable->varies == 1 ? 1 : 0;
 }
 
+enum { COLUMNS = 3 }; /* of maps whose models are cheap; chosen */
 enum { LISTED = 8 }; /* coordinates of a full-order model whose tongues are searched, the slowest;
                       * chosen */
 
@@ -174,7 +175,7 @@ static enum hawser_status describe(struct hawser__map_cable *cable, struct hawse
 	size_t size = 0;
 	FILE *stream;
 
-	if (source->rom && (status = hawser_rom_text(source->rom, &model, report)))
+	if (source->rom && !source->rom->plug && (status = hawser_rom_text(source->rom, &model, report)))
 		return status;
 	stream = open_memstream(&text, &size);
 	if (!stream) {
@@ -184,8 +185,14 @@ static enum hawser_status describe(struct hawser__map_cable *cable, struct hawse
 	fprintf(stream, "hawser %s, %s%s over %s and %s, Omega %a, waves %d\n%s", hawser_version(),
 	        source->quantity, cable->moves ? " of the response" : "", source->key[0],
 	        source->key[1], source->omega, source->waves, model ? model : "");
+	if (source->start)
+		fprintf(stream, "from %a %a\n", source->start->at[0], source->start->at[1]);
+	for (int i = 0; source->start && i < 2*source->start->coordinates; i++)
+		fprintf(stream, "%a\n", source->start->state[i]);
 	if (source->scene)
 		status = hawser_scene_write(source->scene, stream, report);
+	for (int i = 0; source->rom && source->rom->plug && i < source->file->parameters; i++)
+		fprintf(stream, "%s %a\n", source->file->parameter[i].name, source->file->parameter[i].value);
 	/* when memory is short, glibc's fclose returns 0 but sets no text */
 	if ((fclose(stream) != 0 || !text) && !status)
 		status = hawser__no_memory(report, "map");
@@ -236,6 +243,7 @@ enum hawser_status hawser_map_cable_open(struct hawser_map_field *field,
                                          struct hawser_report *report)
 {
 	struct hawser__map_cable *cable = calloc(1, sizeof *cable);
+	enum hawser__reach other;
 	enum hawser_status status;
 
 	*field = (struct hawser_map_field){.name = source->quantity};
@@ -243,7 +251,11 @@ enum hawser_status hawser_map_cable_open(struct hawser_map_field *field,
 		return hawser__no_memory(report, "map");
 	cable->source = *source;
 	status = check(cable, report);
-	if (!status && source->rom)
+	for (int k = 0; k < 2 && !status && source->rom; k++)
+		if (cable->reach[k] == HAWSER__REACH_LOAD && source->rom->plug &&
+		    source->from[k] != source->to[k]) /* of a basin they are equal */
+			status = hawser__more_refuse(source->rom, "a factor of load or damping", report);
+	if (!status && source->rom && !cable->quantity->about.nonlinear)
 		status = hawser__more_refuse(source->rom, "a map or the stability of rest", report);
 	if (!status && source->rom)
 		status = hawser__periods_refuse(source->rom, "a map or the stability of rest", report);
@@ -279,6 +291,9 @@ enum hawser_status hawser_map_cable_open(struct hawser_map_field *field,
 	if (cable->quantity->about.nonlinear) {
 		field->row = hawser__map_worker_row;
 		field->along = hawser__map_row_along(cable);
+		field->start = source->start;
+		other = cable->reach[1 - field->along];
+		field->columns = other == HAWSER__REACH_LOAD || other == HAWSER__REACH_PARAMETER ? COLUMNS : 0;
 	}
 	return HAWSER_OK;
 }

@@ -7,7 +7,8 @@
  * Two of them are the same if their states at phase 0 are.
  *
  * A curve that is closed, and lies where other curves are (an isola), is found where the linear
- * response leads to it from one of PLACES more values, and is missed otherwise.
+ * response leads to it from one of PLACES more values, and is missed otherwise. Of a row over a
+ * parameter, curves over the frequency at both of its ends lead to further ones.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -232,30 +233,68 @@ static enum hawser_status follow_both(struct rows_trace *trace, double begin, co
 	return status;
 }
 
-/* The orbit to which the linear response leads at this place. Follow its curve, if it is new. */
-static enum hawser_status look(struct rows_trace *trace, int place, struct hawser_report *report)
+/* The orbit to which start [m], or if NULL the linear response, leads at this value. Follow its curve,
+ * if it is new. */
+static enum hawser_status look(struct rows_trace *trace, double at, const double *start,
+                               struct hawser_report *report)
 {
-	struct hawser_frf_options options = options_of(trace, trace->at[place], 1);
+	struct hawser_frf_options options = options_of(trace, at, 1);
+	int place = 0;
 	struct hawser_report local = {.status = HAWSER_OK};
 	struct hawser_frf frf;
 	enum hawser_status status;
-	double *state = malloc((size_t)trace->m*sizeof *state);
 
-	if (!state)
-		return hawser__no_memory(report, "map");
+	while (place < trace->count && trace->at[place] != at)
+		place++;
+	if (start && known(trace, place, start))
+		return HAWSER_OK;
+	options.start = start;
 	options.max_points = 1;
 	options.skip_events = 1;
 	status = hawser__frf_trace(&frf, trace->rom, &options, NULL, &local);
-	if (!status && frf.points > 0)
-		memcpy(state, frf.state, (size_t)trace->m*sizeof *state);
-	if (!status && frf.points > 0 && !known(trace, place, state))
-		status = follow_both(trace, trace->at[place], state, report);
+	if (!status && frf.points > 0 && !known(trace, place, frf.state))
+		status = follow_both(trace, at, frf.state, report);
 	else if (status == HAWSER_ERR_CONVERGENCE)
 		status = HAWSER_OK;
 	else if (status && report)
 		*report = local;
 	hawser_frf_clear(&frf);
-	free(state);
+	return status;
+}
+
+/* A row over a parameter has at this place the responses of the curves over the frequency too, which
+ * connect others than the row does. */
+static enum hawser_status from_frequencies(struct rows_trace *trace, int place,
+                                           struct hawser_report *report)
+{
+	const struct hawser_rom_family *family = trace->family;
+	struct hawser__map_row row = {.at = NULL};
+	const struct hawser_rom *rom;
+	enum hawser_status status = HAWSER_OK;
+
+	if (!family || trace->row->across || family->model(family->context, &rom, trace->at[place], NULL))
+		return HAWSER_OK;
+	status = hawser__map_row_at(&row, rom, family->omega, trace->row->progress, report);
+	for (int i = 0; i < row.kept && !status && !trace->row->interrupted; i++)
+		status = look(trace, trace->at[place], row.state + (size_t)i*(size_t)trace->m, report);
+	hawser__map_row_clear(&row);
+	return status;
+}
+
+static enum hawser_status from_seeds(struct rows_trace *trace, struct hawser_report *report)
+{
+	enum hawser_status status = HAWSER_OK;
+
+	for (int i = 0; i < trace->row->seeds && !status && !trace->row->interrupted; i++) {
+		const struct hawser__map_seed *seed = &trace->row->seed[i];
+
+		status = 2*seed->coordinates == trace->m
+		         ? look(trace, seed->at/trace->unit, seed->state, report)
+		         : hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
+		                        "the motion at which the map begins has %d coordinates, and the "
+		                        "map's model has %d: give both the same modes (--modes) and "
+		                        "model.energy", seed->coordinates, trace->m/2);
+	}
 	return status;
 }
 
@@ -302,13 +341,15 @@ static enum hawser_status follow_all(struct rows_trace *trace, struct hawser_rep
 	if (!has_range(trace) || status || trace->row->interrupted)
 		return status;
 	covered = trace->points > 1 && trace->end == HAWSER_END_RANGE;
-	status = covered ? look(trace, last, report)
+	status = covered ? look(trace, trace->at[last], NULL, report)
 	                 : follow(trace, trace->at[last], -1, NULL, report);
 	if (!status && !trace->row->interrupted)
 		status = cover(trace, report);
 	for (int k = 1; k <= PLACES && !status && !trace->row->interrupted; k++)
-		status = look(trace, k*last/(PLACES + 1), report);
-	return status;
+		status = look(trace, trace->at[k*last/(PLACES + 1)], NULL, report);
+	for (int k = 0; k < 2 && !status && !trace->row->interrupted; k++)
+		status = from_frequencies(trace, k*last, report);
+	return status ? status : from_seeds(trace, report);
 }
 
 /* --- answers --- */
@@ -372,19 +413,26 @@ static int refuse_low(struct rows_trace *trace, int positive)
 	return low;
 }
 
-static enum hawser_status keep_states(const struct rows_trace *trace, int place,
+/* The places from `first` on are those of the trace. */
+static enum hawser_status keep_states(const struct rows_trace *trace, int first,
                                       struct hawser_report *report)
 {
 	struct hawser__map_row *row = trace->row;
 	size_t m = (size_t)trace->m;
 
+	row->coordinates = trace->m/2;
 	row->state = malloc(((size_t)trace->responses + 1)*m*sizeof *row->state);
-	if (!row->state)
+	row->kept_at = malloc(((size_t)trace->responses + 1)*sizeof *row->kept_at);
+	if (!row->state || !row->kept_at)
 		return hawser__no_memory(report, "map");
-	for (int r = 0; r < trace->responses; r++)
-		if (trace->found[r].place == place)
-			memcpy(row->state + (size_t)row->kept++*m, trace->state + (size_t)r*m,
-			       m*sizeof *row->state);
+	for (int r = 0; r < trace->responses; r++) {
+		int place = first + trace->found[r].place;
+
+		if (row->keep != HAWSER__MAP_KEEPS_ALL && row->keep != place)
+			continue;
+		memcpy(row->state + (size_t)row->kept*m, trace->state + (size_t)r*m, m*sizeof *row->state);
+		row->kept_at[row->kept++] = trace->backwards ? row->count - 1 - place : place;
+	}
 	return HAWSER_OK;
 }
 
@@ -405,7 +453,7 @@ static enum hawser_status follow_row(struct rows_trace *trace, int positive,
 	trace->count = row->count - low;
 	status = trace->count > 0 ? follow_all(trace, report) : HAWSER_OK;
 	if (!status && row->keeps)
-		status = keep_states(trace, row->keep - low, report);
+		status = keep_states(trace, low, report);
 	for (int i = 0; i < trace->count && !status; i++) {
 		int k = trace->backwards ? row->count - 1 - low - i : low + i;
 

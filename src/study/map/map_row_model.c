@@ -26,13 +26,20 @@ int hawser__map_row_along(const void *context)
 	return strncmp(cable->source.key[0], "model.", 6) == 0;
 }
 
+/* The frequency of a row over something else. */
+static double frequency_of(const struct hawser__map_cable *cable, const struct hawser__map_row *row,
+                           int along)
+{
+	return cable->reach[1 - along] == HAWSER__REACH_OMEGA ? row->fixed : cable->source.omega;
+}
+
 /* Over a key of the scene. A second family keeps the first model, which a trace refers to. */
 static enum hawser_status over_key(const struct hawser__map_cable *cable, struct hawser__map_row *row,
                                    const double at[2], int along, struct hawser_report *report)
 {
 	const char *key = cable->source.key[along];
 	double from = fmin(row->at[0], row->at[row->count - 1]);
-	double to = fmax(row->at[0], row->at[row->count - 1]), omega = cable->source.omega;
+	double to = fmax(row->at[0], row->at[row->count - 1]), omega = frequency_of(cable, row, along);
 	struct hawser_rom_family family = {.context = NULL}, keeper = {.context = NULL};
 	const struct hawser_rom *rom;
 	struct hawser_scene scene;
@@ -60,7 +67,7 @@ static enum hawser_status over_parameter(const struct hawser__map_cable *cable,
 	struct hawser_parameter parameter[HAWSER_PARAMETERS];
 	struct hawser_rom_source file;
 	struct hawser_rom rom = {.n = 0};
-	double omega = cable->source.omega;
+	double omega = frequency_of(cable, row, along);
 	const char *name = cable->source.key[along];
 	enum hawser_status status;
 
@@ -80,7 +87,7 @@ static enum hawser_status trace_row(void *worker, const struct hawser__map_cable
                                     struct hawser__map_row *row, int *steady,
                                     struct hawser_report *report)
 {
-	int along = hawser__map_row_along(cable);
+	int along = hawser__map_row_along(cable) != row->across;
 	enum hawser__reach reach = cable->reach[along];
 	struct hawser_rom_family family = {.context = NULL};
 	const struct hawser_rom *rom;

@@ -23,6 +23,7 @@ void hawser__map_row_clear(struct hawser__map_row *row)
 		free(row->why[k]);
 	free(row->broken);
 	free(row->state);
+	free(row->kept_at);
 	*row = (struct hawser__map_row){.at = NULL};
 }
 

@@ -66,10 +66,11 @@ static enum hawser_status open_results(struct hawser__rows_mapper *mapper, struc
 	map->most = map->least + points;
 	map->stable = map->branches + points;
 	mapper->row = calloc((size_t)mapper->rows, sizeof *mapper->row);
+	mapper->seed = calloc((size_t)mapper->rows, sizeof *mapper->seed);
 	mapper->x = calloc(2*(size_t)mapper->rows, sizeof *mapper->x);
 	mapper->y = mapper->x + mapper->rows;
 	mapper->worker = calloc((size_t)mapper->threads, sizeof *mapper->worker);
-	if (!mapper->row || !mapper->x || !mapper->worker)
+	if (!mapper->row || !mapper->seed || !mapper->x || !mapper->worker)
 		return hawser__no_memory(report, "map");
 	for (int j = 0; j < mapper->rows; j++)
 		mapper->row[j] = (struct hawser__map_row){
@@ -101,8 +102,14 @@ static void close_mapper(struct hawser__rows_mapper *mapper)
 {
 	for (int t = 0; mapper->worker && t < mapper->threads; t++)
 		mapper->field->close(mapper->worker[t]);
+	for (int j = 0; mapper->seed && j < mapper->rows; j++) {
+		for (int i = 0; i < mapper->row[j].seeds; i++)
+			free(mapper->seed[j][i].state);
+		free(mapper->seed[j]);
+	}
 	for (int j = 0; mapper->row && j < mapper->rows; j++)
 		hawser__map_row_clear(&mapper->row[j]);
+	free(mapper->seed);
 	free(mapper->worker);
 	free(mapper->pending);
 	free(mapper->row);

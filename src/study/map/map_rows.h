@@ -29,13 +29,25 @@ struct hawser__map_turn {
 	int side;           /* of a fold: the side on which the two responses are, -1 or 1; else 0 */
 };
 
+enum { HAWSER__MAP_KEEPS_ALL = -1 };
+
+/* A motion at a value of the followed parameter. */
+struct hawser__map_seed {
+	double at;
+	int coordinates; /* n */
+	double *state;   /* [2n] scaled, at phase 0 */
+};
+
 struct hawser__map_row {
 	/* what is asked for */
 	const double *at;   /* [count] values of the followed parameter, ascending or descending */
 	int count;
 	double fixed;       /* value of the other parameter */
 	int only_stable;    /* 1: only stable responses count */
-	int keeps, keep;    /* 1: the states of the responses at the place `keep` are kept */
+	int across;         /* 1: the row is along the other coordinate of the map */
+	int keeps, keep;    /* 1: the states of the responses at the place `keep` are kept, or at all */
+	const struct hawser__map_seed *seed; /* [seeds] motions whose curves are followed too */
+	int seeds;
 	const struct hawser_progress *progress; /* asked by the traces; may end them */
 	/* results */
 	struct hawser__map_answer *answer; /* [count] */
@@ -44,7 +56,8 @@ struct hawser__map_row {
 	int ready, interrupted;
 	int incomplete;     /* 1: a curve could not be followed to its end */
 	double *state;      /* [kept][2n] scaled, at phase 0, or NULL */
-	int kept;
+	int *kept_at;       /* [kept] their places */
+	int kept, coordinates; /* n */
 	char *why[HAWSER_MAP_CODES]; /* the reason of the first answer of this code, or NULL */
 	char *broken;       /* why the row is incomplete, or NULL */
 };
@@ -67,6 +80,13 @@ enum hawser_status hawser__map_row_follow(struct hawser__map_row *row, const str
                                           const struct hawser_rom_family *family, double omega,
                                           int positive, struct hawser_report *report)
 	HAWSER_MUST_CHECK;
+/* map_rows_across.c: a row, of this frequency in rad/s or the model's unit, that has the states of the
+ * responses which curves over the frequency have there, or none. To be cleared; row->at must not be
+ * used.
+ * HAWSER_ERR_MEMORY. */
+enum hawser_status hawser__map_row_at(struct hawser__map_row *row, const struct hawser_rom *rom,
+                                      double omega, const struct hawser_progress *progress,
+                                      struct hawser_report *report) HAWSER_MUST_CHECK;
 /* map_row_model.c: the member `row` of the field of a cable; `worker` is that of map_point.c. */
 enum hawser_status hawser__map_worker_row(void *worker, struct hawser__map_row *row,
                                           struct hawser_report *report);

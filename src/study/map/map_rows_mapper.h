@@ -13,6 +13,7 @@ struct hawser__rows_mapper {
 	const struct hawser_map_field *field;
 	const struct hawser_map_options *options;
 	struct hawser__map_row *row; /* [rows] */
+	struct hawser__map_seed **seed; /* [rows][] of the rows */
 	int rows, along;
 	double *x, *y;               /* [rows] for the field's `prepare` */
 	void **worker;               /* [threads] */
@@ -29,6 +30,9 @@ int hawser__rows_told_to_stop(struct hawser__rows_mapper *mapper);
 /* map_rows.c: the status of a row in which a point has no value, if the map is strict. */
 enum hawser_status hawser__rows_refuse(const struct hawser__rows_mapper *mapper,
                                        const struct hawser__map_row *row,
+                                       struct hawser_report *report);
+/* map_rows_across.c: the seeds of the rows, from curves along the other coordinate. */
+enum hawser_status hawser__rows_across(struct hawser__rows_mapper *mapper,
                                        struct hawser_report *report);
 /* map_rows_ranks.c: compute the rows that are not ready, by all threads and ranks; or, in a worker,
  * compute for rank 0 until it ends. */

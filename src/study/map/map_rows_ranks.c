@@ -103,7 +103,8 @@ static enum hawser_status work(void *context, struct hawser__bytes *answer,
 	struct hawser__extract question = task->question;
 	const struct hawser__map_row *asked = &mapper->row[hawser__extract_long(&question)];
 	struct hawser__map_row row = {.at = asked->at, .count = asked->count, .fixed = asked->fixed,
-		.only_stable = asked->only_stable, .progress = &progress};
+		.only_stable = asked->only_stable, .seed = asked->seed, .seeds = asked->seeds,
+		.progress = &progress};
 	enum hawser_status status = mapper->field->row(mapper->worker[worker], &row, report);
 
 	if (!status && !row.answer) { /* interrupted before its first curve */
@@ -160,7 +161,9 @@ static enum hawser_status run(struct hawser__rows_mapper *mapper, const struct h
 		}
 	}
 	ended = hawser__rows_told_to_stop(mapper);
-	if (!ended)
+	if (!ended && mapper->all > 0)
+		status = hawser__rows_across(mapper, report);
+	if (!ended && !status)
 		status = hawser__ranks_run(mapper->options->ranks, &ended, tasks, mapper->all, report);
 	written = hawser__map_checkpoint_flush(&mapper->file.checkpoint, status ? NULL : report);
 	mapper->map->interrupted = ended;
@@ -180,10 +183,12 @@ enum hawser_status hawser__rows_compute(struct hawser__rows_mapper *mapper, cons
 
 	if (!identity)
 		return hawser__no_memory(report, "map");
-	if (mapper->options->ranks && mapper->options->ranks->rank > 0)
-		hawser__ranks_serve(mapper->options->ranks, &tasks, HAWSER_OK, NULL);
-	else
+	if (mapper->options->ranks && mapper->options->ranks->rank > 0) {
+		status = hawser__rows_across(mapper, report);
+		hawser__ranks_serve(mapper->options->ranks, &tasks, status, report);
+	} else {
 		status = run(mapper, &tasks, report);
+	}
 	free(identity);
 	return status;
 }
