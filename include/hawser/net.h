@@ -52,6 +52,7 @@ struct hawser_net_cable {
 	double dynamic, viscosity; /* N, N s: a spring of EA `dynamic` in line with one beside a dashpot, so
 	                     * that all are EA at rest; 0: none */
 	struct hawser_water_line line;
+	const struct hawser_wind *wind; /* its section in the wind, of net->wind; NULL: it is not in it */
 	double axial;       /* s, of its own, beside that of the net: a damper */
 	double damper;      /* N s/m, of the scene, and in `axial` too */
 	enum hawser_net_given given;
@@ -169,6 +170,9 @@ struct hawser_net {
 	struct hawser_net_absorber *absorber; /* [absorbers] */
 	int absorbers;
 	struct hawser_water water;
+	struct hawser_wind *wind; /* [winds] the wind, then those with the sections of cables of their own
+	                           * (scene.h); owned */
+	int winds;                /* 0: none */
 };
 
 /* Read a scene of kind `net`; `set` has overrides, such as "cables.c1.EA=100 MN". */

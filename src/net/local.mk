@@ -35,6 +35,7 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/read/passing.c \
 	%D%/read/pulled.c \
 	%D%/read/water.c \
+	%D%/read/blown.c \
 	%D%/statics/history.c \
 	%D%/motion/integrate.c \
 	%D%/absorbers.c \
@@ -117,6 +118,7 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/waves/linear.c \
 	%D%/waves/linear.h \
 	%D%/waves/response.c \
-	%D%/water/water.h
+	%D%/water/water.h \
+	%D%/water/wind.c
 # the table of keys, data alone, which the library of the scene has
 src_scene_libscene_la_SOURCES += %D%/read/net_rows.c

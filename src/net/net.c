@@ -30,6 +30,7 @@ void hawser_net_clear(struct hawser_net *net)
 	free(net->failure);
 	free(net->winch);
 	free(net->absorber);
+	free(net->wind);
 	free(net->water.current);
 	free(net->water.file);
 	hawser_waves_clear(&net->water.waves);

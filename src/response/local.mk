@@ -54,6 +54,8 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/floquet/floquet.c \
 	%D%/floquet/floquet.h \
 	%D%/family/factor.c \
+	%D%/family/keep.c \
+	%D%/family/keep.h \
 	%D%/family/plane.c \
 	%D%/family/parameter.c \
 	%D%/family/numbers.c %D%/family/numbers.h %D%/family/smooth.c %D%/family/smooth.h \

@@ -23,6 +23,7 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/plan/own.c \
 	%D%/accuracy/estimate.c \
 	%D%/map/family.c \
+	%D%/map/net_family.c \
 	%D%/accuracy/fidelity.c \
 	%D%/identify/identify.c \
 	%D%/identify/identify.h \

@@ -113,8 +113,9 @@ static void comments(struct hawser__table *table, const void *of)
 	                      st->cables, st->unknowns, st->iterations);
 	if (!isfinite(st->gap))
 		hawser__table_comment(table, "energy = %.12g J; %s there may be other equilibria", st->energy,
-		                      result->mesh.net.water.levels ? "in a current"
-		                                                    : "around obstacles that are not planes");
+		                      result->mesh.net.winds ? "in a wind"
+		                      : result->mesh.net.water.levels ? "in a current"
+		                                                      : "around obstacles that are not planes");
 	else
 		hawser__table_comment(table, "energy = %.12g J, at most %.1e J above the least one", st->energy,
 		                      st->gap);
@@ -254,7 +255,7 @@ static struct cli_head head(const void *of)
 
 	return cli_si_head(result->common, "statics", result->st.method, &result->mesh.net,
 	                   (result->mesh.net.surfaces ? SURFACES : 0u) |
-	                   (result->mesh.net.water.density > 0.0 ? WATER : 0u) |
+	                   (result->mesh.net.water.density > 0.0 && !result->mesh.net.winds ? WATER : 0u) |
 	                   (result->profile ? PROFILE : 0u) |
 	                   (result->stiffness.rows ? CLI_STIFFNESS : 0u) |
 	                   (result->stiffness.rows > 3 ? CLI_STIFFNESS_TURNS : 0u));

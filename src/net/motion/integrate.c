@@ -170,7 +170,8 @@ static enum hawser_status start(struct run *run, struct hawser_report *report)
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s: the scheme %s does not know "
 		                      "%s: take energy, or leave dynamics.scheme and --method out",
 		                      net->name ? net->name : "the net", run->motion.scheme->shown.name,
-		                      run->mesh.touches ? "obstacles" : run->mesh.water ? "water"
+		                      run->mesh.touches ? "obstacles" : net->winds ? "wind"
+		                      : run->mesh.water ? "water"
 		                      : "springs, dampers and absorbers of nodes");
 	if (!status && run->mesh.touches)
 		status = hawser__contact_open(&run->motion, net->contact.restitution, report);

@@ -2,6 +2,8 @@
  * scene/tree_rows.h. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <hawser/scene.h>
+
 #include "net/read/read.h"
 #include "scene/tree_rows.h"
 
@@ -33,6 +35,28 @@
 	NUMBER(path ".harmonic.wavelength", OPTIONAL, "m", ANY, LOAD_AT(wavelength), NULL, \
 	       "unstretched length over which the phase falls by 2 pi, of a load that runs towards its " \
 	       "end; negative: towards its begin")
+#define WIND_AT(member) offsetof(struct hawser_wind, member)
+/* none: the default, of a cable words about it. */
+#define SECTION_IN_WIND(path, none) \
+	NUMBER(path ".diameter", OPTIONAL, "m", NOT_NEGATIVE, WIND_AT(diameter), none, \
+	       "diameter to which drag and lift refer; 0: the wind passes by") \
+	NUMBER(path ".angle", OPTIONAL, "rad", ANY, WIND_AT(angle), none, "as wind.angle of spans") \
+	NUMBER(path ".drag", OPTIONAL, "1", ANY, WIND_AT(drag), none, "as wind.drag of spans") \
+	LIST(path ".drag", OPTIONAL, "of the powers 0, 1, 2, ... of the angle of attack") \
+	NUMBER(path ".drag[]", OPTIONAL, "1", ANY, NOWHERE, NULL, "factor of a power") \
+	NUMBER(path ".lift", OPTIONAL, "1", ANY, WIND_AT(lift), none, "as wind.lift of spans") \
+	LIST(path ".lift", OPTIONAL, "of the powers 0, 1, 2, ... of the angle of attack") \
+	NUMBER(path ".lift[]", OPTIONAL, "1", ANY, NOWHERE, NULL, "factor of a power") \
+	LIST(path ".table", OPTIONAL, "as wind.table of spans") \
+	VECTOR(path ".table[]", 3, OPTIONAL, "rad, 1, 1", ANY, NOWHERE, NULL, \
+	       "[angle of attack, drag coefficient, lift coefficient]") \
+	TEXT(path ".table", OPTIONAL, NOWHERE, NULL, "a file of such rows, as of spans") \
+	LIST(path ".reynolds", OPTIONAL, "as wind.reynolds of spans") \
+	VECTOR(path ".reynolds[]", 2, OPTIONAL, "1", ANY, NOWHERE, NULL, \
+	       "[Reynolds' number of the relative wind, drag coefficient]") \
+	TEXT(path ".reynolds", OPTIONAL, NOWHERE, NULL, "a file of such rows") \
+	NUMBER(path ".viscosity", OPTIONAL, "m^2/s", NOT_NEGATIVE, WIND_AT(viscosity), none, \
+	       "as wind.viscosity of spans")
 #define MOTION(path, k) \
 	MAPPING(path, OPTIONAL, "harmonic motion in this direction") \
 	NUMBER(path ".amplitude", REQUIRED, "m", ANY, LOAD_AT(value[k]), NULL, \
@@ -85,6 +109,8 @@ static const struct hawser__tree_key net_rows[] = {
 	NUMBER("net.cables[].damper", OPTIONAL, "N.s/m", NOT_NEGATIVE, CABLE_AT(damper), "0",
 	       "force over the rate of its length, beside axial: a damper between two cables is a cable")
 	LINE_IN_WATER("net.cables[]")
+	MAPPING("net.cables[].wind", OPTIONAL, "its own section in the wind")
+	SECTION_IN_WIND("net.cables[].wind", "that of wind")
 	CHOICE("net.cables[].length0", "m", CABLE_AT(value), CABLE_AT(given), "unstretched length")
 	CHOICE("net.cables[].tension", "N", CABLE_AT(value), CABLE_AT(given),
 	       "mean tension, from which the length follows")
@@ -253,6 +279,19 @@ static const struct hawser__tree_key net_rows[] = {
 	     "wheeler", "of the velocity of waves up to their crests")
 	NUMBER("net.water.ramp", OPTIONAL, "s", NOT_NEGATIVE, WAVES_AT(ramp), "0",
 	       "time from t = 0 on in which waves grow")
+	MAPPING("net.wind", OPTIONAL, "steady wind, whose force follows the motion of the cables")
+	NUMBER("net.wind.speed", REQUIRED, "m/s", NOT_NEGATIVE, WIND_AT(speed), NULL, "its speed")
+	VECTOR("net.wind.direction", 3, OPTIONAL, "1", ANY, WIND_AT(direction), "[0, 0, 1]",
+	       "direction towards which it blows; its length does not matter")
+	NUMBER("net.wind.density", REQUIRED, "kg/m^3", POSITIVE, WIND_AT(density), NULL,
+	       "density of the air")
+	LIST("net.wind.profile", OPTIONAL, "its speed at heights over wind.speed, linear between")
+	VECTOR("net.wind.profile[]", 2, OPTIONAL, "m, 1", ANY, NOWHERE, NULL,
+	       "[y, factor], heights in ascending order")
+	WORD("net.wind.form", OPTIONAL, "cubic|exact", WIND_AT(form), "cubic", "its force in reduced "
+	     "models: to the third power of velocities, or integrated at every instant; integrate of the "
+	     "mesh has the whole force")
+	SECTION_IN_WIND("net.wind", "0")
 	LIST("net.obstacles", OPTIONAL, "surfaces that the nodes of the mesh do not pass")
 	MAPPING("net.obstacles[]", OPTIONAL, "a surface")
 	TEXT("net.obstacles[].name", OPTIONAL, NOWHERE, "s0, s1 and so on", "name")

@@ -306,7 +306,7 @@ static enum hawser_status dynamics(struct hawser__reader *reader, struct hawser_
 }
 
 /* Rules over all names, cables and supports. */
-static enum hawser_status rules(struct hawser__reader *reader, const struct hawser_net *net,
+static enum hawser_status rules(struct hawser__reader *reader, struct hawser_net *net,
                                 const struct hawser__tree *tree)
 {
 	const struct hawser__tree *one = tree->child;
@@ -327,6 +327,8 @@ static enum hawser_status rules(struct hawser__reader *reader, const struct haws
 		snprintf(what, sizeof what, "cable %s", name);
 		if (!status)
 			status = hawser__net_wet(reader, net, one, what);
+		if (!status)
+			status = hawser__net_section(reader, net, i, one, what);
 	}
 	return status;
 }
@@ -348,7 +350,8 @@ static enum hawser_status common(struct hawser__reader *reader, struct hawser_ne
 	            {"passing", hawser__net_passing, 0}, {"dynamics", dynamics, 0},
 	            {"water", hawser__net_water, 0}, {"buoys", hawser__net_buoys, 0},
 	            {"obstacles", hawser__net_obstacles, 0}, {"contact", hawser__net_contact, 0},
-	            {"failures", hawser__net_failures, 0}, {"winches", hawser__net_winches, 0}};
+	            {"failures", hawser__net_failures, 0}, {"winches", hawser__net_winches, 0},
+	            {"wind", hawser__net_wind, 0}};
 	static const char *const plain[] = {"g", "damping", "dynamics", "contact", "water"};
 	enum hawser_status status = HAWSER_OK;
 

@@ -222,7 +222,8 @@ enum hawser_status hawser__net_solve_by(struct hawser_net_statics *st, const str
 		                    method->shown.name);
 	if (net->water.density > 0.0 && !method->solve)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s: the method %s does not know "
-		                    "water: give automatic, or leave it out", net->name, method->shown.name);
+		                    "%s: give automatic, or leave it out", net->name, method->shown.name,
+		                    net->winds ? "wind" : "water");
 	status = method->solve ? of_mesh(st, net, method, options, report)
 	                       : hawser__exact_statics(st, net, options, report);
 	if (status)
