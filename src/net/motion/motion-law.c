@@ -227,7 +227,7 @@ void hawser__motion_residual(struct hawser__motion *motion, const struct hawser_
 		}
 		/* nothing may hold a body whose cable has parted, or that falls on an obstacle */
 		for (int k = 0; k < 3; k++)
-			if (motion->events || (motion->contact && free[k] >= 0))
+			if (motion->events || motion->bodies || (motion->contact && free[k] >= 0))
 				most = hawser__larger(most, fabs(motion->load[i][k]));
 		if (tangent)
 			motion->point[i] = rule->m[0]*motion->mesh->mass[i];

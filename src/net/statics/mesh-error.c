@@ -52,7 +52,7 @@ enum hawser_status hawser__net_exact(struct hawser_net_statics *exact, int *foun
 		by.cable[c].given = HAWSER_NET_LENGTH0;
 		by.cable[c].value = st->member[c].length0;
 	}
-	status = net->surfaces || net->water.density > 0.0
+	status = net->surfaces || net->bodies || net->water.density > 0.0
 	         ? HAWSER_ERR_ARGUMENT : hawser_net_solve(exact, &by, &options, &unused);
 	free(by.cable);
 	*found = status == HAWSER_OK;
