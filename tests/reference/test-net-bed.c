@@ -199,6 +199,38 @@ static void heaves(void)
 	hawser_net_clear(&net);
 }
 
+/* Pulled along a rough bed that gives way by u, and back, slowly: T^2/(2 EA mu w) = u, and on the way
+ * back by v of it (T1 - T)^2/(4 EA mu w) = v. */
+static void rubs(double EA, double rho, double mu, double T)
+{
+	const double w = 9.81*rho, u = T*T/(2.0*EA*mu*w), back = 0.5*(1.0 - cos(0.25*M_PI));
+	char cables[300], ends[200], support[200], bed[200];
+	const char *const set[] = {"g=9.81", cables, ends, support, bed};
+	struct hawser_net net = {0};
+	struct hawser_net_motion m = {0};
+	struct hawser_report report = {0};
+	const struct hawser_net_probe probe = {1, -1, 0.0};
+	const struct hawser_net_motion_options options = {
+		.until = 12.5, .every = 2.5, .step = 0.05, .probe = &probe, .probes = 1};
+
+	snprintf(cables, sizeof cables, "cables=[{name: c, from: A, to: B, EA: %.17g, rho: %.17g, length0: "
+	         "%.17g, diameter: 0.08, elements: 100}]", EA, rho, 1.3*T/(mu*w));
+	snprintf(ends, sizeof ends, "nodes={A: [0, 0, 0], B: [%.17g, 0, 0]}", 1.3*T/(mu*w) + 0.5*u);
+	snprintf(support, sizeof support, "supports={A: fixed, B: {motion: {x: {amplitude: %.17g, Omega: "
+	         "%.17g}}}}", -0.5*u, 0.1*M_PI);
+	snprintf(bed, sizeof bed, "obstacles=[{plane: {point: [0, 0], normal: [0, 1]}, friction: %.17g, "
+	         "stiffness: 3e6}]", mu);
+	if (opened(&net, set, 5) &&
+	    ok(!hawser_net_integrate(&m, &net, &options, &report), "pulled: %s", report.message)) {
+		close_to(m.T[4], T, 6e-3, "pull at the end of the way, N");
+		ok(fabs(m.T[5] - T + sqrt(4.0*EA*mu*w*back*u)) < 1e-2*T, "and on the way back: %.1f of %.1f N",
+		   m.T[5], T);
+		ok(m.closure < 1e-11, "the ledger closes to %.1e", m.closure);
+	}
+	hawser_net_motion_clear(&m);
+	hawser_net_clear(&net);
+}
+
 CASE(reference_net_bed)
 {
 	chains();
@@ -206,5 +238,7 @@ CASE(reference_net_bed)
 	corner();
 	gives_way();
 	heaves();
+	rubs(4e8, 867.2778/9.81, 0.6, 2e5);
+	rubs(2.5e8, 41.3, 0.35, 6e4);
 	return done_testing();
 }

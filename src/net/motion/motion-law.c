@@ -409,7 +409,7 @@ void hawser__motion_account(struct hawser__motion *motion, const struct hawser__
 	motion->energy.work += work;
 	motion->energy.dissipated += lost + (motion->attached ? hawser__attached_loss(motion, h) : 0.0);
 	if (motion->soft)
-		hawser__bed_account(motion);
+		hawser__bed_account(motion, h);
 	if (motion->water)
 		hawser__water_account(motion, h);
 	hawser__motion_balance(motion);

@@ -324,7 +324,7 @@ enum hawser_status hawser__bed_open(struct hawser__motion *motion, struct hawser
 double hawser__bed_residual(struct hawser__motion *motion, const struct hawser__motion_rule *rule,
                             double h, int tangent);
 double hawser__bed_energy(const struct hawser__motion *motion);
-void hawser__bed_account(struct hawser__motion *motion);
+void hawser__bed_account(struct hawser__motion *motion, double h);
 /* net/water/water-motion.c: in water. The flow of a step, for motion->x as expected; its part of the
  * residual and of the matrix, which returns the largest force; of the energies and the ledger; and
  * the loads of the mesh in the state with accelerations a [nodes] or NULL, for tensions, with the
