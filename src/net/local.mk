@@ -30,6 +30,7 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/statics/interior.c \
 	%D%/modes/lanczos.c \
 	%D%/read/absorbed.c \
+	%D%/read/bodies.c \
 	%D%/read/events.c \
 	%D%/read/loads.c \
 	%D%/read/passing.c \
@@ -39,6 +40,8 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/statics/history.c \
 	%D%/motion/integrate.c \
 	%D%/absorbers.c \
+	%D%/body.c \
+	%D%/body.h \
 	%D%/law.c \
 	%D%/mesh.c \
 	%D%/statics/mesh-error.c \
@@ -48,6 +51,8 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/motion/motion.h \
 	%D%/motion/motion-attached.c \
 	%D%/motion/motion-bed.c \
+	%D%/motion/motion-body.c \
+	%D%/motion/motion-body.h \
 	%D%/motion/motion-chain.c \
 	%D%/motion/motion-contact.c \
 	%D%/motion/motion-contact.h \
@@ -94,6 +99,7 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/span/span-statics.c \
 	%D%/statics/sparse.c \
 	%D%/statics/start.c \
+	%D%/statics/seat.c \
 	%D%/statics/stiffness.c \
 	%D%/statics/statics.c \
 	%D%/modes/symmetry.c \

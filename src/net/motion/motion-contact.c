@@ -174,6 +174,8 @@ void hawser__contact_begin(struct hawser__motion *motion)
 		                (of->r > 0.0 ||
 		                 (touch->g0 <= round && hawser__dot(n, motion->v[of->node]) <= 0.0));
 		memcpy(touch->T, of->friction, sizeof touch->T);
+		if (of->give > 0.0)
+			memcpy(touch->reply.velocity, of->friction, sizeof touch->T); /* is in a state */
 		touch->reply.impulse[0] = of->r;
 		touch->state = of->r <= 0.0 ? HAWSER_CONTACT_OPEN
 			: of->slides || of->surface->friction == 0.0 ? HAWSER_CONTACT_SLIP : HAWSER_CONTACT_STICK;

@@ -29,6 +29,7 @@ void hawser__motion_clear(struct hawser__motion *motion)
 	free(motion->table);
 	hawser__blocks_clear(motion->blocks);
 	hawser__cvode_clear(motion->cvode);
+	hawser__bodies_close(motion->bodies);
 	hawser__water_motion_clear(motion->water);
 	hawser__contact_clear(motion->contact);
 	hawser__events_clear(motion->events);

@@ -13,6 +13,7 @@
 #define LOAD_AT(member) offsetof(struct hawser_net_load, member)
 #define PASS_AT(member) offsetof(struct hawser__net_passing, member)
 #define ABSORBER_AT(member) offsetof(struct hawser__net_absorber_given, member)
+#define BODY_AT(member) offsetof(struct hawser_net_body, member)
 #define FAILURE_AT(member) offsetof(struct hawser_net_failure, member)
 #define WINCH_AT(member) offsetof(struct hawser_net_winch, member)
 #define WAVES_AT(member) offsetof(struct hawser_net, water.given.member)
@@ -146,6 +147,27 @@ static const struct hawser__tree_key net_rows[] = {
 	       "coefficient of the drag times area")
 	NUMBER("net.buoys.*.added_mass", OPTIONAL, "1", NOT_NEGATIVE, NODE_AT(buoy.added), "0",
 	       "added mass over the mass of the water that is displaced")
+	MAPPING("net.bodies", OPTIONAL, "rigid bodies, of nodes that move together")
+	MAPPING("net.bodies.*", OPTIONAL, "one of them: a support among its nodes is a hinge, two are an "
+	        "axis")
+	LIST("net.bodies.*.nodes", REQUIRED, "its nodes, which have places")
+	TEXT("net.bodies.*.nodes[]", OPTIONAL, NOWHERE, NULL, "a node")
+	NUMBER("net.bodies.*.mass", OPTIONAL, "kg", NOT_NEGATIVE, BODY_AT(mass), "0",
+	       "mass, beside those of its nodes and rods")
+	VECTOR("net.bodies.*.centre", 3, OPTIONAL, "m", ANY, BODY_AT(centre), NULL,
+	       "[x, y, z] of the centre of this mass")
+	VECTOR("net.bodies.*.inertia", 3, OPTIONAL, "kg.m^2", NOT_NEGATIVE, BODY_AT(inertia),
+	       "[0, 0, 0]", "moments of inertia of this mass about axes through its centre along x, y, z")
+	LIST("net.bodies.*.rods", OPTIONAL, "straight parts between two of its nodes, as of steel tubes")
+	MAPPING("net.bodies.*.rods[]", OPTIONAL, "one of them")
+	TEXT("net.bodies.*.rods[].name", OPTIONAL, NOWHERE, "BODY_rod0, BODY_rod1 and so on", "name")
+	TEXT("net.bodies.*.rods[].from", REQUIRED, NOWHERE, NULL, "node at its begin")
+	TEXT("net.bodies.*.rods[].to", REQUIRED, NOWHERE, NULL, "node at its end")
+	NUMBER("net.bodies.*.rods[].rho", OPTIONAL, "kg/m", NOT_NEGATIVE, CABLE_AT(rho), "0",
+	       "mass per length")
+	LINE_IN_WATER("net.bodies.*.rods[]")
+	INTEGER("net.bodies.*.rods[].elements", OPTIONAL, 1, 1e6, CABLE_AT(elements), "20",
+	        "parts with loads of the water at their ends")
 	MAPPING("net.dampers", OPTIONAL, "dampers from nodes to the ground")
 	VECTOR("net.dampers.*", 3, OPTIONAL, "N.s/m", NOT_NEGATIVE, NODE_AT(damper), NULL,
 	       "force along x, y, z over the velocity of this node")

@@ -28,6 +28,9 @@ struct hawser__net_absorber_given {
 };
 enum hawser_status hawser__net_absorbers(struct hawser__reader *reader, struct hawser_net *net,
                                          const struct hawser__tree *tree) HAWSER_MUST_CHECK;
+/* bodies.c: `bodies` of the scene, whose rods become cables. */
+enum hawser_status hawser__net_bodies(struct hawser__reader *reader, struct hawser_net *net,
+                                      const struct hawser__tree *tree) HAWSER_MUST_CHECK;
 /* Masses with hangers become nodes and cables, after all others are known. */
 enum hawser_status hawser__net_hangers(struct hawser__reader *reader, struct hawser_net *net)
 	HAWSER_MUST_CHECK;
