@@ -386,8 +386,7 @@ static enum hawser_status trace_once(int *jumped, struct hawser_frf *frf,
                                      struct hawser_report *report)
 {
 	struct hawser__trace trace = {.rom = rom, .options = *options, .frf = frf, .report = report,
-		.watch = watch, .curve = {.ops = &branch_ops, .settings = rom->exact ? &hawser__exact_steps
-		                                                                 : &hawser__frf_steps},
+		.watch = watch, .curve = {.ops = &branch_ops, .settings = hawser__known_settings(rom, watch)},
 		.lo = fmin(options->from, options->to),
 		.hi = fmax(options->from, options->to)};
 	enum hawser_status status;

@@ -132,6 +132,14 @@ static const struct hawser__orbits *known_to(const struct hawser__trace *trace)
 	return known && known->count > 1 && known->n == trace->orbit->n && is_series(trace) ? known : NULL;
 }
 
+const struct hawser__step_settings *hawser__known_settings(const struct hawser_rom *rom,
+                                                           const struct hawser__trace_watch *watch)
+{
+	return !rom->exact                                        ? &hawser__frf_steps
+	       : watch && watch->known && watch->known->count > 0 ? &hawser__known_steps
+	                                                          : &hawser__exact_steps;
+}
+
 enum hawser_status hawser__known_first(struct hawser__trace *trace, int *found)
 {
 	const struct hawser__orbits *known = known_to(trace);

@@ -204,11 +204,15 @@ enum hawser_status hawser__trace_refine(void *owner, double ds, double *factor)
 	return trace->orbit->ops->enrich(trace->orbit, 1, trace->report);
 }
 
-/* Whether a step is refused whatever its multipliers are. */
+/* Whether a step is refused whatever its multipliers are. One that ends at a known orbit may turn
+ * farther. */
 static int refused(const struct hawser__trace *trace, double angle, double ds)
 {
+	const struct hawser__step_settings *goal = ds == trace->aim ? &hawser__known_steps
+	                                                            : &hawser__exact_steps;
+
 	if (trace->rom->exact)
-		angle *= hawser__frf_steps.goal_angle/hawser__exact_steps.goal_angle;
+		angle *= hawser__frf_steps.goal_angle/goal->goal_angle;
 	return ds > TRUSTED_STEP && !hawser__trace_trusted(&trace->next.correction, angle);
 }
 
