@@ -87,10 +87,10 @@ static void letters_of(char *letters, size_t size, const char *text)
 static const char *nearly(const char *text, const char *to)
 {
 	static const char *const unit[] = {
-		"N", "kN", "MN", "Pa", "kPa", "MPa", "GPa", "Hz", "kHz", "rad/s", "m", "mm", "km", "kg", "g",
-		"s", "min", "m/s", "km/h", "N/m", "kN/m", "kg/m", "N.m", "kN.m", "N.m^2", "kN.m^2", "N.s/m",
-		"kN.s/m", "degree", "rad", "degree/s", "degC", "K", "meter", "newton", "kilonewton", "meganewton",
-		"kilogram", "tonne", "hertz",
+		"N", "kN", "MN", "Pa", "kPa", "MPa", "GPa", "Hz", "kHz", "rad/s", "m", "mm", "km", "kg",
+		"g", "s", "min", "m/s", "km/h", "N/m", "kN/m", "kg/m", "N.m", "kN.m", "N.m^2", "kN.m^2",
+		"N.s/m", "kN.s/m", "degree", "rad", "degree/s", "degC", "K", "meter", "newton",
+		"kilonewton", "meganewton", "kilogram", "tonne", "hertz",
 	};
 	const char *meant = NULL;
 	int least = hawser__edit_limit(strlen(text)) + 1;
