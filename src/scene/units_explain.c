@@ -116,16 +116,24 @@ static const char *nearly(const char *text, const char *to)
 	return meant;
 }
 
+/* What stands behind a number in place of a unit and belongs to the number, or NULL. */
+static const char *misplaced(const char *shown)
+{
+	if ((*shown == 'e' || *shown == 'E') && strspn(shown + 1, "+-0123456789"))
+		return "has a blank before its exponent: write 1.5e8";
+	if (*shown && strchr(",'_0123456789", *shown))
+		return "has something between its digits: a number has a decimal point, and nothing that "
+		       "separates thousands";
+	return NULL;
+}
+
 /* What is not a unit. */
 static void no_unit(char *sentence, size_t size, const char *shown, const char *to, const char *how)
 {
 	const char *meant = nearly(shown, to);
 
-	if (*shown == ',')
-		snprintf(sentence, size, "has a comma: a number has a decimal point");
-	else
-		snprintf(sentence, size, "has an unknown unit \"%s\": %s%s%s%s", shown,
-		         meant ? "did you mean " : "", meant ? meant : "", meant ? "? " : "", how);
+	snprintf(sentence, size, "has an unknown unit \"%s\": %s%s%s%s", shown,
+	         meant ? "did you mean " : "", meant ? meant : "", meant ? "? " : "", how);
 }
 
 void hawser__units_explain(char *sentence, size_t size, enum hawser__number failure,
@@ -137,6 +145,11 @@ void hawser__units_explain(char *sentence, size_t size, enum hawser__number fail
 
 	advice(how, sizeof how, unit);
 	hawser__shown(shown, failure == HAWSER__NUMBER_SYNTAX ? text : hawser__units_behind(text));
+	if ((failure == HAWSER__NUMBER_UNKNOWN || failure == HAWSER__NUMBER_DIMENSION) &&
+	    misplaced(shown)) {
+		snprintf(sentence, size, "%s", misplaced(shown));
+		return;
+	}
 	switch (failure) {
 	case HAWSER__NUMBER_NAN:
 		snprintf(sentence, size, "is not a number (NaN): %s", how);
