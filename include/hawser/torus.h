@@ -31,6 +31,7 @@ const char *hawser_tori_end_name(enum hawser_tori_end end);
 
 struct hawser_tori_point {
 	double omega;        /* scaled */
+	double parameter;    /* of options->family; omega without a family */
 	double rotation;     /* rotation number: rad per period of the load, up to its sign and multiples
 	                      * of 2 pi */
 	double second;       /* scaled second frequency: rotation*omega/(2 pi) */
@@ -68,14 +69,16 @@ struct hawser_tori {
 	int branch;                 /* number of the branch of the response */
 	int from;                   /* index of the event at which the curve begins, in that branch */
 	int to;                     /* the same of the event at which it ends, or -1 */
-	double from_omega;          /* scaled */
-	double to_omega;            /* the same, extrapolated if `to` is -1; NAN: it ends otherwise */
+	double from_at;             /* its Omega, scaled, or its parameter */
+	double to_at;               /* the same, extrapolated if `to` is -1; NAN: it ends otherwise */
 	enum hawser_tori_end end;
 	char lost[sizeof ((struct hawser_report *)0)->message]; /* why, or "" */
 };
 
 struct hawser_tori_options {
-	double from, to;       /* scaled Omega: the range */
+	const struct hawser_rom_family *family; /* NULL, or that of the response: the tori are followed in
+	                        * its parameter */
+	double from, to;       /* scaled Omega, or the parameter: the range */
 	double tolerance;      /* of `error`; 0: 1e-6 */
 	double step_max;       /* largest change of Omega in a step, relative to the range; 0: 0.02 */
 	int max_points;        /* of the curve; 0: 2000 */
@@ -87,8 +90,8 @@ void hawser_tori_settle(struct hawser_tori_options *options);
 
 /* Follow the invariant circles that begin at event `event` of `frf`, a torus point that was located.
  * Release with hawser_tori_clear, whatever the status. HAWSER_ERR_ARGUMENT (another event, options; a
- * model without damping, of first order, with a history; a branch of several periods of the load; a
- * family), HAWSER_ERR_CONVERGENCE (no first circle), HAWSER_ERR_MEMORY. */
+ * model without damping, of first order, with a history; a branch of several periods of the load),
+ * HAWSER_ERR_CONVERGENCE (no first circle), HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_tori_trace(struct hawser_tori *tori, const struct hawser_rom *rom,
                                      const struct hawser_frf *frf, int event,
                                      const struct hawser_tori_options *options,

@@ -36,7 +36,7 @@ def _keys(of: Dict[str, Any]) -> Dict[str, Any]:
 
 
 def _unknown(place: str, key: str, known: Sequence[str]) -> Exception:
-    near = difflib.get_close_matches(key, known, 1, 0.5)
+    near = [one for one in known if one.lower() == key.lower()] or difflib.get_close_matches(key, known, 1, 0.5)
     return error(Status.SCENE, f"unknown key {place + '.' if place else ''}{key}: " + (f"did you mean {near[0]}? " if near else "")
                  + f"{place or 'the scene'} takes {', '.join(known[:30])}{', ...' if len(known) > 30 else ''}")
 

@@ -43,7 +43,9 @@ _RESPONSE = ("y_mid z_mid", "y_* z_*", "x_* y_* z_*", "u_*")
 _TRACK = (Panel("+1", ("frequency", "omega"), by="branch", colour="plane", up="frequency"),)
 _INDEX = (Panel("index", ("frequency", "omega"), colour="plane", points=True, across="mode", up="frequency"),)
 _MOTION = [(Panel("frequency", _DISPLACED, log="y", across="frequency", up="amplitude"),),
-           (Panel("t", _DISPLACED, up="displacement"),), (Panel("t", _PLACES, up="place"),)]
+           (Panel("t", _DISPLACED, up="displacement"),),
+           (Panel("t", "*_x", up="x"), Panel("t", "*_y", up="y"), Panel("t", "*_z", up="z"), Panel("t", "*_T", up="tension")),
+           (Panel("t", _PLACES, up="place"),)]
 _FRF = (Panel("parameter Omega", ("a",) + _RESPONSE, by="branch sweep tori extreme backbone", stable="stable", up="amplitude"),)
 
 

@@ -169,10 +169,12 @@ def _panel(of: "Result", panel: Panel, axes: Any) -> Any:
             number = re.search(r"_(\d+)", of.key(name)) if len(patterns[group]) > 1 else None  # of a mode
             place = group if panel.labels else int(number[1]) - 1 if number else i
             label = panel.labels[group] if panel.labels else _label(of, name, hue, value, len(names))
+            tori = [column for column in of.find("tori") if of.table[column][rows][0] > 0]
+            label += ", tori" if tori else ""
             _line(axes, panel, of.table[x][rows], y, None if stable is None else stable[rows],
                   of.table[bars[0]][rows] if bars else None, open_=len(names) > 1 and turn % 2 == 1,
                   color=COLOURS[(turn if hue and len(names) == 1 else place) % len(COLOURS)], label="_" if label in seen else label,
-                  linewidth=STYLE["lines.linewidth"] * (0.7 if panel.labels and group else 1.0))
+                  linewidth=STYLE["lines.linewidth"] * (0.7 if tori or panel.labels and group else 1.0))
             seen.add(label)
     _special(of, panel, axes, x, names)
     _finish(of, panel, axes, x, names)
@@ -282,6 +284,9 @@ def _title(of: "Result", names: "List[str]", given: str) -> str:
     units = list(dict.fromkeys(of.unit(name) for name in names))
     titles = list(dict.fromkeys(of.title(name) for name in names))
     own = of.columns[of.names.index(names[0])]["title"] if len(names) == 1 else ""
+    over = of.json.get("over")
+    if isinstance(over, dict) and [of.key(name) for name in names] == ["parameter"]:
+        own, units = over.get("key", own), [over.get("unit", "")]
     given = str(of.json.get(given[1:], "")) if given.startswith("$") else given[:1].upper() + given[1:]
     title = own or given or ", ".join(titles[:3])
     return f"{title} ({units[0]})" if len(units) == 1 and units[0] not in ("", "1") else title

@@ -70,6 +70,7 @@ static enum hawser_status absent(const char *path, struct hawser_report *report)
 static enum hawser_status no_key(const char *path, struct hawser_report *report)
 {
 	char of[HAWSER__TEXT_ROOM], keys[HAWSER__TREE_LIST_SIZE], hint[HAWSER__TEXT_ROOM];
+	char own[HAWSER__TEXT_ROOM];
 	int nested = strchr(path, '.') != NULL, inner;
 
 	snprintf(of, sizeof of, "span%s%.200s", nested ? "." : "", nested ? path : "");
@@ -77,6 +78,11 @@ static enum hawser_status no_key(const char *path, struct hawser_report *report)
 		*strrchr(of, '.') = '\0';
 	hawser__tree_key_list(keys, sizeof keys, of);
 	hawser__tree_suggest(hint, hawser__leaf(path), of, keys);
+	snprintf(own, sizeof own, "did you mean %.200s? ", hawser__leaf(path));
+	if (strcmp(hint, own) == 0)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hawser_scene_get",
+		                    "%.60s is a section or a list: name a number in it, as tension.T0 or "
+		                    "load.per_length[2]", path);
 	inner = nested && *keys;
 	if (!inner)
 		hawser__tree_key_list(keys, sizeof keys, "span");

@@ -6,6 +6,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include <hawser/document.h>
+
 #include "core/append.h"
 #include "core/spelling.h"
 #include "scene/tree_keys.h"
@@ -140,6 +142,21 @@ static const char *by_another_name(const char *name, const char *keys)
 	return NULL;
 }
 
+/* Of a key at the top of scenes of another kind. */
+static void of_another_kind(char hint[HAWSER__TEXT_ROOM], const char *name, const char *of)
+{
+#define WORD(word, WORD) #word,
+	static const char *const kind[] = {"span", HAWSER_SCENE_KINDS(WORD)};
+#undef WORD
+	char keys[HAWSER__TREE_LIST_SIZE];
+
+	for (size_t i = 0; i < sizeof kind/sizeof *kind && !strchr(of, '.') && !*hint; i++) {
+		hawser__tree_key_list(keys, sizeof keys, kind[i]);
+		if (strcmp(kind[i], of) != 0 && among(name, keys))
+			snprintf(hint, HAWSER__TEXT_ROOM, "scenes of the kind %s have it; ", kind[i]);
+	}
+}
+
 enum { ELSEWHERE = 4 }; /* edit distance to keys of other sections: two letters */
 
 const char *hawser__tree_suggest(char hint[HAWSER__TEXT_ROOM], const char *name, const char *of,
@@ -172,6 +189,8 @@ const char *hawser__tree_suggest(char hint[HAWSER__TEXT_ROOM], const char *name,
 		least = cost;
 		near = row;
 	}
+	if (!*best && !near)
+		of_another_kind(hint, name, of);
 	if (near)
 		snprintf(hint, HAWSER__TEXT_ROOM, "did you mean %.60s %s%.60s? ", strrchr(near->path, '.') + 1,
 		         *section_of(section, sizeof section, near->path) ? "under " : "at the top level",

@@ -67,12 +67,22 @@ static int turn_hertz(ut_system *system)
 	return done;
 }
 
+/* Define "deg", which udunits2 has as "degree" and with its sign alone. */
+static int add_deg(ut_system *system)
+{
+	ut_unit *degree = ut_parse(system, "degree", UT_ASCII);
+	int done = degree && ut_map_symbol_to_unit("deg", UT_ASCII, degree) == UT_SUCCESS;
+
+	ut_free(degree);
+	return done;
+}
+
 static int load(struct hawser__units *units)
 {
 	if (units->system)
 		return 1;
 	units->system = ut_read_xml(NULL);
-	if (units->system && turn_hertz(units->system))
+	if (units->system && turn_hertz(units->system) && add_deg(units->system))
 		return 1;
 	if (units->system)
 		ut_free_system(units->system);

@@ -8,6 +8,7 @@
 #include <ctype.h>
 #include <strings.h>
 
+#include "core/spelling.h"
 #include "scene/units.h"
 
 const char *hawser__shown(char shown[HAWSER__SHOWN], const char *text)
@@ -81,17 +82,18 @@ static void letters_of(char *letters, size_t size, const char *text)
 	letters[n] = '\0';
 }
 
-/* A unit that converts to `to` and differs from `text` in small and capital letters, and in signs of
- * products and powers, alone, or NULL. */
+/* The unit that converts to `to` and is the nearest to `text` in spelling, or differs in small and
+ * capital letters and in signs of products and powers alone; or NULL. */
 static const char *nearly(const char *text, const char *to)
 {
 	static const char *const unit[] = {
-		"N", "kN", "MN", "Pa", "kPa", "MPa", "GPa", "Hz", "kHz", "rad/s", "m", "mm", "km", "kg", "g",
-		"s", "min", "m/s", "km/h", "N/m", "kN/m", "kg/m", "N.m", "kN.m", "N.m^2", "kN.m^2", "N.s/m",
-		"kN.s/m", "deg", "rad", "degC", "K",
+		"N", "kN", "MN", "Pa", "kPa", "MPa", "GPa", "Hz", "kHz", "rad/s", "m", "mm", "km", "kg",
+		"g", "s", "min", "m/s", "km/h", "N/m", "kN/m", "kg/m", "N.m", "kN.m", "N.m^2", "kN.m^2",
+		"N.s/m", "kN.s/m", "degree", "rad", "degree/s", "degC", "K", "meter", "newton",
+		"kilonewton", "meganewton", "kilogram", "tonne", "hertz",
 	};
-
 	const char *meant = NULL;
+	int least = hawser__edit_limit(strlen(text)) + 1;
 	char letters[HAWSER__SHOWN];
 	struct hawser__units units = {NULL};
 
@@ -99,15 +101,30 @@ static const char *nearly(const char *text, const char *to)
 	for (size_t i = 0; i < sizeof unit/sizeof *unit; i++) {
 		char one[16], own[16];
 		double ignored;
+		int far;
 
 		snprintf(one, sizeof one, "1 %s", unit[i]);
 		letters_of(own, sizeof own, unit[i]);
-		if (strcasecmp(letters, own) == 0 &&
-		    hawser__units_read(&units, &ignored, one, to) == HAWSER__NUMBER_OK)
+		far = strcasecmp(letters, own) == 0 ? 0 : hawser__edit_distance(letters, own);
+		if (far < least &&
+		    hawser__units_read(&units, &ignored, one, to) == HAWSER__NUMBER_OK) {
 			meant = unit[i];
+			least = far;
+		}
 	}
 	hawser__units_clear(&units);
 	return meant;
+}
+
+/* What stands behind a number in place of a unit and belongs to the number, or NULL. */
+static const char *misplaced(const char *shown)
+{
+	if ((*shown == 'e' || *shown == 'E') && strspn(shown + 1, "+-0123456789"))
+		return "has a blank before its exponent: write 1.5e8";
+	if (*shown && strchr(",'_0123456789", *shown))
+		return "has something between its digits: a number has a decimal point, and nothing that "
+		       "separates thousands";
+	return NULL;
 }
 
 /* What is not a unit. */
@@ -115,11 +132,8 @@ static void no_unit(char *sentence, size_t size, const char *shown, const char *
 {
 	const char *meant = nearly(shown, to);
 
-	if (*shown == ',')
-		snprintf(sentence, size, "has a comma: a number has a decimal point");
-	else
-		snprintf(sentence, size, "has an unknown unit \"%s\": %s%s%s%s", shown,
-		         meant ? "did you mean " : "", meant ? meant : "", meant ? "? " : "", how);
+	snprintf(sentence, size, "has an unknown unit \"%s\": %s%s%s%s", shown,
+	         meant ? "did you mean " : "", meant ? meant : "", meant ? "? " : "", how);
 }
 
 void hawser__units_explain(char *sentence, size_t size, enum hawser__number failure,
@@ -131,6 +145,11 @@ void hawser__units_explain(char *sentence, size_t size, enum hawser__number fail
 
 	advice(how, sizeof how, unit);
 	hawser__shown(shown, failure == HAWSER__NUMBER_SYNTAX ? text : hawser__units_behind(text));
+	if ((failure == HAWSER__NUMBER_UNKNOWN || failure == HAWSER__NUMBER_DIMENSION) &&
+	    misplaced(shown)) {
+		snprintf(sentence, size, "%s", misplaced(shown));
+		return;
+	}
 	switch (failure) {
 	case HAWSER__NUMBER_NAN:
 		snprintf(sentence, size, "is not a number (NaN): %s", how);

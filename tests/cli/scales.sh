@@ -45,6 +45,21 @@ refuses 1 "--mode 2: the model has modes 1 to 1" mms "$duffing" --mode 2
 refuses 1 "--superharmonic 4: must be at most 3" mms "$duffing" --superharmonic 4
 refuses 1 "--superharmonic does not go with --subharmonic: leave out one of them" \
 	mms "$duffing" --superharmonic 2 --subharmonic 2
+cat >two.json <<'END'
+{"n": 2, "K": [[1, 0], [0, 4]], "D": [[0.02, 0], [0, 0.04]], "Q": [[0, 0, 1, -0.4], [1, 0, 0, -0.2]],
+ "harmonics": [{"k": 1, "f": [0, 0.02]}]}
+END
+works "a load near the second mode, with the first at half of its frequency" mms two.json --resonant 1:1/2,2:1 --from 1.8 --to 2.2 \
+	--json half.json -q
+works "the whole model" frf two.json --from 1.8 --to 2.2 --json whole.json -q
+python "where the first mode begins to move" <<'END'
+import json
+half, whole = (json.load(open(name + ".json"))["events"] for name in ("half", "whole"))
+assert [e["kind"] for e in half] == ["branch-point"]*2 and [e["kind"] for e in whole] == ["period-doubling"]*2
+assert all(abs(a["Omega"]/b["Omega"] - 1) < 5e-6 for a, b in zip(half, whole))
+END
+refuses 1 "--resonant 1:1/2,2:1: motions of several periods of the load are not compared: write whole orders" \
+	compare mms two.json --resonant 1:1/2,2:1
 refuses_like 1 "write mode:order" mms "$pair" --resonant 1:1,3:2
 refuses_like 1 "write mode:order" mms "$pair" --resonant 1:1,2:4294967298
 refuses 1 "--resonant does not go with --mode: leave out one of them" \

@@ -65,7 +65,16 @@ assert json.load(open("tori.json"))["tori"][0]["points"][0]["stable"]
 END
 works "no torus point" frf "$duffing" --from 0.5 --to 0.6 --tori -q --tsv none.tsv
 try "and that is said" grep -q "tori: none, since no torus point was located" none.tsv
-refuses_like 1 "does not go with --tori" frf "$rayleigh" --tori --over factor.load=0.5:1 --Omega 1.1
+works "tori over the load" frf "$rayleigh" --over factor.load=1.5:1 --Omega 1.3 --tori --json over.json --tsv over.tsv -q
+works "and over the frequency to there" frf "$rayleigh" --from 1.2 --to 1.3 --tori --json there.json -q
+python "end at the same torus" <<'END'
+import json
+over, there = (json.load(open(name))["tori"][0] for name in ("over.json", "there.json"))
+p, q = over["points"][-1], there["points"][-1]
+assert p["parameter"] == 1 and abs(p["Omega"]/1.3 - 1) < 1e-12 and over["from"] > 1 and over["end"] == there["end"] == "range"
+assert abs(p["rotation"] - q["rotation"]) < 1e-9 and abs(p["coordinates"][0] - q["coordinates"][0]) < 1e-4
+assert any(line.startswith("# tori 1: from the torus point of branch 1 at factor.load = 1.249") for line in open("over.tsv"))
+END
 refuses_like 1 "use shooting or balance" frf "$rayleigh" --tori --method multiple-scales
 if [ -n "${HAWSER_LONG:-}" ]; then
 	works "tori between two torus points of an internal resonance" frf "$top/tests/reference/pair-2to1.json" --from 0.95 --to 1.05 \

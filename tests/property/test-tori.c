@@ -107,7 +107,7 @@ static void curve(const struct hawser_rom *rom, const struct hawser_frf *frf, in
 	int fine = trace(&tori, rom, frf, event, 0);
 
 	ok(fine && tori.points > 5, "%d circles from Omega %.6f %s",
-	   tori.points, tori.from_omega, report.message);
+	   tori.points, tori.from_at, report.message);
 	for (int i = 0; i < tori.points; i++) {
 		worst = fmax(worst, tori.point[i].error);
 		shrinks += tori.point[i].size <= previous;

@@ -23,7 +23,7 @@ static const struct settings defaults = {.step = CLI_STEP};
 
 static const struct cli_option options[] = {
 	{"mode", 0, "J", "resonant mode (the one that the load drives the most)", CLI_INTEGER(mode)},
-	CLI_TEXT_WITH(resonant, "LIST", "several resonant modes, as mode:order: 1:1,4:2",
+	CLI_TEXT_WITH(resonant, "LIST", "several resonant modes, as mode:order: 1:1,4:2 or 1:1/2,4:1",
 	              .excludes = "mode, superharmonic, subharmonic"),
 	CLI_RANGE_OPTIONS("one end of the range (chosen about the resonance)", "the other end"),
 	CLI_MODES_OPTION,
@@ -196,7 +196,7 @@ static enum hawser_status follow(struct hawser_frf *frf, const struct cli_mms_re
 		choice.tolerance = settings->tolerance;
 	if (settings->points > 0)
 		choice.max_points = settings->points;
-	if (result->base > 1) {
+	if (result->base > 1 && modulation->resonance.count == 1) {
 		start = calloc(2*(size_t)rom->n, sizeof *start);
 		status = start ? hawser_subharmonic_start(modulation, x, &choice.begin, choice.from,
 		                                          choice.to,
@@ -231,14 +231,15 @@ static enum hawser_status equilibria(struct cli_mms_result *result, struct cli_m
 	enum hawser_status status = HAWSER_OK;
 
 	if (settings->resonant)
-		status = cli_mms_read(&resonance, settings->resonant, rom, report);
+		status = cli_mms_read(&resonance, &result->base, settings->resonant, rom, report);
 	else
 		status = cli_mms_mode(&resonance.mode[0], settings->mode, rom, report);
 	if (!settings->resonant) {
 		resonance.order[0] = settings->superharmonic ? settings->superharmonic : 1;
 		resonance.omega0 = status ? 1.0 : natural_of(rom, resonance.mode[0])/resonance.order[0];
 	}
-	result->base = settings->subharmonic ? settings->subharmonic : 1;
+	if (settings->subharmonic)
+		result->base = settings->subharmonic;
 	if (!status)
 		status = hawser_subharmonic_base(rom, result->base, report);
 	if (!status)

@@ -23,9 +23,10 @@ enum hawser_status cli_mms_draw(const char *path, const void *result, struct haw
 
 /* --- mms_options.c, for hawser compare mms too --- */
 
-/* Reads "1:1, 4:2", mode:order in any order. omega0 follows from the first mode of order 1, else
+/* Reads "1:1, 4:2", mode:order in any order; of fractions, as 1:1/2, the orders become those of the
+ * load's frequency over *base. omega0 follows from the first mode of order 1, else
  * from the first mode. */
-enum hawser_status cli_mms_read(struct hawser_resonance *resonance, const char *text,
+enum hawser_status cli_mms_read(struct hawser_resonance *resonance, int *base, const char *text,
                                 const struct hawser_rom *rom,
                                 struct hawser_report *report) HAWSER_MUST_CHECK;
 /* The resonant mode: number `asked` (0: not asked for) or the one that the load drives the most. */

@@ -379,10 +379,15 @@ static enum hawser_status choose(struct result *result, const struct settings *s
 	const struct hawser_rom *rom = &result->model->rom;
 	struct hawser_primary primary = {0};
 	struct cli_mms_range range = {.half = 0.1};
+	int base;
 	enum hawser_status status = HAWSER_OK;
 
 	if (settings->resonant) {
-		status = cli_mms_read(&result->resonance, settings->resonant, rom, report);
+		status = cli_mms_read(&result->resonance, &base, settings->resonant, rom, report);
+		if (!status && base > 1)
+			status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "compare mms",
+			                      "--resonant %s: motions of several periods of the load are not "
+			                      "compared: write whole orders", settings->resonant);
 		for (int r = status ? 0 : result->resonance.count - 1; r >= 0; r--)
 			if (result->resonance.order[r] == 1)
 				result->mode = result->resonance.mode[r];

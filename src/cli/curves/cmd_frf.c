@@ -65,7 +65,7 @@ static const struct cli_option options[] = {
 	{"tori", 0, "", "follow quasi-periodic motions from torus points too", CLI_FLAG(tori)},
 	{"over", 0, "KEY=FROM:TO", "follow the motion in a parameter instead, at the frequency --Omega",
 	 CLI_TEXT(over),
-	 .excludes = "from, to, at, sweep, backbone, beside, tori"},
+	 .excludes = "from, to, at, sweep, backbone, beside"},
 	{"Omega", 0, "FREQUENCY", "frequency of the load with --over; of a limit cycle, about",
 	 CLI_TEXT(omega),
 	 .needs = "over"},

@@ -18,7 +18,8 @@
 
 /* Options of a result. */
 enum { TENSION = 1, MULTIPLIERS = 2, SWEEPS = 4, BACKBONE = 8, SAMPLE = 16, PEAKS = 32,
-	UNDECIDED = 64, BRANCHES = 128, OVER = 256, TORI = 512, CONTACT = 1024, OWN = 2048 };
+	UNDECIDED = 64, BRANCHES = 128, OVER = 256, TORI = 512, CONTACT = 1024, OWN = 2048,
+	PLAIN = 4096 };
 
 HAWSER__LABELS(event_name, hawser_event_name, enum hawser_event_kind)
 HAWSER__LABELS(end_name, hawser_frf_end_name, enum hawser_frf_end)
@@ -374,7 +375,7 @@ static struct cli_head head(const void *of)
 		(result->sweeps > 0 ? SWEEPS : 0u) | (result->backbone ? BACKBONE : 0u) |
 		(frf->sampled > 0 ? SAMPLE : 0u) | (result->located ? PEAKS : 0u) |
 		(frf->undecided > 0 ? UNDECIDED : 0u) |
-		(result->others + result->gaps > 0 ? BRANCHES : 0u) | (result->over ? OVER : 0u) |
+		(result->others + result->gaps > 0 ? BRANCHES : 0u) | (result->over ? OVER : PLAIN) |
 		(frf->swing ? OWN : 0u) |
 		(result->tori ? TORI : 0u) | (result->model->rom.contacts.count > 0 ? CONTACT : 0u));
 

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/curves/frf_over.h"
 #include "cli/curves/frf_tori.h"
 #include "cli/curves/frf_picture.h"
 #include "cli/frame/view.h"
@@ -26,13 +27,12 @@ enum hawser_status cli_tori_check(const char *method, struct hawser_report *repo
 /* Whether a curve ends at this event. */
 static int known(const struct hawser_tori *tori, int curves, const struct hawser_frf *frf, int event)
 {
-	double omega = frf->event[event].omega;
+	double at = frf->event[event].parameter;
 
 	for (int k = 0; k < curves; k++) {
 		if (tori[k].branch == frf->branch && tori[k].to == event)
 			return 1;
-		if (fabs(tori[k].from_omega - omega) < NEAR*omega ||
-		    fabs(tori[k].to_omega - omega) < NEAR*omega)
+		if (fabs(tori[k].from_at - at) < NEAR*fabs(at) || fabs(tori[k].to_at - at) < NEAR*fabs(at))
 			return 1;
 	}
 	return 0;
@@ -77,7 +77,9 @@ enum hawser_status cli_tori_trace(struct hawser_tori **tori, struct cli_frf_resu
                                   int end_at_slack, struct hawser_report *report)
 {
 	struct cli_watch watch = {{.quiet = result->common->quiet}, "tori"};
-	struct hawser_tori_options choice = {.from = result->from, .to = result->to,
+	const struct cli_over *over = result->over;
+	struct hawser_tori_options choice = {.family = over ? &over->family : NULL,
+		.from = over ? over->from : result->from, .to = over ? over->to : result->to,
 		.end_at_slack = end_at_slack, .progress = {cli_watch, &watch}};
 	int room = torus_points(result->frf);
 	enum hawser_status status;
@@ -130,23 +132,25 @@ static void comment(struct hawser__table *table, const struct cli_frf_result *re
 	const struct hawser_tori *tori = &result->tori[k];
 	const struct hawser_tori_point *last = tori->point + tori->points - 1;
 	double per = cli_per_omega(result->model), worst = 0.0;
+	const struct cli_over *over = result->over;
+	double per_at = over ? 1.0 : per;
 	const char *unit = cli_unit(result->model, " rad/s");
 	int stable = 0;
 
 	if (tori->points == 0) {
-		hawser__table_comment(table, "tori %d: none from the torus point at Omega = %.12g%s: %s", k + 1,
-		                      tori->from_omega*per, unit, tori->lost);
+		hawser__table_comment(table, "tori %d: none from the torus point at %s: %s", k + 1,
+		                      cli_frf_place(result, tori->from_at, tori->from_at).text, tori->lost);
 		return;
 	}
 	for (int i = 0; i < tori->points; i++) {
 		stable += is_stable(&tori->point[i]) > 0.0;
 		worst = fmax(worst, tori->point[i].error);
 	}
-	hawser__table_comment(table, "tori %d: from the torus point of branch %d at Omega = %.12g to %.12g"
+	hawser__table_comment(table, "tori %d: from the torus point of branch %d at %s = %.12g to %.12g"
 	                      "%s, %d tori, %d of them stable, largest error %.1e", k + 1, tori->branch,
-	                      tori->from_omega*per,
-	                      (isfinite(tori->to_omega) ? tori->to_omega : last->omega)*per, unit,
-	                      tori->points, stable, worst);
+	                      over ? over->axis.key : "Omega", tori->from_at*per_at,
+	                      (isfinite(tori->to_at) ? tori->to_at : last->parameter)*per_at,
+	                      over ? "" : unit, tori->points, stable, worst);
 	hawser__table_comment(table, "tori %d: second frequency %.9g to %.9g%s, growth per period %.3g to "
 	                      "%.3g", k + 1, tori->point[0].second*per, last->second*per, unit,
 	                      tori->point[0].growth, last->growth);
@@ -170,6 +174,8 @@ HAWSER__LABELS(end_name, hawser_tori_end_name, enum hawser_tori_end)
 #define TENSION_OF(which) HAWSER__ALONG(struct hawser_tori, tension), .stride = 2, .item = (which), \
 	.unit = HAWSER__NEWTON, .when = CLI_TORI_TENSION
 #define COMMON \
+	{"parameter", "parameter", "value of the key of --over, in SI", OF(parameter), \
+	 .when = CLI_TORI_OVER}, \
 	{"Omega", "Omega", "forcing frequency", OF(omega), .unit = HAWSER__RAD_S}, \
 	{"stable", "stable", "whether motions beside the torus approach it", \
 	 HAWSER__FLAG_BY(is_stable)}, \
@@ -231,7 +237,7 @@ static const struct hawser__field torus_field[] = {
 static int has_end(const void *row, const void *parent)
 {
 	(void)parent;
-	return isfinite(((const struct hawser_tori *)row)->to_omega);
+	return isfinite(((const struct hawser_tori *)row)->to_at);
 }
 
 static int has_reason(const void *row, const void *parent)
@@ -243,9 +249,12 @@ static int has_reason(const void *row, const void *parent)
 #define OF(member) HAWSER__AT(struct hawser_tori, member)
 const struct hawser__field cli_tori_field[] = {
 	{"branch", NULL, "of the torus point at which the curve begins", OF(branch)},
-	{"from", NULL, "Omega of that torus point", OF(from_omega), .unit = HAWSER__RAD_S},
-	{"to", NULL, "Omega of the torus point at which it ends", OF(to_omega), .unit = HAWSER__RAD_S,
-	 .given = has_end},
+	{"from", NULL, "Omega of that torus point", OF(from_at), .unit = HAWSER__RAD_S,
+	 .when = CLI_TORI_PLAIN},
+	{"to", NULL, "Omega of the torus point at which it ends", OF(to_at), .unit = HAWSER__RAD_S,
+	 .given = has_end, .when = CLI_TORI_PLAIN},
+	{"from", NULL, "its parameter, with --over", OF(from_at), .when = CLI_TORI_OVER},
+	{"to", NULL, "likewise", OF(to_at), .given = has_end, .when = CLI_TORI_OVER},
 	{"end", NULL, "why it ends", HAWSER__LABEL_AT(struct hawser_tori, end, end_name)},
 	{"lost", NULL, "more about it", OF(lost), .given = has_reason},
 	{"points", NULL, "tori", HAWSER__STORED(struct hawser_tori, point, points, torus_field)},
@@ -275,7 +284,7 @@ static struct band band_of(const struct cli_frf_picture *of, int c, const struct
 		return (struct band){.points = 0};
 	return (struct band){tori, least + source, most + source,
 		of->probed ? 3*(size_t)tori->probes : (size_t)tori->n,
-		tori->points + 1 + isfinite(tori->to_omega)};
+		tori->points + 1 + isfinite(tori->to_at)};
 }
 
 /* Its torus at point i, counted from the torus point where it begins. */
@@ -292,12 +301,13 @@ static int unstable_at(const struct band *band, int i)
 static void put_edge(struct cli_frf_picture *of, const struct band *band, int i, int greatest)
 {
 	size_t row = (size_t)torus_at(band, i)*band->stride;
-	double omega = i < 1 ? band->tori->from_omega : i > band->tori->points ? band->tori->to_omega
-	               : band->tori->point[i - 1].omega;
+	double at = i < 1 ? band->tori->from_at : i > band->tori->points ? band->tori->to_at
+	            : band->tori->point[i - 1].parameter;
 	double value = i < 1 || i > band->tori->points ? 0.5*(band->least[row] + band->most[row])
 	               : greatest ? band->most[row] : band->least[row];
 
-	hawser__figure_put(&of->figure, omega*of->per_omega, value*of->per_length);
+	hawser__figure_put(&of->figure, at*(of->result->over ? 1.0 : of->per_omega),
+	                   value*of->per_length);
 }
 
 /* Edges of all parts with this stability, one after the other; a part includes the first point of the

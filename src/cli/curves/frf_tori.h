@@ -9,7 +9,8 @@
 #include "cli/frame/progress.h"
 #include "output/fields/fields.h"
 
-enum { CLI_TORI_TENSION = 1 }; /* option of a view: the model has tensions, as in frf_fields.c */
+/* Options of a view, as in frf_fields.c: the model has tensions; over a parameter, or the frequency. */
+enum { CLI_TORI_TENSION = 1, CLI_TORI_OVER = 256, CLI_TORI_PLAIN = 4096 };
 
 /* --tori with these options. HAWSER_ERR_ARGUMENT. */
 enum hawser_status cli_tori_check(const char *method,

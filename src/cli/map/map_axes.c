@@ -10,6 +10,7 @@
 #include <strings.h>
 
 #include "cli/frame/view.h"
+#include "cli/curves/frf_over.h"
 #include "cli/model/axis.h"
 #include "core/report.h"
 
@@ -125,6 +126,10 @@ enum hawser_status cli_map_axis(struct cli_map_axis *to, const char *option, con
 	if (strcasecmp(to->key, "Omega") == 0 && strcmp(to->key, "Omega") != 0)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map", "--%s %s: did you mean Omega, the "
 		                    "forcing frequency?", option, text);
+	if (model->has_scene && cli_over_needs_scene(to->key) && strcmp(to->key, "Omega") != 0 &&
+	    !component_unit(to->key, model) &&
+	    (status = hawser_scene_get(&model->scene, &from, to->key, report)))
+		return status;
 	to->unit = unit_of(to->key, model);
 	status = end_of(&from, part[1], option, to->key, model, report);
 	if (!status)

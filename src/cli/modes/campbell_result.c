@@ -79,7 +79,10 @@ static void comments(struct hawser__table *table, const void *of)
 	if (result->scene.damping.kind != HAWSER_DAMPING_NONE)
 		hawser__table_comment(table, "the scene's damping is left out: eigenvalues of the undamped "
 		                             "cable");
-	hawser__table_comment(table, "limit = %.12g m/s, end of the steady state", campbell->limit);
+	hawser__table_comment(table, "limit = %.12g m/s, end of the steady state%s", campbell->limit,
+	                      campbell->criticals ? ""
+	                      : ", by longitudinal waves: with the length or H held transverse waves set "
+	                        "no limit, with T0 or T1 held (a counterweight) they do");
 	for (k = 0; k < campbell->criticals; k++)
 		hawser__table_comment(table, "critical: %s at %.12g m/s, %s",
 		                      hawser_critical_name(campbell->critical[k].kind),

@@ -218,6 +218,8 @@ static const char *irregular(const struct cli_integrate_result *result)
 
 	if (result->failed || result->run.interrupted)
 		return "the run did not come to its end";
+	if (!(result->omega > 0.0) && rom->history)
+		return "no period of the run stands for it; compare with a run of more modes (-n)";
 	if (!(result->omega > 0.0))
 		return "nothing drives the model; compare with a run of more modes (-n)";
 	if (rom->history || rom->ramp || result->forcing.omega_to > 0.0)

@@ -46,9 +46,11 @@ static void no_column(struct cli_sweep_rows *rows, const struct cli_sweep_choice
 	best = cli_nearest(name, names, count);
 	for (int c = 0; c < count && strlen(list) < 180; c++)
 		hawser__append(list, sizeof list, ", ", "%.50s", names[c]);
-	cli_sweep_miss(rows, "--%s %s: the result of %s has no such column%s%s%s; it has %s%s", option,
-	               name, choice->command->name, best ? "; did you mean " : "", best ? best : "",
-	               best ? "?" : "", list, strlen(list) < 180 ? "" : ", ...");
+	cli_sweep_miss(rows, "--%s %s: the result of %s has no such column%s%s%s; it has %s%s%s",
+	               option, name, choice->command->name, best ? "; did you mean " : "", best ? best : "",
+	               best ? "?" : "", list, strlen(list) < 180 ? "" : ", ...",
+	               strcmp(choice->rows, "values") == 0 && strcmp(option, "keep") == 0
+	               ? "; of lists of its JSON, as nodes.J[0] or cables[c1].T_max, what is named" : "");
 }
 
 static void clear_row(struct cli_sweep_row *row)

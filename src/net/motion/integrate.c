@@ -235,8 +235,9 @@ static enum hawser_status check(const struct hawser_net *net, struct hawser_repo
 		      ? "multiple in place of Omega" : NULL;
 	return !key ? HAWSER_OK
 	       : hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s: %s is for models, as of frf: the "
-	                      "motion of the mesh has damping.alpha, damping.axial and dampers, and loads "
-	                      "with a frequency", net->name, key);
+	                      "motion of the mesh has damping.alpha (2 w z times the mass per length, for "
+	                      "a ratio z at the frequency w), damping.axial and dampers, and loads with a "
+	                      "frequency", net->name, key);
 }
 
 static enum hawser_status prepare(struct run *run, struct hawser_report *report)

@@ -137,6 +137,7 @@ enum hawser_status hawser__motion_read(double **state, const char *path,
 	*state = NULL;
 	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net",
 	                    "%s is no state of this net, which has %d nodes in its mesh%s: give a file "
-	                    "that a run of this scene has written with --state", path, mesh->nodes,
+	                    "that a run of this scene has written with --state, or one with the same "
+	                    "cables[].elements in both", path, mesh->nodes,
 	                    read ? ", and joins them in another way" : "");
 }

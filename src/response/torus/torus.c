@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "response/orbit/method.h"
 #include "response/orbit/shooting.h"
 #include "response/torus/torus.h"
 
@@ -43,7 +44,7 @@ enum hawser_status hawser__torus_room(struct hawser__torus *torus, const struct 
 	torus->mesh = MESH;
 	hawser__torus_points(torus, points);
 	torus->steps = 2*hawser__shooting_steps(rom, omega, 1);
-	torus->x = calloc(N*m*(3 + m) + size*size + 4*size + N, sizeof *torus->x);
+	torus->x = calloc(N*m*(4 + m) + size*size + 4*size + N, sizeof *torus->x);
 	torus->pivot = calloc(size, sizeof *torus->pivot);
 	if (!torus->x || !torus->pivot)
 		return hawser__no_memory(report, WHERE);
@@ -56,6 +57,7 @@ enum hawser_status hawser__torus_room(struct hawser__torus *torus, const struct 
 	torus->along = torus->guess + size;
 	torus->row = torus->along + size;
 	torus->kernel = torus->row + size;
+	torus->other = torus->kernel + N;
 	return hawser__flow_init(&torus->flow, rom, report);
 }
 
@@ -65,6 +67,37 @@ void hawser__torus_clear(struct hawser__torus *torus)
 	free(torus->x);
 	free(torus->pivot);
 	memset(torus, 0, sizeof *torus);
+}
+
+int hawser__torus_place(struct hawser__torus *torus, double place)
+{
+	const struct hawser_rom_family *family = torus->family;
+	const struct hawser_rom *rom;
+
+	torus->place = torus->omega = place;
+	if (!family)
+		return 0;
+	if (family->model(family->context, &rom, place, NULL) || hawser__flow_place(&torus->flow, rom))
+		return 1;
+	torus->omega = family->omega*rom->time;
+	return 0;
+}
+
+/* The derivative of the images by the parameter of the family, from the models on both sides. 1 where
+ * there are none. */
+static int differentiate_family(struct hawser__torus *torus, const struct hawser__stretch *stretch)
+{
+	int Nm = torus->points*torus->m, failed = 0;
+	double place = torus->place, wide = HAWSER__NUDGE*torus->extent;
+
+	for (int side = -1; side <= 1 && !failed; side += 2) {
+		failed = hawser__torus_place(torus, place + side*wide);
+		memcpy(torus->other, torus->x, (size_t)Nm*sizeof *torus->x);
+		(void)hawser__flow_map(&torus->flow, torus->other, NULL, stretch, torus->omega);
+		for (int i = 0; i < Nm; i++)
+			torus->b[i] = (side < 0 ? 0.0 : torus->b[i]) + side*torus->other[i]/(2.0*wide);
+	}
+	return hawser__torus_place(torus, place) || failed;
 }
 
 double hawser__torus_cardinal(int N, double t, int derivative)
@@ -106,19 +139,22 @@ void hawser__torus_resample(double *y, double *work, int m, int N, int points)
 	memcpy(y, work, ((size_t)points*(size_t)m + 2)*sizeof *y);
 }
 
-enum hawser_status hawser__torus_begin(struct hawser__torus *torus, const double *x0, double omega,
+enum hawser_status hawser__torus_begin(struct hawser__torus *torus, const double *x0, double place,
                                        double distance, struct hawser_report *report)
 {
 	int m = torus->m, N = torus->points, at = -1;
 	struct hawser__stretch stretch = {.h = 2.0*M_PI/torus->steps, .steps = torus->steps, .count = 1};
 	double *re = torus->right, *im = re + m, *v = torus->matrix, length = 0.0;
 
+	if (hawser__torus_place(torus, place))
+		return hawser__fail(report, HAWSER_ERR_CONVERGENCE, WHERE,
+		                    "there is no model at the parameter %.9g", place);
 	for (;;) {
 		double error;
 
 		memcpy(torus->image, x0, (size_t)m*sizeof *x0);
 		error = hawser__flow_derive(&torus->flow, torus->image, torus->A, torus->b, NULL, &stretch,
-		                            omega);
+		                            torus->omega);
 		if (!(error > torus->mesh*cblas_dnrm2(m, x0, 1)) || torus->steps > MOST_STEPS)
 			break;
 		torus->steps += torus->steps/2;
@@ -135,8 +171,7 @@ enum hawser_status hawser__torus_begin(struct hawser__torus *torus, const double
 	if (at < 0)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, WHERE,
 		                    "no pair of complex multipliers at Omega %.9g%s: not a torus point",
-		                    HAWSER_SHOWN(torus->flow.rom, omega));
-	torus->omega = omega;
+		                    HAWSER_SHOWN(torus->flow.rom, torus->omega));
 	torus->rho = atan2(im[at], re[at]);
 	for (int j = 0; j < m; j++)
 		length = fmax(length, hypot(v[j*m + at], v[j*m + at + 1]));
@@ -154,9 +189,13 @@ static double assemble(struct hawser__torus *torus)
 	struct hawser__stretch stretch = {.h = 2.0*M_PI/torus->steps, .steps = torus->steps, .count = N};
 	double *J = torus->matrix, *r = torus->right, largest = 0.0, most = 0.0, error;
 
+	if (hawser__torus_place(torus, torus->place))
+		return INFINITY;
 	memcpy(torus->image, torus->x, (size_t)N*(size_t)m*sizeof *torus->x);
 	error = hawser__flow_derive(&torus->flow, torus->image, torus->A, torus->b, NULL, &stretch,
 	                            torus->omega);
+	if (torus->family && differentiate_family(torus, &stretch))
+		return INFINITY;
 	memset(J, 0, (size_t)size*(size_t)size*sizeof *J);
 	hawser__torus_shifted(J + (size_t)(N*m)*size, torus, torus->rho, 1); /* column of rho */
 	cblas_dscal(N*m, -1.0, J + (size_t)(N*m)*size, 1);
@@ -180,7 +219,7 @@ static double assemble(struct hawser__torus *torus)
 				J[(size_t)(i*m + c)*size + i*m + a] += torus->A[((size_t)i*m + a)*m + c];
 	r[N*m] = 0.0;
 	r[N*m + 1] = torus->row[N*m]*(torus->rho - torus->guess[N*m]) +
-	             torus->row[N*m + 1]*(torus->omega - torus->guess[N*m + 1]);
+	             torus->row[N*m + 1]*(torus->place - torus->guess[N*m + 1]);
 	for (int i = 0; i < N*m; i++) {
 		J[(size_t)i*size + N*m] = torus->along[i];
 		r[N*m] += torus->along[i]*(torus->x[i] - torus->guess[i]);
@@ -230,7 +269,7 @@ void hawser__torus_guess(struct hawser__torus *torus)
 
 	memcpy(torus->guess, torus->x, (size_t)Nm*sizeof *torus->x);
 	torus->guess[Nm] = torus->rho;
-	torus->guess[Nm + 1] = torus->omega;
+	torus->guess[Nm + 1] = torus->place;
 	hawser__torus_shifted(torus->along, torus, 0.0, 1);
 	length = cblas_dnrm2(Nm, torus->along, 1);
 	if (length > 0.0)
@@ -256,7 +295,7 @@ int hawser__torus_newton(struct hawser__torus *torus, struct hawser__correction 
 			break;
 		cblas_daxpy(Nm, -1.0, torus->right, 1, torus->x, 1);
 		torus->rho -= torus->right[Nm];
-		torus->omega -= torus->right[Nm + 1];
+		torus->place -= torus->right[Nm + 1];
 		length = 0.0;
 		for (int k = 0; weight && k < size; k++)
 			length += weight[k]*torus->right[k]*torus->right[k];

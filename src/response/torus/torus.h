@@ -35,7 +35,9 @@ struct hawser__torus {
 	int m, points, steps;    /* points: N; steps: of integration per period */
 	int size;                /* unknowns: x, rho, Omega */
 	int most;                /* largest N for which there is room */
-	double omega, rho;
+	const struct hawser_rom_family *family; /* NULL, or the models, whose parameter is the place */
+	double place, omega, rho; /* place: Omega, or the parameter */
+	double extent;           /* of a range of the parameter */
 	double mesh;             /* largest estimated error of a period, relative, with which the number of
 	                          * steps is chosen */
 	double *x;               /* [N][m] */
@@ -46,6 +48,7 @@ struct hawser__torus {
 	                          * mean */
 	double period_error;     /* estimated error of a period at the last evaluation, relative */
 	int iterations;
+	double *other; /* [N][m] images in another model of the family */
 	double *image, *A, *b, *matrix, *right, *kernel;
 	double *guess, *along, *row; /* [size] x, rho, Omega of the guess; [N][m] its derivative by theta;
 	                              * [size] row of the last equation */
@@ -59,10 +62,12 @@ enum hawser_status hawser__torus_room(struct hawser__torus *torus, const struct 
                                       int points, int most, double omega,
                                       struct hawser_report *report);
 void hawser__torus_clear(struct hawser__torus *torus);
+/* The model and the frequency at this place; 1 if there is none. */
+int hawser__torus_place(struct hawser__torus *torus, double place);
 /* The linear circle about the orbit x0 [m] at a torus point, with this largest distance. */
-enum hawser_status hawser__torus_begin(struct hawser__torus *torus, const double *x0, double omega,
+enum hawser_status hawser__torus_begin(struct hawser__torus *torus, const double *x0, double place,
                                        double distance, struct hawser_report *report);
-/* Correct x and rho, and with `sized` omega, at the size of the guess. HAWSER_ERR_CONVERGENCE. */
+/* Correct x and rho, and with `sized` the place, at the size of the guess. HAWSER_ERR_CONVERGENCE. */
 enum hawser_status hawser__torus_correct(struct hawser__torus *torus, int sized,
                                          struct hawser_report *report);
 

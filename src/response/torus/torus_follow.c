@@ -1,9 +1,9 @@
 /* response/torus/torus_follow.c - see hawser/torus.h: the operations of continuation/curve.h for
  * invariant circles.
  *
- *    y       x [N][m], rho, Omega of a circle
- *    metric  x relative to the size of each component, with the mean over the circle; rho in rad; Omega
- *            relative to the range
+ *    y       x [N][m], rho, Omega of a circle, or the parameter of the family
+ *    metric  x relative to the size of each component, with the mean over the circle; rho in rad; the
+ *            last one relative to the range
  *
  * A circle is predicted on the tangent. Its points are as many as its error requires: where the error
  * between the points is too large, the circle is interpolated at more of them and corrected again.
@@ -69,7 +69,7 @@ static void load(struct walk *walk, const double *y)
 
 	memcpy(torus->x, y, (size_t)Nm*sizeof *y);
 	torus->rho = y[Nm];
-	torus->omega = y[Nm + 1];
+	torus->place = y[Nm + 1];
 }
 
 static void store(const struct walk *walk, double *y)
@@ -79,7 +79,7 @@ static void store(const struct walk *walk, double *y)
 
 	memcpy(y, torus->x, (size_t)Nm*sizeof *y);
 	y[Nm] = torus->rho;
-	y[Nm + 1] = torus->omega;
+	y[Nm + 1] = torus->place;
 }
 
 /* Product of the deviations of two circles from their means, divided by their number of points. */
@@ -145,7 +145,7 @@ static int improve(struct walk *walk)
 }
 
 /* The first circle, of the given size, and its tangent. */
-static enum hawser_status first(struct walk *walk, const double *x0, double omega, double size)
+static enum hawser_status first(struct walk *walk, const double *x0, double place, double size)
 {
 	struct hawser__torus *torus = &walk->torus;
 	double largest = 0.0;
@@ -155,7 +155,7 @@ static enum hawser_status first(struct walk *walk, const double *x0, double omeg
 	for (int j = 0; j < torus->m; j++)
 		largest = fmax(largest, fabs(x0[j]));
 	hawser__torus_points(torus, HAWSER_TORUS_FIRST < torus->most ? HAWSER_TORUS_FIRST : torus->most);
-	if ((status = hawser__torus_begin(torus, x0, omega, size*largest, walk->report)))
+	if ((status = hawser__torus_begin(torus, x0, place, size*largest, walk->report)))
 		return status;
 	do {
 		if ((status = hawser__torus_correct(torus, 1, walk->report)))
@@ -164,15 +164,13 @@ static enum hawser_status first(struct walk *walk, const double *x0, double omeg
 	} while (again > 0);
 	if (again < 0)
 		return hawser__fail_at(walk->report, HAWSER_ERR_CONVERGENCE, WHERE, torus->iterations,
-		                       torus->defect, "the first torus beside Omega %.9g%s needs more than "
-		                       "%d points of its circle (error %.1e)",
-		                       HAWSER_SHOWN(walk->rom, omega), torus->points, torus->defect);
+		                       torus->defect, "the first torus beside it needs more than %d points "
+		                       "of its circle (error %.1e)", torus->points, torus->defect);
 	store(walk, walk->here);
 	weigh(walk, walk->here);
 	if (hawser__torus_tangent(torus, walk->t))
 		return hawser__fail(walk->report, HAWSER_ERR_CONVERGENCE, WHERE,
-		                    "the circles beside Omega %.9g%s have no tangent",
-		                    HAWSER_SHOWN(walk->rom, omega));
+		                    "the circles beside it have no tangent");
 	cblas_dscal(torus->size, 1.0/hawser__metric_length(&walk->metric, walk->t), walk->t, 1);
 	/* hawser__torus_tangent has overwritten nothing but the matrix */
 	return HAWSER_OK;
@@ -196,9 +194,9 @@ static enum hawser_status record(struct walk *walk, int *slack)
 	*slack = walk->options.end_at_slack && list->tension && list->tension[2*i] < 0.0;
 	if (*slack)
 		return HAWSER_OK;
-	*point = (struct hawser_tori_point){.omega = torus->omega, .rotation = torus->rho,
-		.second = torus->rho*torus->omega/(2.0*M_PI), .growth = walk->exponent[0],
-		.growth_error = point->growth_error, .arc = walk->arc,
+	*point = (struct hawser_tori_point){.omega = torus->omega, .parameter = torus->place,
+		.rotation = torus->rho, .second = torus->rho*torus->omega/(2.0*M_PI),
+		.growth = walk->exponent[0], .growth_error = point->growth_error, .arc = walk->arc,
 		.size = sqrt(product(walk, torus->x, torus->x)), .residual = torus->residual,
 		.error = torus->defect, .tail = torus->tail, .circle = torus->points,
 		.steps = torus->steps, .iterations = torus->iterations};
@@ -209,7 +207,7 @@ static enum hawser_status record(struct walk *walk, int *slack)
 	memcpy(list->state + (size_t)i*(size_t)torus->m, torus->x, (size_t)torus->m*sizeof *torus->x);
 	list->points++;
 	state = hawser__progress_state("tori", "circles", list->points, walk->began);
-	state.omega = torus->omega/walk->rom->time;
+	state.omega = torus->omega/torus->flow.rom->time;
 	if (i >= STALL && walk->arc - list->point[i - STALL].arc < STALLED)
 		walk->stop = 3;
 	if (hawser__told_to_stop(&walk->options.progress, &state))
@@ -242,7 +240,7 @@ static int predict(void *owner, double ds)
 
 	for (int k = 0; k < walk->torus.size; k++)
 		walk->next[k] = walk->here[k] + ds*walk->t[k];
-	return !(walk->next[walk->torus.size - 1] > 0.0);
+	return !walk->options.family && !(walk->next[walk->torus.size - 1] > 0.0);
 }
 
 static enum hawser_status correct(void *owner, double ds, struct hawser__correction *correction,
@@ -305,22 +303,22 @@ static void name_end(struct walk *walk)
 {
 	struct hawser_tori *list = walk->list;
 	const struct hawser_tori_point *p = list->point + list->points - 1, *o = p - 1;
-	double a = p->size*p->size, b, to = p->omega, range = walk->options.to - walk->options.from;
+	double a = p->size*p->size, b, to = p->parameter, range = walk->options.to - walk->options.from;
 	double nearest = BESIDE*fabs(range);
 
 	if (list->points > 1 && (b = o->size*o->size) != a)
-		to += a*(o->omega - p->omega)/(a - b);
+		to += a*(o->parameter - p->parameter)/(a - b);
 	list->end = HAWSER_TORI_TORUS_POINT;
 	list->to = -1;
 	for (int e = 0; e < walk->frf->events; e++) {
 		const struct hawser_frf_event *event = &walk->frf->event[e];
 
-		if (event->kind != HAWSER_TORUS || !event->located || !(fabs(event->omega - to) < nearest))
+		if (event->kind != HAWSER_TORUS || !event->located || !(fabs(event->parameter - to) < nearest))
 			continue;
-		nearest = fabs(event->omega - to);
+		nearest = fabs(event->parameter - to);
 		list->to = e;
 	}
-	list->to_omega = list->to < 0 ? to : walk->frf->event[list->to].omega;
+	list->to_at = list->to < 0 ? to : walk->frf->event[list->to].parameter;
 }
 
 /* The circle at the bound that the step has passed; *failed where it is not found. */
@@ -348,7 +346,7 @@ static enum hawser_status arrive(void *owner, enum hawser__arrival *arrival, dou
 	struct walk *walk = owner;
 	struct hawser_tori *list = walk->list;
 	int size = walk->torus.size, slack = 0, failed = 0, out;
-	double omega = walk->next[size - 1];
+	double place = walk->next[size - 1];
 	double lo = fmin(walk->options.from, walk->options.to);
 	double hi = fmax(walk->options.from, walk->options.to);
 	enum hawser_status status = HAWSER_OK;
@@ -360,10 +358,10 @@ static enum hawser_status arrive(void *owner, enum hawser__arrival *arrival, dou
 		return HAWSER_OK;
 	}
 	walk->arc += taken;
-	out = omega < lo || omega > hi;
+	out = place < lo || place > hi;
 	if (out) {
 		list->end = HAWSER_TORI_RANGE;
-		status = at_bound(walk, omega < lo ? lo : hi, &failed);
+		status = at_bound(walk, place < lo ? lo : hi, &failed);
 	}
 	if (!status && !failed)
 		status = record(walk, &slack);
@@ -453,6 +451,8 @@ static enum hawser_status open(struct walk *walk, double omega)
 	walk->exponent = walk->work + room;
 	status = hawser__torus_room(&walk->torus, walk->rom, most, most, omega, walk->report);
 	walk->torus.mesh = 0.01*walk->options.tolerance;
+	walk->torus.family = walk->options.family;
+	walk->torus.extent = fabs(walk->options.to - walk->options.from);
 	return status;
 }
 
@@ -467,14 +467,14 @@ enum hawser_status hawser_tori_trace(struct hawser_tori *tori, const struct haws
 	enum hawser_status status;
 
 	*tori = (struct hawser_tori){.n = rom->n, .probes = rom->shapes.points, .length = rom->length,
-		.time = rom->time, .curve = 1, .branch = frf->branch, .from = event, .to = -1, .to_omega = NAN};
+		.time = rom->time, .curve = 1, .branch = frf->branch, .from = event, .to = -1, .to_at = NAN};
 	hawser_tori_settle(&walk.options);
 	if ((status = hawser__tori_check(rom, frf, event, &walk.options, report)))
 		return status;
-	tori->from_omega = frf->event[event].omega;
-	status = open(&walk, tori->from_omega);
+	tori->from_at = frf->event[event].parameter;
+	status = open(&walk, frf->event[event].omega);
 	for (size_t k = 0; !status && k < sizeof first_size/sizeof *first_size; k++) {
-		status = first(&walk, frf->event_state + (size_t)event*m, tori->from_omega, first_size[k]);
+		status = first(&walk, frf->event_state + (size_t)event*m, tori->from_at, first_size[k]);
 		if (status != HAWSER_ERR_CONVERGENCE || k + 1 == sizeof first_size/sizeof *first_size)
 			break;
 		status = HAWSER_OK;

@@ -93,7 +93,9 @@ enum hawser_status hawser__tori_check(const struct hawser_rom *rom, const struct
                                       struct hawser_report *report)
 {
 	const struct hawser_frf_event *at = event >= 0 && event < frf->events ? &frf->event[event] : NULL;
-	const char *why = rom->first ? "it is of first order"
+	const char *why = options->family && options->family->omega == 0.0
+	                  ? "nothing excites it, and its cycles have no period map"
+	                  : rom->first ? "it is of first order"
 	                  : rom->ramp ? "its speed changes once and for all (travel.braking)"
 	                  : rom->history ? "it is moved or loaded by a table over time"
 	                  : undamped(frf) ? "the model has no damping, so that circles are not isolated"
@@ -108,7 +110,7 @@ enum hawser_status hawser__tori_check(const struct hawser_rom *rom, const struct
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, WHERE,
 		                    "event %d begins no tori: a torus point that was located does", event);
 	if (!(fabs(options->to - options->from) > 0.0) || !isfinite(options->to - options->from) ||
-	    !(fmin(options->from, options->to) > 0.0))
+	    (!options->family && !(fmin(options->from, options->to) > 0.0)))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, WHERE,
 		                    "the range of Omega from %g to %g: it must be positive and not empty",
 		                    options->from, options->to);

@@ -236,6 +236,7 @@ int hawser__torus_measure(struct hawser__torus_ruler *ruler, struct hawser_tori 
 	size_t samples = (size_t)N*(size_t)rows*(size_t)n, at = (size_t)index, k = ruler->signals;
 	double *tension = list->tension ? list->tension + 2*at : NULL;
 
+	ruler->rom = torus->flow.rom; /* at the place */
 	if (make_room(ruler, samples + MANY*(size_t)N*k + HAWSER__EXTRA((size_t)places) +
 	                     (size_t)places + (5 + (size_t)n)*(size_t)(rows + SIDE)))
 		return 1;
