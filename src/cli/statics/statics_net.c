@@ -324,7 +324,9 @@ static enum hawser_status draw(const char *path, const void *of, struct hawser_r
 {
 	const struct result *result = of;
 
-	return hawser__plot_net(path, &result->mesh.net, &result->st, report);
+	return result->mesh.net.water.density > 0.0
+		? hawser__plot_mooring(path, &result->mesh.net, &result->st, report)
+		: hawser__plot_net(path, &result->mesh.net, &result->st, report);
 }
 
 static const struct cli_showing showing = {.head = head, .comments = comments, .more = rows,

@@ -88,7 +88,8 @@ enum hawser_status hawser__contact_open(struct hawser__motion *motion, double re
 	if (!contact)
 		return hawser__no_memory(report, "net");
 	motion->contact = contact;
-	motion->far = 0.0;
+	for (int i = 0; i < mesh->touches; i++) /* impacts are of lumped masses, planes that give way not */
+		motion->far = mesh->touch[i].give > 0.0 ? motion->far : 0.0;
 	contact->touches = mesh->touches;
 	contact->restitution = restitution;
 	if (!allocate(contact, (size_t)mesh->nodes, (size_t)mesh->elements))

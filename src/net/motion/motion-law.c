@@ -444,7 +444,7 @@ int hawser__motion_tensions(double *T, const struct hawser__motion *motion)
 		}
 		(void)stretch(&p, el, delta, d);
 		T[e] = hawser__motion_tension(motion, e, d, p);
-		slack += p < el->zero || (p > el->zero && T[e] == 0.0);
+		slack += !el->rod && (p < el->zero || (p > el->zero && T[e] == 0.0));
 	}
 	return slack;
 }

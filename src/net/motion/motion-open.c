@@ -69,6 +69,7 @@ static void refer(struct hawser__motion *motion, int balanced, const unsigned ch
 
 		el->a = mesh->end[e][0];
 		el->b = mesh->end[e][1];
+		el->rod = mesh->net && mesh->net->cable[mesh->cable[e]].rod;
 		for (int k = 0; k < 3; k++)
 			el->D[k] = mesh->q[el->b][k] - mesh->q[el->a][k];
 		el->l_ref = sqrt(el->D[0]*el->D[0] + el->D[1]*el->D[1] + el->D[2]*el->D[2]);

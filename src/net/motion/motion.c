@@ -97,6 +97,8 @@ void hawser__motion_watch(struct hawser__motion *motion, int element, const doub
 {
 	double T = hawser__motion_tension(motion, element, d, p), zero = motion->element[element].zero;
 
+	if (motion->element[element].rod)
+		return;
 	if (T < motion->least) {
 		motion->least = T;
 		motion->least_at = t;
@@ -243,7 +245,7 @@ static void finish(struct hawser__motion *motion, const struct hawser__motion_ru
 	for (int e = 0; e < motion->elements; e++) {
 		const struct hawser__motion_element *el = &motion->element[e];
 
-		motion->switches += (el->p > el->zero) != (el->p1 > el->zero);
+		motion->switches += !el->rod && (el->p > el->zero) != (el->p1 > el->zero);
 		hawser__motion_watch(motion, e, el->d1, el->p1, motion->t + h);
 	}
 	motion->drift += motion->contact ? fmax(motion->error, motion->contact->jump_error) : motion->error;

@@ -26,6 +26,7 @@
 
 struct hawser__motion_element {
 	int a, b;                 /* nodes */
+	int rod;                  /* 1: of a rigid body, without tension: neither slack nor taut */
 	double D[3], l_ref, p_ref, F_ref[3]; /* F_ref: force of the reference, N */
 	double k, c, m, drag;     /* N/m; N s/m (Kelvin-Voigt); kg; kg/s */
 	double creep, loss, rest; /* N/m, N s/m of what is in line with k: a spring and a dashpot; 0: none;

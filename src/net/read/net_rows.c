@@ -381,7 +381,7 @@ static const struct hawser__tree_key net_rows[] = {
 const struct hawser__tree_table hawser__tree_of_net = {
 	"net", "A net of cables", net_rows, sizeof net_rows/sizeof *net_rows, "net", {"nodes"}};
 
-/* Spans over planes and segments. */
+/* Spans over planes and segments, and in water. */
 static const struct hawser__tree_key mesh_rows[] = {
 	HEAD("mesh", "span", NOT_NEGATIVE, NET_AT(g))
 	MAPPING("mesh.cable", REQUIRED, "the cable")
@@ -397,7 +397,7 @@ static const struct hawser__tree_key mesh_rows[] = {
 	MAPPING("mesh.tension", REQUIRED, "what fixes the tension")
 	NUMBER("mesh.tension.length0", REQUIRED, "m", POSITIVE, CABLE_AT(value), NULL,
 	       "unstretched length")
-	LIST("mesh.obstacles", REQUIRED, "as those of nets")
+	LIST("mesh.obstacles", OPTIONAL, "as those of nets")
 	MAPPING("mesh.contact", OPTIONAL, "as that of nets")
 	MAPPING("mesh.water", OPTIONAL, "as that of nets")
 	MAPPING("mesh.damping", OPTIONAL, "as that of nets")
