@@ -168,6 +168,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/branch/subharmonic.c \
 	%D%/orbit/start.c \
 	%D%/orbit/start.h \
+	%D%/orbit/way.c \
 	%D%/branch/station.c \
 	%D%/branch/station.h \
 	%D%/branch/step.c \

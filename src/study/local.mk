@@ -79,6 +79,7 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/map/map_doubt.c \
 	%D%/map/map_gallop.c \
 	%D%/map/map_edges.c \
+	%D%/map/map_guide.c \
 	%D%/map/map_lines.c \
 	%D%/map/map_memo.c \
 	%D%/map/map_point.c \
