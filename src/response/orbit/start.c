@@ -25,6 +25,9 @@
 #define LEAP 0.01  /* fraction of the load over which a narrow resonance is passed, and */
 #define CLOSE 0.05 /* largest distance of the orbit beyond it from the scaled one; chosen */
 #define SETTLE_PERIODS 400 /* periods of the motion from rest before the attempt ends; chosen */
+#define SETTLE_FLOPS 2e10 /* operations, some 5 s, after which it ends too, and */
+#define SETTLE_EXACT 4e9  /* the same with exact energy, whose products are short: some take 1e9 a
+                           * period, and the curves of detour.c lead there sooner; chosen */
 #define SETTLE_TRY 20 /* periods between two attempts of Newton's method; chosen */
 #define FAR 0.2 /* distance from the linear response, relative to it, from which on another orbit may
                  * have been found; chosen */
@@ -198,6 +201,11 @@ static int correct_lone(double *y, struct hawser__orbit *orbit, double *growth,
 	return whole ? correct_at(y, orbit, correction, omega, tolerance, report) : 0;
 }
 
+int hawser__start_spent(const struct hawser__orbit *orbit, const struct hawser__raised *raised)
+{
+	return raised->most > 0.0 && hawser_orbit_work(&orbit->cost, orbit->rom) > raised->most;
+}
+
 /* Increase the load from zero to its value, in steps that grow while Newton's method converges, from
  * the line through the last two orbits: with the last one scaled, steps of a full-order model with
  * harmonics of moving ends shrank to 1e-3.
@@ -246,7 +254,8 @@ static enum hawser_status raise_load(double *y, struct hawser__orbit *orbit, int
 			memcpy(good, y, size*sizeof *good);
 			*failed = 0;
 			step = LEAPS*LEAP;
-		} else if (*failed >= 2 || (step *= 0.5) < (raised->lone ? LEAP/8.0 : SMALLEST_LOAD_STEP)) {
+		} else if (*failed >= 2 || hawser__start_spent(orbit, raised) ||
+		           (step *= 0.5) < (raised->lone ? LEAP/8.0 : SMALLEST_LOAD_STEP)) {
 			status = *failed == 3 ? HAWSER_ERR_MEMORY : HAWSER_ERR_CONVERGENCE;
 			break;
 		} else if (raised->lone) {
@@ -278,11 +287,16 @@ static enum hawser_status settle(double *y, struct hawser__orbit *orbit,
 	struct hawser__flow flow;
 	double *x = calloc((size_t)m, sizeof *x);
 	enum hawser_status status = hawser__flow_init(&flow, rom, report);
-	int found = 0, failed;
+	double most = rom->exact ? SETTLE_EXACT : SETTLE_FLOPS;
+	int found = 0, failed, periods = 0;
 
 	if (!status && !x)
 		status = hawser__no_memory(report, "frf");
-	for (int p = 1; !status && !found && p <= SETTLE_PERIODS; p++) {
+	if (!status)
+		periods = (int)fmin(SETTLE_PERIODS, most/(steps*hawser__flow_flops(&flow, 0)));
+	if (periods < SETTLE_TRY)
+		periods = 0;
+	for (int p = 1; !status && !found && p <= periods; p++) {
 		hawser__flow_map(&flow, x, NULL, &period, omega);
 		if (!isfinite(cblas_dnrm2(m, x, 1)))
 			break;
@@ -347,7 +361,8 @@ enum hawser_status hawser__start(double *y, struct hawser__orbit *orbit,
 		                       "load, as after whole periods",
 		                       HAWSER_SHOWN(orbit->rom, omega), correction->residual);
 	status = raise_load(y, orbit, &failed, correction, omega, tolerance, raised, report);
-	if (status != HAWSER_ERR_CONVERGENCE || failed == 2 || raised->lone)
+	if (status != HAWSER_ERR_CONVERGENCE || failed == 2 || raised->lone ||
+	    hawser__start_spent(orbit, raised))
 		return status;
 	return settle(y, orbit, correction, omega, tolerance, report);
 }

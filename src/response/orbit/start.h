@@ -8,9 +8,13 @@
 /* How far the load could be raised. */
 struct hawser__raised {
 	int lone;    /* set by the caller: only the orbit that grows out of rest with the load is wanted */
+	double most; /* set by the caller: work, s (hawser_orbit_work), at which it ends; 0: no limit */
 	double load; /* factor of the load; -1: that was not tried, or other loads would not help */
 	double *x;   /* [m] state of the orbit at this load, where it is above 0 */
 };
+
+/* 1 if the orbits so far took more than raised->most. */
+int hawser__start_spent(const struct hawser__orbit *orbit, const struct hawser__raised *raised);
 
 /* Find the orbit y [size] at Omega = omega: from `start` [m] (state at phase 0) or, if that is
  * NULL, from the linear response. If Newton's method fails, or raised->lone and it ends far from
