@@ -51,6 +51,7 @@ struct hawser__trace_watch {
 	const struct hawser__orbits *known; /* of this curve, from its beginning; NULL: none are known */
 	int direct; /* 1: no detours are tried for the first orbit */
 	int coarse; /* 1: longer steps: the trace is a detour itself (detour.c) */
+	double first; /* most work for the first orbit, s (hawser_orbit_work); 0: as much as by default */
 };
 
 struct hawser__trace {

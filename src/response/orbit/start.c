@@ -23,6 +23,9 @@
 #define SMALLEST_LOAD_STEP 1e-4 /* fraction of the load: if a smaller step is needed, there is a
                                  * fold in the load; chosen */
 #define SETTLE_PERIODS 400 /* periods of the motion from rest before the attempt ends; chosen */
+#define SETTLE_FLOPS 2e10 /* operations, some 5 s, after which it ends too, and */
+#define SETTLE_EXACT 4e9  /* the same with exact energy, whose products are short: some take 1e9 a
+                           * period, and the curves of detour.c lead there sooner; chosen */
 #define SETTLE_TRY 20 /* periods between two attempts of Newton's method; chosen */
 #define FAR 0.2 /* distance from the linear response, relative to it, from which on another orbit may
                  * have been found; chosen */
@@ -198,6 +201,11 @@ static int round_up(double *y, struct hawser__climb *climb, struct hawser__orbit
 	return failed ? failed : hawser__climb_pass(climb, y, 1.0, orbit, raised);
 }
 
+int hawser__start_spent(const struct hawser__orbit *orbit, const struct hawser__raised *raised)
+{
+	return raised->most > 0.0 && hawser_orbit_work(&orbit->cost, orbit->rom) > raised->most;
+}
+
 /* Increase the load from zero to its value, in steps that grow while Newton's method converges, from
  * the line through the last two orbits: with the last one scaled, steps of a full-order model with
  * harmonics of moving ends shrank to 1e-3.
@@ -242,7 +250,7 @@ static enum hawser_status raise_load(double *y, struct hawser__orbit *orbit, int
 		} else if (*failed == 1) {
 			rounds = raised->lone && climb.load > 0.0;
 			climb.step *= 0.5;
-			if (climb.step < SMALLEST_LOAD_STEP)
+			if (climb.step < SMALLEST_LOAD_STEP || hawser__start_spent(orbit, raised))
 				break;
 		}
 	}
@@ -270,11 +278,16 @@ static enum hawser_status settle(double *y, struct hawser__orbit *orbit,
 	struct hawser__flow flow;
 	double *x = calloc((size_t)m, sizeof *x);
 	enum hawser_status status = hawser__flow_init(&flow, rom, report);
-	int found = 0, failed;
+	double most = rom->exact ? SETTLE_EXACT : SETTLE_FLOPS;
+	int found = 0, failed, periods = 0;
 
 	if (!status && !x)
 		status = hawser__no_memory(report, "frf");
-	for (int p = 1; !status && !found && p <= SETTLE_PERIODS; p++) {
+	if (!status)
+		periods = (int)fmin(SETTLE_PERIODS, most/(steps*hawser__flow_flops(&flow, 0)));
+	if (periods < SETTLE_TRY)
+		periods = 0;
+	for (int p = 1; !status && !found && p <= periods; p++) {
 		hawser__flow_map(&flow, x, NULL, &period, omega);
 		if (!isfinite(cblas_dnrm2(m, x, 1)))
 			break;
@@ -343,7 +356,8 @@ enum hawser_status hawser__start(double *y, struct hawser__orbit *orbit,
 		                       "load, as after whole periods",
 		                       HAWSER_SHOWN(orbit->rom, omega), correction->residual);
 	status = raise_load(y, orbit, &failed, correction, omega, tolerance, raised, report);
-	if (status != HAWSER_ERR_CONVERGENCE || failed == 2 || raised->lone)
+	if (status != HAWSER_ERR_CONVERGENCE || failed == 2 || raised->lone ||
+	    hawser__start_spent(orbit, raised))
 		return status;
 	return settle(y, orbit, correction, omega, tolerance, report);
 }

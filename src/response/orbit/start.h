@@ -23,12 +23,13 @@ void hawser__way_predict(double *y, const struct hawser__way *way, int next, int
 void hawser__way_drop(struct hawser__way *way); /* the last orbit */
 void hawser__way_clear(struct hawser__way *way);
 
-/* How far the load could be raised. The first three are set by the caller. */
+/* How far the load could be raised. The first four are set by the caller. */
 struct hawser__raised {
 	int lone;    /* only the orbit that grows out of rest with the load is wanted */
 	struct hawser__way *way;         /* of a lone one: orbits that are passed are added; or NULL */
 	const struct hawser__way *guide; /* of a lone one: the way of a model like this, which is tried
 	                                  * first; or NULL */
+	double most; /* work, s (hawser_orbit_work), at which it ends; 0: no limit */
 	double load; /* factor of the load; -1: that was not tried, or other loads would not help */
 	double *x;   /* [m] state of the orbit at this load, where it is above 0 */
 };
@@ -62,6 +63,9 @@ int hawser__climb_arc(double *y, struct hawser__climb *climb, struct hawser__orb
 
 /* Distance of y from `from`, relative to it; both [count]. */
 double hawser__orbit_distance(const double *y, const double *from, int count);
+
+/* 1 if the orbits so far took more than raised->most. */
+int hawser__start_spent(const struct hawser__orbit *orbit, const struct hawser__raised *raised);
 
 /* Find the orbit y [size] at Omega = omega: from `start` [m] (state at phase 0) or, if that is
  * NULL, from the linear response. If Newton's method fails, or raised->lone and it ends far from

@@ -293,7 +293,8 @@ double hawser__rom_flops(const struct hawser_rom *rom, int tangent)
 	double sum = (form ? 5.0 : 1.0)*(n*(n + 1)/2); /* products u_l u_m, and their part of a force */
 
 	if (rom->exact)
-		return 0.0;
+		return rom->exact->points*(tangent ? 60.0 + 3.0*n*n : 40.0 + 6.0*n) +
+		       (rom->exact->springs ? 2.0*n*n : 0.0);
 	if (by_function(rom, tangent))
 		return hawser__function_flops(&rom->kernel->size, tangent);
 	for (int p = 0; p < panels->count; p++) {

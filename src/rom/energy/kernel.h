@@ -106,8 +106,7 @@ void hawser__rom_tangents(const struct hawser_rom *rom, double *restoring, doubl
 void hawser__rom_lanes(const struct hawser_rom *rom, double *restoring, double *tangent,
                        const double *u, int live, double *work);
 
-/* Additions and multiplications of a force, or of force and tangent, at one of several states; 0 for
- * a model with the exact energy. */
+/* Additions and multiplications of a force, or of force and tangent, at one of several states. */
 double hawser__rom_flops(const struct hawser_rom *rom, int tangent);
 
 /* panel.c: the panels of a finished kernel; NULL when out of memory. */

@@ -56,6 +56,7 @@
 #define MARGIN 1.3      /* on the distance of two bases at the marks, and on that of a response whose
                          * error is wanted, by bench/practical.py: there are points between, and peaks
                          * are read there */
+#define LOCATING 0.2    /* of what can be borne, for the peaks of a draft; chosen */
 #define AT_LEAST 0.5    /* of what can be borne, for the response whatever the drafts took; chosen */
 #define PART 0.1        /* of the accuracy: error of a basis, and */
 #define EACH 6          /* fewest functions between attachments, where the error of a response is
@@ -171,15 +172,17 @@ static enum hawser_status compare_condensed(struct condensed *condensed,
                                             const struct hawser_accuracy *a,
                                             const struct hawser_rom *rom,
                                             const struct hawser_frf_options *settled,
-                                            struct hawser_report *report)
+                                            double bearable, struct hawser_report *report)
 {
 	struct hawser__marks found = {.count = 0};
+	struct hawser_frf_options located = *settled;
 	enum hawser_status status = HAWSER_OK;
 
 	condensed->off = INFINITY;
+	located.most_work = LOCATING*bearable;
 	if (!condensed->marks || hawser__accuracy_cut(a) || isfinite(a->until))
 		return HAWSER_OK;
-	status = hawser__marks_find(&found, &a->frf, rom, settled,
+	status = hawser__marks_find(&found, &a->frf, rom, &located,
 	                            HAWSER__LOCATED*enough_of(condensed, a), report);
 	if (!status)
 		status = hawser__marks_distance(&condensed->off, condensed->marks, &found, report);
@@ -250,11 +253,13 @@ static enum hawser_status choose(struct hawser__draft *chosen, double *moved, do
 		} else if (!status) {
 			status = hawser__draft_draw(&next, moved, &traced, chosen, a, options, frf, *work, report);
 			*work += next.work;
-			again = retry(status, &functions, frf, options);
+			again = !(options->bearable > 0.0 && *work >= options->bearable) &&
+			        retry(status, &functions, frf, options);
 			if (isfinite(a->until))
 				frf->to = a->until;
 			if (!status)
-				status = compare_condensed(condensed, a, &next.rom, frf, report);
+				status = compare_condensed(condensed, a, &next.rom, frf, options->bearable,
+				                           report);
 		}
 		if (again) {
 			status = HAWSER_OK;

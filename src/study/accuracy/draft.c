@@ -23,6 +23,7 @@
 #define TURNED 100      /* points without an advance, */
 #define IN_VAIN 0.05    /* and work, of what can be borne, after which a curve may be said to wander;
                          * chosen */
+#define BEGINNING 0.25  /* of what can be borne, for the first orbit of a draft; chosen */
 #define FIRST_POINTS 24 /* of a trace, before anything is foreseen; chosen */
 
 void hawser__traced_clear(struct hawser__traced *traced)
@@ -193,6 +194,7 @@ static enum hawser_status draw(struct hawser__draft *draft, struct hawser__trace
 
 	*traced = (struct hawser__traced){.functions = 0};
 	keep = hawser__orbits_watch(&traced->orbits);
+	keep.first = BEGINNING*options->bearable;
 	frf.unjudged = 2;
 	frf.skip_events = 1;
 	frf.samples = HAWSER_NONE;
@@ -206,7 +208,7 @@ static enum hawser_status draw(struct hawser__draft *draft, struct hawser__trace
 	else if (status && report)
 		*report = why;
 	draft->points = a->frf.points;
-	draft->work = hawser_orbit_work(&a->frf.cost, &draft->rom);
+	draft->work = a->frf.points > 0 ? hawser_orbit_work(&a->frf.cost, &draft->rom) : keep.first;
 	a->slack = !status && !a->costly && hawser__mostly_slack(&a->frf);
 	if (!status)
 		status = hawser__curve_copy(&traced->curve, &a->frf, report);
