@@ -60,9 +60,10 @@ static void draw_plane(struct hawser__figure *figure, const struct hawser_folds 
 		[HAWSER_FOLDS_BIFURCATION] = {"pt 13 ps 1 lc rgb '#CC79A7'", "curves join or part"},
 	};
 
-	/* linetypes whose colours no mark has */
-	enum { COLOURS = 4 };
+	/* linetypes whose colours no mark has, each in every dash: twelve curves differ */
+	enum { COLOURS = 4, DASHES = 3 };
 	static const int colour[COLOURS] = {1, 5, 6, 8};
+	static const char *const dash[DASHES] = {"solid", "(12,5)", "(3,3)"};
 	char title[40] = "folds";
 
 	hawser__figure_function(figure, "given load", "1 with lines lc rgb '#404040' lw 0.8 dt (4,4)");
@@ -70,9 +71,9 @@ static void draw_plane(struct hawser__figure *figure, const struct hawser_folds 
 		for (int i = folds->curve[c].first; i < folds->curve[c].first + folds->curve[c].points; i++)
 			hawser__figure_put(figure, folds->point[i].omega*per_omega, folds->point[i].load);
 		if (folds->curves > 1)
-			snprintf(title, sizeof title, "folds, curve %d", c + 1);
-		hawser__figure_draw(figure, c < COLOURS ? title : NULL, "with lines lt %d",
-		                    colour[c%COLOURS]);
+			snprintf(title, sizeof title, "folds %d", c + 1);
+		hawser__figure_draw(figure, c < COLOURS*DASHES ? title : NULL, "with lines lt %d dt %s",
+		                    colour[c%COLOURS], dash[c/COLOURS%DASHES]);
 	}
 	for (int kind = 0; kind < (int)(sizeof mark/sizeof *mark); kind++) {
 		for (int e = 0; e < folds->events; e++)

@@ -19,6 +19,10 @@
 #include "cli/map/tongues.h"
 #include "core/report.h"
 
+/* Of critical-speed, of which a point takes some 10 ms, and twice as much where nothing grows: */
+enum { GALLOP_POINTS = 17 };  /* along an axis */
+#define GALLOP_TOLERANCE 4e-3 /* width of brackets: a sixteenth of a cell; chosen */
+
 struct settings {
 	struct cli_common common;
 	const char *x, *y, *points, *quantity, *omega, *checkpoint, *boundary, *part, *hdf5, *label;
@@ -31,7 +35,7 @@ static const struct cli_option options[] = {
 	{"quantity", 0, "NAME",
 	 "growth, multiplier, unstable, amplitude, basin or critical-speed (by the axes)",
 	 CLI_TEXT(quantity)},
-	{"points", 0, "NXxNY", "resolution (200x200)", CLI_TEXT(points)},
+	{"points", 0, "NXxNY", "resolution (200x200; critical-speed: 17x17)", CLI_TEXT(points)},
 	{"modes", 'n', "N", "number of modes (the scene's model.modes)", CLI_INTEGER(n)},
 	CLI_LIBRARY_OPTION,
 	{"Omega", 0, "FREQUENCY", "frequency of the forcing, if it is no axis", CLI_TEXT(omega)},
@@ -134,6 +138,11 @@ static void read_numbers(struct hawser_map_options *to, const struct settings *s
 		to->jump = settings->jump;
 	if (settings->tolerance > 0.0)
 		to->tolerance = settings->tolerance;
+	if (strcmp(settings->quantity, "critical-speed") == 0) {
+		for (int k = 0; k < 2; k++)
+			to->points[k] = to->points[k] ? to->points[k] : GALLOP_POINTS;
+		to->tolerance = to->tolerance > 0.0 ? to->tolerance : GALLOP_TOLERANCE;
+	}
 	hawser_map_settle(to);
 	/* brackets that are narrower than cells would cost as much again as the points of a basin's map */
 	if (strcmp(settings->quantity, "basin") == 0 && !(settings->tolerance > 0.0))
@@ -203,6 +212,7 @@ static enum hawser_status trace(struct hawser_map *map, struct cli_map_result *r
 		                : hawser_map_cable_open(&field, &source, report);
 
 	choice.progress = (struct hawser_progress){cli_watch, &watch};
+	choice.strict = choice.strict && !gallop; /* modes may be out of reach far off the scene */
 	if (status)
 		return status;
 	result->along = field.along;

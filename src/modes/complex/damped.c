@@ -46,7 +46,7 @@ struct value {
 	int out;                 /* 1: out of plane */
 };
 struct list {
-	int count;
+	int count, planes;   /* planes 1: `out` is wanted, for which the vectors are computed */
 	struct value *value; /* [count] by ascending im */
 };
 
@@ -150,7 +150,7 @@ static void take_absorbers(struct block *t, const struct hawser_statics *st, int
 }
 
 static int block_make(struct block *t, const struct hawser_modes *modes,
-                      const struct hawser_statics *st, int plane)
+                      const struct hawser_statics *st, int plane, int vectors)
 {
 	size_t points = (size_t)hawser__points(&modes->statics), N;
 
@@ -164,7 +164,7 @@ static int block_make(struct block *t, const struct hawser_modes *modes,
 	t->b = hawser__hold(&t->hold, 3*points*N + 1, sizeof *t->b);
 	t->weight = hawser__hold(&t->hold, 6*points + 1, sizeof *t->weight);
 	t->A = hawser__hold(&t->hold, N*N + 1, sizeof *t->A);
-	t->V = hawser__hold(&t->hold, N*N + 1, sizeof *t->V);
+	t->V = hawser__hold(&t->hold, vectors ? N*N + 1 : 1, sizeof *t->V);
 	t->re = hawser__hold(&t->hold, N + 1, sizeof *t->re);
 	t->im = hawser__hold(&t->hold, N + 1, sizeof *t->im);
 	return !t->hold.short_of_memory && t->mode;
@@ -282,12 +282,6 @@ static int compare(const void *a, const void *b)
 	return (x->re < y->re) - (x->re > y->re);
 }
 
-static void list_clear(struct list *list)
-{
-	free(list->value);
-	*list = (struct list){.count = 0};
-}
-
 /* The share of the kinetic energy, |q|^2 = |y/omega|^2, out of plane, of the eigenvector in columns
  * j and j + 1. */
 static double share_out(const struct block *t, const struct hawser_modes *modes, int j)
@@ -319,7 +313,7 @@ static void collect(struct list *list, const struct block *t,
 		                                    .residual = floor/sqrt(square)};
 		if (im <= real_part*sqrt(square))
 			to->im = 0.0;
-		else
+		else if (list->planes)
 			to->out = share_out(t, modes, j) > 0.5;
 		list->count++;
 	}
@@ -336,7 +330,7 @@ static enum hawser_status solve_block(struct list *list, const struct hawser_mod
 	struct block t;
 	int info, N;
 
-	if (!block_make(&t, modes, st, plane)) {
+	if (!block_make(&t, modes, st, plane, list->planes)) {
 		block_clear(&t);
 		return hawser__no_memory(report, "modes");
 	}
@@ -345,7 +339,8 @@ static enum hawser_status solve_block(struct list *list, const struct hawser_mod
 	for (size_t i = 0; i < (size_t)N*(size_t)N; i++)
 		norm += t.A[i]*t.A[i];
 	if (!info)
-		info = LAPACKE_dgeev(LAPACK_COL_MAJOR, 'N', 'V', N, t.A, N, t.re, t.im, NULL, 1, t.V, N);
+		info = LAPACKE_dgeev(LAPACK_COL_MAJOR, 'N', list->planes ? 'V' : 'N', N, t.A, N, t.re, t.im,
+		                     NULL, 1, t.V, N);
 	if (hawser__lapack_starved(info))
 		status = hawser__no_memory(report, "modes");
 	else if (info)
@@ -358,8 +353,8 @@ static enum hawser_status solve_block(struct list *list, const struct hawser_mod
 	return status;
 }
 
-/* All eigenvalues in the space of these modes. */
-static enum hawser_status values_of(struct list *list, const struct hawser_modes *modes,
+/* All eigenvalues in the space of these modes; the caller frees list->value. */
+static enum hawser_status values_of(struct list *list, int planes, const struct hawser_modes *modes,
                                     const struct hawser_statics *st,
                                     const struct hawser_scene *scene, struct hawser_report *report)
 {
@@ -367,7 +362,7 @@ static enum hawser_status values_of(struct list *list, const struct hawser_modes
 	int failed;
 	double *u = displacements(modes), *flow = hawser__wind_damping(&failed, modes, scene);
 
-	*list = (struct list){.count = 0};
+	*list = (struct list){.planes = planes};
 	list->value = malloc(2*((size_t)modes->n + HAWSER_ATTACH_MAX + 1)*sizeof *list->value);
 	if (!u || !list->value || failed)
 		status = hawser__no_memory(report, "modes");
@@ -378,9 +373,7 @@ static enum hawser_status values_of(struct list *list, const struct hawser_modes
 			status = solve_block(list, modes, st, scene, u, NULL, plane, report);
 	free(u);
 	free(flow);
-	if (status)
-		list_clear(list);
-	else
+	if (!status)
 		qsort(list->value, (size_t)list->count, sizeof *list->value, compare);
 	return status;
 }
@@ -408,13 +401,14 @@ enum hawser_status hawser__damped_pair(struct hawser__damped_pair *pair,
 		                    "attach.force, take out of one plane are not available: leave --damped "
 		                    "out, or set load.static.per_length=[0,0,0] and forces downwards");
 	if (st->bending.EI > 0.0)
-		return hawser__damped_bending(pair, st, n, tries, report);
+		return hawser__damped_bending(pair, st, n, tries > 0 ? tries : 0, report);
 	for (int i = 0; i < held.attachments; i++)
 		held.attached[i].absorber = 0.0;
 	degree = st->attachments > 0 ? hawser__cable_degree_attached(st, n + 2)
 	                             : hawser__cable_degree(elements, n + 2);
 	for (int i = 0; i < tries; i++)
 		degree += degree/3 + 3;
+	degree -= tries < 0 ? degree/3 : 0;
 	next = degree + (degree/4 > 3 ? degree/4 : 3);
 	functions = next*elements - 1;
 	if (functions > MOST)
@@ -483,18 +477,18 @@ static enum hawser_status lowest(struct hawser_damped *damped, double *worst,
 enum hawser_status hawser__damped_of(struct hawser_damped *damped, double *worst,
                                      const struct hawser__damped_pair *pair,
                                      const struct hawser_statics *st,
-                                     const struct hawser_scene *scene, int n,
+                                     const struct hawser_scene *scene, int n, int planes,
                                      struct hawser_report *report)
 {
 	struct list fine = {.count = 0}, coarse = {.count = 0};
-	enum hawser_status status = values_of(&coarse, &pair->coarse, st, scene, report);
+	enum hawser_status status = values_of(&coarse, 0, &pair->coarse, st, scene, report);
 
 	*damped = (struct hawser_damped){.basis = pair->functions, .time_unit = pair->fine.time_unit};
 	if (!status)
-		status = values_of(&fine, &pair->fine, st, scene, report);
+		status = values_of(&fine, planes, &pair->fine, st, scene, report);
 	if (!status)
 		status = lowest(damped, worst, &fine, &coarse, n, scene && scene->wind.present, report);
-	list_clear(&fine);
-	list_clear(&coarse);
+	free(fine.value);
+	free(coarse.value);
 	return status;
 }

@@ -6,7 +6,7 @@
 #include <hawser/damped.h>
 
 /* Two bases, for results and their errors. They do not depend on dampers. `tries`: how often they were
- * too small before. */
+ * too small before; -1: bases for 1e-6 rather than round-off. */
 struct hawser__damped_pair {
 	int functions; /* of the larger one */
 	struct hawser_modes coarse, fine;
@@ -21,12 +21,19 @@ enum hawser_status hawser__damped_bending(struct hawser__damped_pair *pair,
 void hawser__damped_pair_clear(struct hawser__damped_pair *pair);
 
 /* The n modes of lowest damped frequency from two bases; *worst: the largest estimated error. The
- * dampers are those of st, which is otherwise the span of the bases. The caller clears *damped, also
- * on failure. */
+ * dampers are those of st, which is otherwise the span of the bases. Without `planes`, which take
+ * most of the time, all count as in the plane. The caller clears *damped, also on failure. */
 enum hawser_status hawser__damped_of(struct hawser_damped *damped, double *worst,
                                      const struct hawser__damped_pair *pair,
                                      const struct hawser_statics *st,
-                                     const struct hawser_scene *scene, int n,
+                                     const struct hawser_scene *scene, int n, int planes,
                                      struct hawser_report *report);
+
+/* The first of the ascending values of the key from which on one more mode grows, located between two
+ * of them; INFINITY: there is none. The values beyond are not computed. Statuses of
+ * hawser_damped_trace. */
+enum hawser_status hawser__damped_onset(double *value, const struct hawser_scene *scene,
+                                        const struct hawser_damped_sweep_options *options,
+                                        struct hawser_report *report);
 
 #endif

@@ -17,13 +17,18 @@
 #include "continuation/false_position.h"
 #include "core/report.h"
 #include "core/share.h"
+#include "modes/cable.h"
 #include "modes/complex/damped.h"
 
 enum { TRIES = 8, LOCATE = 40 }; /* sizes of the basis; steps of an event */
+/* The same for a map, and elements of a cable whose largest size takes some 0.1 s. */
+enum { FEW = 2, SOON = 12, SLACKEST = 2 };
 /* Largest estimated error of a result. */
 static const double acceptable = 1e-4;
 /* Growth over the frequency at an event, and the bracket of its value, relative. */
 static const double zero = 1e-13, located = 1e-12;
+/* Both for a map, whose boundaries are located to 1e-4. */
+static const double rough = 1e-9;
 
 void hawser_damped_settle(struct hawser_damped_options *options)
 {
@@ -60,20 +65,23 @@ static enum hawser_status check(const struct hawser_statics *st, const struct ha
 	return HAWSER_OK;
 }
 
-/* Damped modes with larger and larger bases. The last pair is left in *pair, which the caller
- * clears; one with `functions` is used first. */
+/* Damped modes with larger and larger bases, from the size *size on, which becomes the last one, up to
+ * `most` sizes; `planes`: see damped.h. The last pair is left in *pair, which the caller clears; one
+ * with `functions` is used first. */
 static enum hawser_status solve(struct hawser_damped *damped, struct hawser__damped_pair *pair,
-                                const struct hawser_statics *st, const struct hawser_scene *scene,
+                                int *size, int most, int planes, const struct hawser_statics *st,
+                                const struct hawser_scene *scene,
                                 const struct hawser_damped_options *options,
                                 struct hawser_report *report)
 {
 	double worst = INFINITY, before = INFINITY;
 	enum hawser_status status = HAWSER_OK;
 
-	for (int i = 0; i < TRIES; i++) {
+	for (int i = *size, first = i; i < most; i++) {
 		struct hawser_damped next = {.n = 0};
 
-		if (i > 0 || pair->functions == 0) {
+		*size = i;
+		if (i > first || pair->functions == 0) {
 			struct hawser__damped_pair larger;
 
 			status = hawser__damped_pair(&larger, st, options->n, i, report);
@@ -84,7 +92,7 @@ static enum hawser_status solve(struct hawser_damped *damped, struct hawser__dam
 			hawser__damped_pair_clear(pair);
 			*pair = larger;
 		}
-		status = hawser__damped_of(&next, &worst, pair, st, scene, options->n, report);
+		status = hawser__damped_of(&next, &worst, pair, st, scene, options->n, planes, report);
 		if (status || worst < before) {
 			hawser_damped_clear(damped);
 			*damped = next;
@@ -97,7 +105,7 @@ static enum hawser_status solve(struct hawser_damped *damped, struct hawser__dam
 			return HAWSER_OK; /* round-off */
 		before = fmin(worst, before);
 	}
-	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "modes", TRIES, before,
+	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "modes", most, before,
 	                       "the first %d damped modes have an estimated relative error of %.1e: ask "
 	                       "for fewer modes, or check the dampers of attach", options->n, before);
 }
@@ -111,12 +119,13 @@ enum hawser_status hawser_damped_solve(struct hawser_damped *damped,
 	struct hawser_damped_options settled = *options;
 	struct hawser__damped_pair pair = {.functions = 0};
 	enum hawser_status status;
+	int size = 0;
 
 	*damped = (struct hawser_damped){.n = 0};
 	hawser_damped_settle(&settled);
 	status = check(statics, scene, &settled, report);
 	if (!status)
-		status = solve(damped, &pair, statics, scene, &settled, report);
+		status = solve(damped, &pair, &size, TRIES, 1, statics, scene, &settled, report);
 	hawser__damped_pair_clear(&pair);
 	if (status)
 		hawser_damped_clear(damped);
@@ -134,6 +143,7 @@ struct sweep {
 	struct hawser_report *report;       /* [points] */
 	enum hawser_status *status;         /* [points] */
 	int same;                           /* 1: all points have the same bases */
+	int *size; /* of the bases of the last point, with which the next one begins; or NULL */
 };
 
 static enum hawser_status solve_at(struct hawser_damped *state, const struct sweep *sweep, double value,
@@ -143,6 +153,7 @@ static enum hawser_status solve_at(struct hawser_damped *state, const struct swe
 	struct hawser_scene scene;
 	struct hawser_statics st;
 	enum hawser_status status;
+	int size = 0;
 
 	if (sweep->source)
 		return sweep->source->solve(sweep->source->context, state, value, report);
@@ -156,8 +167,13 @@ static enum hawser_status solve_at(struct hawser_damped *state, const struct swe
 		hawser__damped_pair_clear(pair);
 	if (!sweep->same)
 		pair->functions = 0;
+	if (!status && sweep->size && hawser__cable_elements(&st) > SLACKEST)
+		status = hawser__fail(report, HAWSER_ERR_CONVERGENCE, "modes",
+		                      "at %s = %.6g the cable hangs so deep that its damped modes take minutes",
+		                      options->key, value);
 	if (!status)
-		status = solve(state, pair, &st, &scene, &options->modes, report);
+		status = solve(state, pair, sweep->size ? sweep->size : &size, sweep->size ? FEW : TRIES,
+		               !sweep->size, &st, &scene, &options->modes, report);
 	return status;
 }
 
@@ -221,13 +237,19 @@ static enum hawser_status locate_event(struct hawser_damped_event *event, const 
 	for (int try = 0; !status && try < LOCATE; try++) {
 		double s = hawser__false_position(&in, try), growth;
 
+		if (sweep->size && try == SOON) {
+			status = hawser__fail(report, HAWSER_ERR_CONVERGENCE, "modes",
+			                      "the growth of a mode jumps near %s = %.6g", sweep->options->key, s);
+			break;
+		}
 		hawser_damped_clear(&now);
 		status = solve_at(&now, sweep, s, sweep->pair, report);
 		if (status)
 			break;
 		growth = growth_of(ranked(&now, k));
 		event->value = s;
-		if (fabs(growth) < zero || in.b - in.a < located*fabs(s))
+		if (fabs(growth) < (sweep->size ? rough : zero) ||
+		    in.b - in.a < (sweep->size ? rough : located)*fabs(s))
 			break;
 		hawser__false_position_take(&in, s, growth);
 	}
@@ -365,6 +387,37 @@ enum hawser_status hawser_damped_follow(struct hawser_damped_sweep *sweep,
 		status = trace(&work, 1, report);
 	if (status)
 		hawser_damped_sweep_clear(sweep);
+	return status;
+}
+
+enum hawser_status hawser__damped_onset(double *value, const struct hawser_scene *scene,
+                                        const struct hawser_damped_sweep_options *options,
+                                        struct hawser_report *report)
+{
+	struct hawser_damped state[2] = {{.n = 0}};
+	struct hawser_damped_sweep to = {.points = options->points, .state = state};
+	struct hawser__damped_pair pair = {.functions = 0};
+	struct hawser_damped_event event = {.value = INFINITY};
+	int size = -1;
+	struct sweep work = {.to = &to, .scene = scene, .options = options, .pair = &pair, .size = &size};
+	enum hawser_status status = HAWSER_OK;
+
+	*value = INFINITY;
+	for (int i = 0; i < options->points && !status && isinf(*value); i++) {
+		to.value = (double[2]){i > 0 ? options->value[i - 1] : NAN, options->value[i]};
+		hawser_damped_clear(&state[0]);
+		state[0] = state[1];
+		state[1] = (struct hawser_damped){.n = 0};
+		status = solve_at(&state[1], &work, options->value[i], &pair, report);
+		if (status || i == 0 || growing(&state[1]) <= growing(&state[0]))
+			continue;
+		/* the largest growth that is not yet positive is the first to be */
+		status = locate_event(&event, &work, 0, growing(&state[0]), report);
+		*value = event.value;
+	}
+	hawser_damped_clear(&state[0]);
+	hawser_damped_clear(&state[1]);
+	hawser__damped_pair_clear(&pair);
 	return status;
 }
 

@@ -160,6 +160,8 @@ static void basin_legend(struct hawser__legend *entries, const struct hawser__ma
 	}
 }
 
+static const double height = 12.0, bottom = 2.7/12.0, top = 0.96; /* cm; parts of it */
+
 static void colour_bar(struct hawser__picture *picture, const struct hawser__map_picture *map)
 {
 	FILE *script = picture->script;
@@ -194,10 +196,10 @@ static void colour_bar(struct hawser__picture *picture, const struct hawser__map
 		even_colours(script);
 	else
 		sided_colours(script, border_part(map, low, high, logarithmic));
-	fprintf(script, "set colorbox user origin screen 0.82, screen up(0.26) size screen 0.025, "
-	                "screen 0.70\nset cbtics out scale 0.5\n");
-	fprintf(script, "set label 1001 '%s' at screen 0.97, screen up(0.61) center rotate by 90\n",
-	        map->title);
+	fprintf(script, "set colorbox user origin screen 0.82, screen up(%.4f) size screen 0.025, "
+	                "screen up(%.4f) - up(%.4f)\nset cbtics out scale 0.5\n", bottom, top, bottom);
+	fprintf(script, "set label 1001 '%s' at screen 0.97, screen up(%.4f) center rotate by 90\n",
+	        map->title, 0.5*(bottom + top));
 }
 
 /* Legend: the stable and unstable colours that occur, the boundaries, and grey for missing
@@ -224,11 +226,12 @@ enum hawser_status hawser__plot_map(const char *path, const struct hawser__map_p
                                     struct hawser_report *report)
 {
 	struct hawser__figure figure = {0};
-	enum hawser_status status = hawser__figure_begin(&figure, path, 17.0, 12.5, report);
+	enum hawser_status status = hawser__figure_begin(&figure, path, 17.0, height, report);
 
 	if (status)
 		return status;
-	hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.13, 0.80, 0.26, 0.96,
+	hawser__figure_panel(&figure, &(struct hawser__panel_frame){
+		0.13, 0.80, bottom, top,
 		.x = {&map->x_axis, map->x[0], map->x[map->nx - 1], .tics = 8},
 		.y = {&map->y_axis, map->y[0], map->y[map->ny - 1], .tics = 8}});
 	colour_bar(&figure.out, map);

@@ -330,8 +330,6 @@ enum hawser_status hawser__start(double *y, struct hawser__orbit *orbit,
 	int failed, far = 0;
 
 	raised->load = -1.0;
-	if (raised->guide && raised->guide->count > 0)
-		return raise_load(y, orbit, &failed, correction, omega, tolerance, raised, report);
 	status = start ? orbit->ops->from_state(orbit, y, start, omega, report)
 	               : linear_response(y, orbit, omega, report);
 	if (status)

@@ -27,8 +27,8 @@ void hawser__way_clear(struct hawser__way *way);
 struct hawser__raised {
 	int lone;    /* only the orbit that grows out of rest with the load is wanted */
 	struct hawser__way *way;         /* of a lone one: orbits that are passed are added; or NULL */
-	const struct hawser__way *guide; /* of a lone one: the way of a model like this, which is tried
-	                                  * first; or NULL */
+	const struct hawser__way *guide; /* of a lone one: the way of a model like this, along which the
+	                                  * load is raised; or NULL */
 	double most; /* work, s (hawser_orbit_work), at which it ends; 0: no limit */
 	double load; /* factor of the load; -1: that was not tried, or other loads would not help */
 	double *x;   /* [m] state of the orbit at this load, where it is above 0 */

@@ -9,14 +9,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include <hawser/damped.h>
 #include <hawser/map.h>
 
 #include "core/report.h"
+#include "modes/complex/damped.h"
 
 enum { SPEEDS = 7, FEW = 4 }; /* modes where the scene does not say how many */
 #define LEAST 1e-3 /* speeds are sought from this multiple of the scene's */
 #define REACH 2.0  /* to this one */
+#define TOLERANCE 1e-6 /* of the modes: a hundredth of the width of a map's brackets */
 
 struct gallop_map {
 	struct hawser_map_source source;
@@ -30,20 +31,12 @@ static enum hawser_status critical_speed(double *speed, double *top, const struc
 {
 	double value[SPEEDS];
 	const struct hawser_damped_sweep_options options = {.key = "wind.speed", .value = value,
-		.points = SPEEDS, .threads = 1, .modes = {.n = modes}};
-	struct hawser_damped_sweep sweep = {.points = 0};
-	enum hawser_status status;
+		.points = SPEEDS, .modes = {.n = modes, .tolerance = TOLERANCE}};
 
 	for (int i = 0; i < SPEEDS; i++)
 		value[i] = (LEAST + (REACH - LEAST)*i/(SPEEDS - 1))*scene->wind.speed;
-	*speed = INFINITY;
 	*top = value[SPEEDS - 1];
-	status = hawser_damped_trace(&sweep, scene, &options, report);
-	for (int e = 0; !status && e < sweep.events; e++)
-		if (sweep.event[e].onset)
-			*speed = fmin(*speed, sweep.event[e].value);
-	hawser_damped_sweep_clear(&sweep);
-	return status;
+	return hawser__damped_onset(speed, scene, &options, report);
 }
 
 static enum hawser_status gallop_point(void *context, struct hawser_map_sample *sample, double *marks,
