@@ -30,6 +30,9 @@ struct hawser_law_point {
 	double model, exact; /* force over (stiffness times coordinate), minus 1; NAN if not found */
 	double error;     /* estimated absolute error of `exact`: how far it moved with the last larger
 	                   * basis */
+	double inertia;   /* the part of its inertia in a motion of this amplitude that the model lacks:
+	                   * what follows as at rest, s = s2 u^2, has the kinetic energy 2 s2^2 u^2 u'^2,
+	                   * and the inertia of u cos(Omega t) is greater by 2 s2^2 u^2 */
 	double tension[2], model_tension[2]; /* smallest and largest on the cable, N; without a
 	                                     * minimum, where it was sought last */
 	int functions;    /* per component, of the basis of `exact` */
@@ -51,7 +54,7 @@ enum hawser_status hawser_law_trace(struct hawser_law_point *point, int count,
 /* What ends the range of a coordinate. */
 enum hawser_range_end {
 	HAWSER_RANGE_UNKNOWN = 0,
-	HAWSER_RANGE_FORCE,     /* the static law of the model is off by HAWSER_LAW_LIMIT */
+	HAWSER_RANGE_FORCE,     /* the static law of the model or its inertia is off by this limit */
 	HAWSER_RANGE_AT_LEAST,  /* nothing: it was not sought further */
 	HAWSER_RANGE_SLACK      /* the cable goes slack */
 };
@@ -59,16 +62,18 @@ enum hawser_range_end {
 struct hawser_rom_range {
 	double largest;   /* largest displacement of the coordinate's shape along the cable, or stroke of
 	                   * an absorber, m for a coordinate of 1 (scaled) */
-	double amplitude; /* m: up to this displacement the static law is within HAWSER_LAW_LIMIT; 0 if
+	double amplitude; /* m: up to this displacement both are within HAWSER_LAW_LIMIT; 0 if
 	                   * not known. Divided by `largest` it is |u_j| */
 	enum hawser_range_end end;
 };
 
 /* Find rom->range[n] of such a model: for each mode the smallest amplitude, in either
  * direction, at which the force of the model differs from the exact one by more than HAWSER_LAW_LIMIT
- * of it. It is sought up to reached[n], the largest |u_j| of a motion (scaled; 0: not sought), or, with
- * NULL, up to half the sag or a twentieth of the span, whichever is larger. Statuses: those above,
- * without _CONVERGENCE: the range of such a mode is not known. */
+ * of it, or the inertia of what follows and is not in the model is that part of the coordinate's own,
+ * so that the frequency of a motion is off by half of it. It is sought up to reached[n], the largest
+ * |u_j| of a motion (scaled; 0: not sought), or, with NULL, up to half the sag or a twentieth of the
+ * span, whichever is larger. Statuses: those above, without _CONVERGENCE: the range of such a mode is
+ * not known. */
 enum hawser_status hawser_law_range(struct hawser_rom *rom, const struct hawser_statics *statics,
                                     const double *reached,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;

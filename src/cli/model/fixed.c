@@ -334,20 +334,22 @@ void cli_range_warn(struct cli_model *model, double *reached)
 		return;
 	}
 	snprintf(text, sizeof text, "coordinate u_%d (%s) moves by up to %.3g m: the force that holds it "
-	         "there at rest, all others relaxed, is that of the cable within %.0f %% up to %.3g m "
-	         "only, and what moves further may be off: take model.energy: exact, or other modes "
+	         "there, all others relaxed, and the inertia of these are right within %.0f %% up to "
+	         "%.3g m only, and what moves further may be off: take model.energy: exact, or other modes "
 	         "(hawser rom prints the range of each)", j + 1, rom->label ? rom->label[j] : "mode",
 	         reached[j]*rom->range[j].largest, 100.0*HAWSER_LAW_LIMIT, rom->range[j].amplitude);
 	free(reached);
 	cli_caution("moves further than the model is right", text);
 }
 
-/* A curve over a key of the scene has other models than that of the scene. */
+/* A curve over a key of the scene has other models than that of the scene; and where the error of the
+ * motions themselves is small, their sizes tell no more. */
 void cli_range_warn_frf(struct cli_model *model, const struct cli_frf_result *result)
 {
 	double *reached;
 
-	if (result->over && cli_over_needs_scene(result->over->axis.key))
+	if ((result->over && cli_over_needs_scene(result->over->axis.key)) ||
+	    (result->error.stated && !hawser_accuracy_poor(&result->error.fixed, 0.0)))
 		return;
 	reached = cli_range_reach(NULL, model, result->frf->coordinate, result->frf->points, model->rom.n);
 	for (int k = 0; k < result->others; k++)

@@ -199,8 +199,18 @@ void hawser__law_exact(struct hawser__law *law, struct hawser_law_point *point)
 		point->end = HAWSER_LAW_NO_EXACT;
 }
 
+/* Sum of the squares of the coordinates that are relaxed. */
+static double moved(const struct hawser__relax *relax, int held)
+{
+	double all = cblas_ddot(relax->N, relax->y, 1, relax->y, 1);
+
+	return all - relax->y[held]*relax->y[held];
+}
+
 void hawser__law_at(struct hawser__law *law, struct hawser_law_point *point)
 {
+	double lacks;
+
 	point->u = point->amplitude/law->rom->range[law->j].largest;
 	point->error = NAN;
 	point->end = HAWSER_LAW_FOUND;
@@ -208,6 +218,8 @@ void hawser__law_at(struct hawser__law *law, struct hawser_law_point *point)
 	if (!hawser__law_force(&point->model, point->model_tension, &law->model, law->j, point->u) &&
 	    !point->end)
 		point->end = HAWSER_LAW_NO_MODEL;
+	lacks = moved(&law->exact[law->basis], law->twin) - moved(&law->model, law->j);
+	point->inertia = 2.0*fmax(lacks, 0.0)/(point->u*point->u);
 }
 
 static enum hawser_status check(const struct hawser_law_point *point, int count,
