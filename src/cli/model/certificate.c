@@ -38,8 +38,7 @@ static enum hawser_status certify_span(struct cli_certificate *certificate,
 }
 
 /* Unless asked for, of models of modes whose error is not large, or not known because of attachments:
- * the exact energy has its own comparison. Damping ratios are of other motions in a mesh than in the
- * exact energy (doc/theory-rom.md). */
+ * the exact energy has its own comparison. */
 static int of_span(const struct cli_frf_result *result, int asked)
 {
 	const struct cli_model *model = result->model;
@@ -48,7 +47,6 @@ static int of_span(const struct cli_frf_result *result, int asked)
 	if (!model->has_scene || asked)
 		return model->has_scene;
 	return !model->automatic && !result->error.compared &&
-	       model->scene.damping.kind != HAWSER_DAMPING_RATIO &&
 	       (isfinite(estimate) ? estimate < large : model->scene.attachments > 0 &&
 	        model->scene.model.condense == HAWSER_CONDENSE_STATIC);
 }

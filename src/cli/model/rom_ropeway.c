@@ -325,9 +325,11 @@ static void carrier_comments(struct hawser__table *table, const struct cli_rom_r
 		hawser__table_comment(table, "the mass of the carriers is at their phase = %.9g m",
 		                      of->st.phase);
 	if (of->carriers == SWINGING)
-		hawser__table_comment(table, "%d carriers swing on hangers of %.9g m, %d on sheaves do not",
-		                      all - on, of->ropeway.hanger, on);
-	else
+		hawser__table_comment(table, "%d carriers swing on hangers of %.9g m", all - on,
+		                      of->ropeway.hanger);
+	if (of->carriers == SWINGING && on > 0)
+		hawser__table_comment(table, "carriers on sheaves do not swing: %d", on);
+	if (of->carriers != SWINGING)
 		hawser__table_comment(table, "carriers do not swing%s", of->ropeway.hanger > 0.0
 		                      ? ": --carriers swinging lets them" : "");
 }

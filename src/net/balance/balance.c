@@ -224,22 +224,20 @@ static void add_linear(double *to, const double *x, int width, double mass, doub
 static void add_modal(struct hawser__mesh_balance *balance, const double *x, double inertia,
                       double damping)
 {
-	const struct hawser__mesh *mesh = balance->mesh;
-	int width = balance->width;
+	int width = balance->width, modes = balance->modes, all = 3*balance->mesh->nodes;
+	size_t size = (size_t)modes*(size_t)width;
+	double *part = balance->modal, *force = part + size;
 
-	for (int j = 0; j < balance->modes; j++) {
-		const double *mode = balance->mode + (size_t)j*(size_t)mesh->unknowns;
-		double *part = balance->series, *force = part + width;
-
-		memset(part, 0, 2*(size_t)width*sizeof *part);
-		for (int i = 0; i < 3*mesh->nodes; i++)
-			if (mesh->unknown[i/3][i%3] >= 0)
-				cblas_daxpy(width, mode[mesh->unknown[i/3][i%3]], x + i*width, 1, part, 1);
-		add_linear(force, part, width, 0.0, damping*balance->rated[j], -2.0*balance->ratio*inertia);
-		for (int i = 0; i < 3*mesh->nodes; i++)
-			if (mesh->unknown[i/3][i%3] >= 0)
-				cblas_daxpy(width, mode[mesh->unknown[i/3][i%3]], force, 1, balance->out + i*width, 1);
-	}
+	if (modes == 0)
+		return;
+	cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, modes, width, all, 1.0, balance->mode, all,
+	            x, width, 0.0, part, width);
+	memset(force, 0, size*sizeof *force);
+	for (int j = 0; j < modes; j++)
+		add_linear(force + j*width, part + j*width, width, 0.0, damping*balance->rated[j],
+		           -2.0*balance->ratio*inertia);
+	cblas_dgemm(CblasRowMajor, CblasTrans, CblasNoTrans, all, width, modes, 1.0, balance->mode, all,
+	            force, width, 1.0, balance->out, width);
 }
 
 /* out += inertia*M x'' + damping*D x'. */

@@ -14,8 +14,9 @@ struct hawser__mesh_balance {
 	double mass_rate;     /* 1/s */
 	double ratio;         /* damping ratio, and the modes of which it is: */
 	int modes;
-	const double *mode;   /* [modes][unknowns] of the mass 1, times the mass */
+	const double *mode;   /* [modes][nodes][3] of the mass 1, times the mass */
 	const double *rated;  /* [modes] 2*ratio*omega, rad/s */
+	double *modal;        /* [2][modes][width] work space */
 	int order, width, rows; /* highest harmonic; coefficients 2*order + 1; samples of a period */
 	size_t size;
 	struct hawser__nodal blocks;

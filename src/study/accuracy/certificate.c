@@ -5,7 +5,8 @@
  * (net/balance). From that of a mesh with half as many elements, whose start is the first one at the
  * nodes of both, the error of second order by their length is taken out, as it is of the model; where
  * one of fourth order might be as large as the distance, a third mesh takes that out too. Four
- * more harmonics on the second mesh, a quarter of the work, tell what the others do.
+ * more harmonics on the second mesh, a quarter of the work, tell what the others do. Peaks of a span's
+ * other points are not corrected: their error is that of the sizes in the motion at the largest one.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -76,6 +77,7 @@ static void add(struct hawser__certifying *w, int *point, const struct hawser_la
 		to->omitted++;
 		return;
 	}
+	w->arc[to->count] = landmark->arc;
 	point[to->count] = point_of(w->frf, landmark);
 	to->item[to->count++] = (struct hawser_certified){.kind = landmark->kind,
 		.probe = landmark->probe, .axis = landmark->axis, .turn = landmark->turn,
@@ -220,6 +222,26 @@ static enum hawser_status extrapolate(struct hawser__certifying *w, struct hawse
 	return status;
 }
 
+/* The sizes of all displacements of the model at a landmark, by its neighbours. */
+static void take_sizes(struct hawser__certifying *w, double arc, int point)
+{
+	const struct hawser_frf *frf = w->frf;
+	int sizes = 3*frf->probes;
+
+	memset(w->size, 0, (size_t)sizes*sizeof *w->size);
+	for (int i = 0; i < 3; i++) {
+		const struct hawser_frf_point *own = &frf->point[point + i - 1];
+		double weight = 1.0;
+
+		for (int k = 0; k < 3; k++)
+			if (k != i)
+				weight *= (arc - frf->point[point + k - 1].arc)/
+				          (own->arc - frf->point[point + k - 1].arc);
+		cblas_daxpy(sizes, weight, frf->probe + (size_t)(point + i - 1)*(size_t)sizes, 1, w->size,
+		            1);
+	}
+}
+
 static enum hawser_status correct_one(struct hawser__certifying *w, struct hawser_certified *item,
                                       int point, struct hawser_report *report)
 {
@@ -251,6 +273,11 @@ static enum hawser_status correct_one(struct hawser__certifying *w, struct hawse
 	status = extrapolate(w, item, omega, size, report);
 	w->to->refused += isnan(item->exact_omega);
 	item->distance = distance_of(omega, size, item);
+	if (item->kind == HAWSER_LANDMARK_PEAK && w->by->modes && isfinite(item->distance)) {
+		take_sizes(w, w->arc[item - w->to->item], point);
+		w->others = fmax(w->others, hawser__finite_others(&w->first, item, item->exact_size/size,
+		                                                  w->size, w->frf->probes));
+	}
 	item->exact_omega *= w->rom->time;
 	item->exact_size /= w->rom->length;
 	return status;
@@ -284,7 +311,7 @@ static enum hawser_status correct_all(struct hawser__certifying *w, const int *p
 	enum hawser_status status = HAWSER_OK;
 
 	to->distance = NAN;
-	to->harmonics = w->worst = 0.0;
+	to->harmonics = w->worst = w->others = 0.0;
 	to->lengths = 0.0;
 	to->refused = 0;
 	for (int i = 0; i < to->count && !status; i++) {
@@ -354,6 +381,7 @@ static enum hawser_status find_order(struct hawser__certifying *w, const int *po
 
 	w->row = hawser__hold(&w->hold, HAWSER__CERTIFIED_PHASES*unknowns, sizeof *w->row);
 	w->series = hawser__hold(&w->hold, HAWSER__CERTIFIED_WIDTH*unknowns, sizeof *w->series);
+	w->size = hawser__hold(&w->hold, 3*(size_t)w->frf->probes, sizeof *w->size);
 	w->u = hawser__hold(&w->hold, HAWSER__CERTIFIED_PHASES*
 	                    (size_t)(w->both.turn ? w->both.source.n : w->rom->n), sizeof *w->u);
 	if (w->hold.short_of_memory)
@@ -432,8 +460,9 @@ enum hawser_status hawser__certified(struct hawser_certificate *certificate,
 		certificate->count = 0;
 	if (!status && certificate->count > 0)
 		status = certify(w, point, bearable, report);
+	certificate->error = certificate->distance < w->others ? w->others : certificate->distance;
+	certificate->error = margin*certificate->error + certificate->harmonics + certificate->lengths;
 	clear(w);
-	certificate->error = margin*certificate->distance + certificate->harmonics + certificate->lengths;
 	certificate->seconds = now() - start;
 	return status;
 }

@@ -27,6 +27,9 @@ struct hawser__finites {
 	struct hawser__finite_mesh {      /* the first one is that of `source` */
 		struct hawser_net net;
 		struct hawser__mesh own;      /* in equilibrium, as that one */
+		double *T;                    /* [elements] N, there */
+		int modes;                    /* with a damping ratio, and they times the mass, their rates: */
+		double *mode, *rated;         /* of `balance` */
 		int *from;                    /* [nodes] the same ones of the first mesh */
 		struct hawser__finite_place *place; /* [probes] the model's points */
 		int opened;
@@ -76,6 +79,10 @@ enum hawser_status hawser__finite_open(struct hawser__finite *finite, struct haw
                                        struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser__finite_clear(struct hawser__finite *finite);
 struct hawser__corrector hawser__finite_corrector(struct hawser__finite *finite);
+/* Largest relative change, from size [points][3] of a model to those of y, of the sizes along the axis
+ * of a peak that are at least half of its own, which grows by the factor `grown`. */
+double hawser__finite_others(struct hawser__finite *finite, const struct hawser_certified *peak,
+                             double grown, const double *size, int points);
 /* The motion y of `other`, on this mesh; from: its nodes there, or NULL: the same. */
 void hawser__finite_copy(double *to, const struct hawser__finite *of, const double *y,
                          const struct hawser__finite *other, const int *from);
@@ -92,8 +99,11 @@ struct hawser__certifying {
 	struct hawser__finite first, second, third, checked; /* third: where it is needed */
 	double *row, *series;          /* [PHASES][unknowns], [unknowns][WIDTH] m */
 	double *start[3];              /* [size of first] */
+	double *size;                  /* [probes][3] of the model at a landmark */
+	double arc[HAWSER_CERTIFIED_MOST]; /* of the landmarks on the curve */
 	double *u;                     /* [PHASES][n] */
 	double left;                   /* of the difference of the meshes */
+	double others;                 /* largest relative error at peaks of other points of a span */
 	double worst;                  /* largest part of the last harmonics in a motion of `second`: */
 	struct hawser_certified at;    /* its landmark, */
 	double *worst_y, *worst_along, worst_bend; /* motion and tangent */

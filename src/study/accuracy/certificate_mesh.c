@@ -12,6 +12,8 @@
 
 enum { SERIES = 2*(HAWSER__CERTIFIED_ORDER + HAWSER__CERTIFIED_MORE) + 1 }; /* coefficients, at most */
 
+static const double large_part = 0.5; /* of the size at a peak: others that count; chosen */
+
 /* --- the corrector of a mesh --- */
 
 static void metric(void *of, const double *y)
@@ -99,6 +101,23 @@ static double size_of(void *of, double *slope, const struct hawser_certified *pe
 	return fabs(x[0]);
 }
 
+double hawser__finite_others(struct hawser__finite *finite, const struct hawser_certified *peak,
+                             double grown, const double *size, int points)
+{
+	struct hawser_certified one = *peak;
+	double worst = 0.0, unused, of = size[3*peak->probe + peak->axis];
+	double larger = size_of(finite, &unused, peak, finite->y, finite->along)/(of*grown);
+
+	for (one.probe = 0; one.probe < points; one.probe++) {
+		double own = size[3*one.probe + one.axis];
+
+		if (own > large_part*of)
+			worst = fmax(worst, fabs(size_of(finite, &unused, &one, finite->y, finite->along)/
+			                         (own*larger) - 1.0));
+	}
+	return worst;
+}
+
 struct hawser__corrector hawser__finite_corrector(struct hawser__finite *finite)
 {
 	return (struct hawser__corrector){.of = finite, .size = finite->balance.size, .metric = metric,
@@ -107,65 +126,100 @@ struct hawser__corrector hawser__finite_corrector(struct hawser__finite *finite)
 
 /* --- meshes --- */
 
-/* Damping ratios of the model's modes, of which phi [n][unknowns] are those of this mesh. */
-static enum hawser_status set_ratio(struct hawser__finite *finite,
-                                    const struct hawser__net_source *source, const double *phi,
-                                    struct hawser_report *report)
+/* The same damping ratio for n modes phi [n][unknowns] of a mesh. */
+static enum hawser_status set_ratio(struct hawser__finites *w, int number, const double *phi,
+                                    const double *omega, int n, struct hawser_report *report)
 {
-	struct hawser__mesh_balance *balance = &finite->balance;
-	size_t unknowns = (size_t)finite->mesh->unknowns, n = (size_t)source->n;
-	double *mode = hawser__hold(&finite->hold, n*unknowns, sizeof *mode);
-	double *rated = hawser__hold(&finite->hold, n, sizeof *rated);
+	struct hawser__finite_mesh *to = &w->mesh[number];
+	const struct hawser__mesh *mesh = number ? &to->own : &w->source.modal.mesh;
+	size_t unknowns = (size_t)mesh->unknowns, all = 3*(size_t)mesh->nodes;
+	double *own = hawser__numbers(unknowns, 1);
 
-	if (!mode || !rated)
-		return hawser__no_memory(report, "certificate");
-	for (size_t j = 0; j < n; j++) {
-		double *own = mode + j*unknowns;
+	to->modes = n;
+	to->mode = hawser__hold(&w->hold, (size_t)n*all, sizeof *to->mode);
+	to->rated = hawser__hold(&w->hold, (size_t)n, sizeof *to->rated);
+	for (int j = 0; own && !w->hold.short_of_memory && j < n; j++) {
+		const double *from = phi + (size_t)j*unknowns;
 
-		hawser__eigen_mass(own, phi + j*unknowns, finite->mesh, 7U);
-		cblas_dscal((int)unknowns, 1.0/sqrt(cblas_ddot((int)unknowns, own, 1, phi + j*unknowns, 1)),
-		            own, 1);
-		rated[j] = 2.0*source->net->ratio*source->modal.modes.omega[source->kept[j]];
+		hawser__eigen_mass(own, from, mesh, 7U);
+		to->rated[j] = 2.0*w->source.net->ratio*omega[j];
+		cblas_dscal((int)unknowns, 1.0/sqrt(cblas_ddot((int)unknowns, own, 1, from, 1)), own, 1);
+		for (size_t i = 0; i < all; i++)
+			if (mesh->unknown[i/3][i%3] >= 0)
+				to->mode[(size_t)j*all + i] = own[mesh->unknown[i/3][i%3]];
 	}
-	balance->mode = mode;
-	balance->rated = rated;
-	balance->modes = source->n;
-	balance->ratio = source->net->ratio;
-	return HAWSER_OK;
+	free(own);
+	return own && !w->hold.short_of_memory ? HAWSER_OK : hawser__no_memory(report, "certificate");
+}
+
+/* Of all modes of the mesh, the ones along the cable too, as models with the exact energy have it. */
+static enum hawser_status rate_all(struct hawser__finites *w, int number, struct hawser_report *report)
+{
+	const struct hawser__mesh *mesh = number ? &w->mesh[number].own : &w->source.modal.mesh;
+	const struct hawser_net *net = number ? &w->mesh[number].net : &w->fine;
+	struct hawser__eigen eigen;
+	enum hawser_status status = hawser__eigen_open(&eigen, mesh, w->mesh[number].T, net,
+	                                               -mesh->unknowns, report);
+
+	if (!status)
+		status = hawser__eigen_dense(&eigen, report);
+	for (int j = 0; j < eigen.found && !status; j++)
+		eigen.value[j] = sqrt(eigen.value[j]);
+	if (!status)
+		status = set_ratio(w, number, eigen.x, eigen.value, eigen.found, report);
+	hawser__eigen_clear(&eigen);
+	return status;
+}
+
+/* Of the modes of the model. */
+static enum hawser_status rate_kept(struct hawser__finites *w, int number, struct hawser_report *report)
+{
+	const struct hawser__net_source *source = &w->source;
+	const struct hawser__mesh *fine = &source->modal.mesh, *own = number ? &w->mesh[number].own : fine;
+	size_t n = (size_t)source->n;
+	double *phi = hawser__numbers(n*(size_t)own->unknowns, 1), *omega = hawser__numbers(n, 1);
+	enum hawser_status status = phi && omega ? HAWSER_OK : hawser__no_memory(report, "certificate");
+
+	for (int i = 0; i < 3*source->n*own->nodes && !status; i++) {
+		int j = i/(3*own->nodes), node = i/3%own->nodes, k = i%3, at = own->unknown[node][k];
+
+		omega[j] = source->modal.modes.omega[source->kept[j]];
+		if (at >= 0)
+			phi[j*own->unknowns + at] = source->mode[(size_t)j*(size_t)fine->unknowns +
+				(size_t)fine->unknown[number ? w->mesh[number].from[node] : node][k]];
+	}
+	if (!status)
+		status = set_ratio(w, number, phi, omega, source->n, report);
+	free(phi);
+	free(omega);
+	return status;
 }
 
 enum hawser_status hawser__finite_open(struct hawser__finite *finite, struct hawser__finites *w,
                                        int number, int order, struct hawser_report *report)
 {
 	const struct hawser__finite_mesh *of = &w->mesh[number];
-	const struct hawser__net_source *source = &w->source;
-	enum hawser_status status;
-	double *phi = NULL;
+	const struct hawser_net *net = w->source.net;
+	struct hawser__mesh_balance *balance = &finite->balance;
+	enum hawser_status status = HAWSER_OK;
 
 	finite->mesh = number ? &w->mesh[number].own : &w->source.modal.mesh;
 	finite->place = of->place;
-	status = hawser__mesh_balance_open(&finite->balance, finite->mesh, source->net->mass_rate, order,
-	                                   report);
+	if (net->ratio > 0.0 && !of->mode)
+		status = w->turn ? rate_all(w, number, report) : rate_kept(w, number, report);
+	if (!status)
+		status = hawser__mesh_balance_open(balance, finite->mesh, net->mass_rate, order, report);
 	if (status)
 		return status;
-	finite->y = hawser__hold(&finite->hold, finite->balance.size, sizeof *finite->y);
-	finite->along = hawser__hold(&finite->hold, finite->balance.size, sizeof *finite->along);
-	if (number && source->net->ratio > 0.0)
-		phi = hawser__hold(&finite->hold, (size_t)source->n*(size_t)finite->mesh->unknowns,
-		                   sizeof *phi);
-	if (finite->hold.short_of_memory)
-		return hawser__no_memory(report, "certificate");
-	for (int i = 0; phi && i < 3*source->n*finite->mesh->nodes; i++) {
-		int j = i/(3*finite->mesh->nodes), node = i/3%finite->mesh->nodes, k = i%3;
-		int at = finite->mesh->unknown[node][k];
-
-		if (at >= 0)
-			phi[j*finite->mesh->unknowns + at] = source->mode[
-				(size_t)j*(size_t)source->modal.mesh.unknowns +
-				(size_t)source->modal.mesh.unknown[of->from[node]][k]];
-	}
-	return source->net->ratio > 0.0 ? set_ratio(finite, source, phi ? phi : source->mode, report)
-	                                : HAWSER_OK;
+	balance->mode = of->mode;
+	balance->rated = of->rated;
+	balance->modes = of->modes;
+	balance->ratio = net->ratio;
+	balance->modal = hawser__hold(&finite->hold, 2*(size_t)of->modes*(size_t)balance->width + 1,
+	                              sizeof(double));
+	finite->y = hawser__hold(&finite->hold, balance->size, sizeof *finite->y);
+	finite->along = hawser__hold(&finite->hold, balance->size, sizeof *finite->along);
+	return finite->hold.short_of_memory ? hawser__no_memory(report, "certificate") : HAWSER_OK;
 }
 
 void hawser__finite_clear(struct hawser__finite *finite)
@@ -203,19 +257,18 @@ static enum hawser_status open_mesh(struct hawser__finites *w, int number, const
 	const struct hawser__mesh_options choice = {.method = NULL};
 	struct hawser__finite_mesh *to = &w->mesh[number];
 	struct hawser__equilibrium found;
-	double *T;
 	enum hawser_status status = hawser__net_finer(&to->net, net, halvings, report);
 
 	if (!status)
 		status = hawser__mesh_build(&to->own, &to->net, report);
 	if (status)
 		return status;
-	T = hawser__hold(&w->hold, (size_t)to->own.elements, sizeof *T);
+	to->T = hawser__hold(&w->hold, (size_t)to->own.elements, sizeof *to->T);
 	to->from = hawser__hold(&w->hold, (size_t)to->own.nodes, sizeof *to->from);
 	to->place = hawser__hold(&w->hold, hawser__net_points(&w->fine), sizeof *to->place);
 	if (w->hold.short_of_memory)
 		return hawser__no_memory(report, "certificate");
-	status = hawser__mesh_form(&to->own, T, &found, &to->net, &choice, report);
+	status = hawser__mesh_form(&to->own, to->T, &found, &to->net, &choice, report);
 	hawser__absorbers_release(&to->own, HAWSER__NET_SPACE);
 	if (!status)
 		status = hawser__net_multiples(&to->own, net->name, report);
@@ -261,6 +314,7 @@ enum hawser_status hawser__finites_open(struct hawser__finites *w,
 	enum hawser_status status = hawser__net_source_open(&w->source, &w->fine, &w->answers, by->net,
 	                                                    by->options, report);
 
+	w->mesh[0].T = w->source.modal.T;
 	if (!status)
 		status = find_nodes(w, report);
 	return status ? status : open_mesh(w, 1, by->halved ? by->halved : by->net, !by->halved, report);

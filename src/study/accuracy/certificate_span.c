@@ -20,8 +20,6 @@ enum { PARTS = 48, /* elements, half of them in the second mesh; chosen: twice a
        UNIT = 8,  /* of them, in each part between attachments; of the second mesh: net_finer.c */
        WIDER = 2 }; /* modes of the mesh beyond as many as the span's, which may have another order */
 
-static const double others = 0.25; /* of a distance, what peaks of other points may be off by more;
-                                    * chosen by the cables of bench/practical.py */
 static const double round_off = 1e-9; /* of places in elements */
 
 /* Mode j of the span at the nodes of the mesh, m per unit of its coordinate. */
@@ -180,7 +178,6 @@ enum hawser_status hawser_span_certify(struct hawser_certificate *certificate,
 		status = mesh_of(&half, scene, &modes->statics, 1, report);
 	if (!status)
 		status = hawser__certified(certificate, &by, rom, frf, peak, peaks, bearable, report);
-	certificate->error += others*certificate->distance;
 	hawser_net_clear(&net);
 	hawser_net_clear(&half);
 	return status;
