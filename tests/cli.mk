@@ -37,6 +37,7 @@ CLI_TESTS = \
 	%D%/cli/net-plan.sh \
 	%D%/cli/net-attached.sh \
 	%D%/cli/net-rom.sh \
+	%D%/cli/net-wind.sh \
 	%D%/cli/section.sh \
 	%D%/cli/map.sh \
 	%D%/cli/pairs.sh \

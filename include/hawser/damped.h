@@ -82,6 +82,17 @@ enum hawser_status hawser_damped_trace(struct hawser_damped_sweep *sweep,
                                        const struct hawser_scene *scene,
                                        const struct hawser_damped_sweep_options *options,
                                        struct hawser_report *report) HAWSER_MUST_CHECK;
+/* The same of anything else, whose damped modes `solve` finds at a value; of the options `key`, which
+ * only messages name, and the values. */
+struct hawser_damped_source {
+	enum hawser_status (*solve)(void *context, struct hawser_damped *damped, double value,
+	                            struct hawser_report *report);
+	void *context;
+};
+enum hawser_status hawser_damped_follow(struct hawser_damped_sweep *sweep,
+                                        const struct hawser_damped_source *source,
+                                        const struct hawser_damped_sweep_options *options,
+                                        struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser_damped_sweep_clear(struct hawser_damped_sweep *sweep);
 
 #ifdef __cplusplus

@@ -45,6 +45,7 @@ struct hawser_line_mass {
 	double mass;       /* kg */
 	double hanger;     /* m, length of the pendulum by which it hangs; 0: on the rope */
 	double body;       /* kg, which have inertia but no weight: that is in rho and g; of modes only */
+	double hung;       /* N, with which the body pulls at the hanger; of models only */
 };
 
 enum hawser_line_given {

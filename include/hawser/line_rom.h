@@ -5,7 +5,8 @@
  * The strain energy of spans and arcs, the motion of the points at which the rope leaves the
  * sheaves, and the static response of the modes that are not kept are in the tensors Q and C
  * (doc/theory-ropeway-response.md); what the load makes of these modes is in `answer` and `known`
- * of its harmonics, and changes displacements and tensions only. A model is that of contacts that stay:
+ * of its harmonics, and changes displacements and tensions only. Masses on hangers swing, but for those
+ * on sheaves. A model is that of contacts that stay:
  * hawser_line_rom_lift says up to which amplitude they do.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -62,7 +63,7 @@ void hawser_line_rom_settle(struct hawser_line_rom_options *options);
  * middles of the spans, "span_1" and so on over all lanes, and the line has the ends and the
  * middle of every piece. *rom and *modes are overwritten; release them with hawser_rom_clear and
  * hawser_line_modes_clear. Statuses of hawser_line_modes_solve; HAWSER_ERR_ARGUMENT also for what
- * the model does not cover: a rope that runs, hangers, sheaves of radius 0, contact roll, a loop
+ * the model does not cover: a rope that runs, sheaves of radius 0, contact roll, a loop
  * that circulates freely. */
 enum hawser_status hawser_line_rom_build(struct hawser_rom *rom, struct hawser_line_modes *modes,
                                          const struct hawser_line_statics *const *lane, int lanes,

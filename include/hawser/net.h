@@ -36,6 +36,7 @@ struct hawser_net_node {
 	double mass;        /* kg */
 	double hung, hanger; /* kg, m: of the scene, which is read as a node and a cable of their own */
 	struct hawser_water_buoy buoy; /* its mass is in `mass` too */
+	int body;           /* 1 + number of the rigid body it is of, which holds it; 0: none */
 	double damper[3];   /* N s/m, to the ground, along x, y, z */
 	double spring[3];   /* N/m, to the ground, without force in the equilibrium */
 	char *table;        /* file with the motion of the support, or NULL */
@@ -52,6 +53,9 @@ struct hawser_net_cable {
 	double dynamic, viscosity; /* N, N s: a spring of EA `dynamic` in line with one beside a dashpot, so
 	                     * that all are EA at rest; 0: none */
 	struct hawser_water_line line;
+	const struct hawser_wind *wind; /* its section in the wind, of net->wind; NULL: it is not in it */
+	int rod;            /* 1 + number of the body of which it is a straight part, without tension; 0:
+	                     * none */
 	double axial;       /* s, of its own, beside that of the net: a damper */
 	double damper;      /* N s/m, of the scene, and in `axial` too */
 	enum hawser_net_given given;
@@ -143,6 +147,15 @@ struct hawser_net_absorber {
 	double direction[3]; /* a unit vector */
 };
 
+/* Nodes that a rigid body holds together. A support among them is a hinge, two are an axis. */
+struct hawser_net_body {
+	char name[HAWSER_NET_NAME];
+	int *node, nodes;   /* [nodes] of the net */
+	double mass, inertia[3]; /* kg; kg m^2, about its axes: beside the masses of nodes and rods */
+	double centre[3];   /* m, of that mass */
+	double axes[3][3];  /* rows: unit vectors; those of the scene where it is as in the scene */
+};
+
 struct hawser_net {
 	char *name;         /* of the file */
 	double g;
@@ -168,7 +181,12 @@ struct hawser_net {
 	int failures, winches;
 	struct hawser_net_absorber *absorber; /* [absorbers] */
 	int absorbers;
+	struct hawser_net_body *body; /* [bodies] */
+	int bodies;
 	struct hawser_water water;
+	struct hawser_wind *wind; /* [winds] the wind, then those with the sections of cables of their own
+	                           * (scene.h); owned */
+	int winds;                /* 0: none */
 };
 
 /* Read a scene of kind `net`; `set` has overrides, such as "cables.c1.EA=100 MN". */
@@ -226,6 +244,8 @@ struct hawser_net_statics {
 	double (*reaction)[3]; /* [nodes] forces of the supports on the net, N; 0 where nothing is held */
 	struct hawser_net_member *member; /* [cables] */
 	struct hawser_net_contact *contact; /* [contacts] touches: nodes of the net, then along cables */
+	struct hawser_net_body *body; /* [bodies] as they are now, without a list of nodes */
+	int bodies;
 	double apart;          /* m: largest penetration of an obstacle, or gap of a node that touches */
 	struct hawser_net_point *point;   /* [points] along cable 0, cable 1 and so on */
 	double energy;         /* J: strain energy minus loads times positions */
@@ -273,8 +293,9 @@ struct hawser_net_stiffness {
 	double asymmetry; /* largest |K_ij - K_ji| over sqrt(|K_ii K_jj|) + |K_ij| + |K_ji|: of friction
 	                   * that slides, or of turns, where moments act; else round-off */
 };
-/* Of the nodes node [nodes]; about [3], m, or NULL: size 3. A net without equilibrium fails as
- * hawser_net_solve does. */
+/* Of the nodes node [nodes], and all others of their rigid bodies; about [3], m, or NULL: size 3, or
+ * of a body 6 about its hinge or, without one, the mean of its nodes in the equilibrium. A net without
+ * equilibrium fails as hawser_net_solve does. */
 enum hawser_status hawser_net_stiffness_of(struct hawser_net_stiffness *stiffness,
                                            const struct hawser_net *net,
                                            const int *node, int nodes, const double *about,

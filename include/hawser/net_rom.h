@@ -13,6 +13,7 @@
 #ifndef HAWSER_NET_ROM_H
 #define HAWSER_NET_ROM_H
 
+#include <hawser/damped.h>
 #include <hawser/net_motion.h>
 #include <hawser/rom.h>
 
@@ -33,6 +34,7 @@ struct hawser_net_rom_options {
 	int bare;           /* 1: the same, and the static response to the load of the modes that are not
 	                     * kept changes the stiffness alone, without a field of the energy: for
 	                     * comparison */
+	int linear;         /* 1: K and D alone, of small motions; not compiled */
 	int *alone;         /* [1] or NULL: becomes 1 where the model is of one mesh though `raw` is 0,
 	                     * else 0 */
 };
@@ -48,6 +50,12 @@ enum hawser_status hawser_net_rom_build(struct hawser_rom *rom, struct hawser_mo
                                         const struct hawser_net *net,
                                         const struct hawser_net_rom_options *options,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* Damped modes of the net about its equilibrium, in the wind too; release with hawser_damped_clear.
+ * `basis` is the number of modes without damping that they are sums of. Statuses of
+ * hawser_net_rom_build, HAWSER_ERR_CONVERGENCE. */
+enum hawser_status hawser_net_damped_solve(struct hawser_damped *damped, const struct hawser_net *net,
+                                           int n, struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* A motion of a model, as a motion of the whole net. */
 struct hawser_net_rom_motion {

@@ -142,7 +142,7 @@ struct hawser_case {
 /* Wind across the cable: f = density diameter/2 |p| (C_D p + C_L R p) per unstretched length, with the
  * air's velocity p relative to the cable and normal to it, and its quarter turn R p, upwards for a wind
  * across the span (doc/theory-rom.md, "Wind"). */
-enum { HAWSER_WIND_POWERS = 10, HAWSER_WIND_ROWS = 64 };
+enum { HAWSER_WIND_POWERS = 10, HAWSER_WIND_ROWS = 256 };
 enum hawser_wind_form { HAWSER_WIND_CUBIC = 0, HAWSER_WIND_EXACT };
 struct hawser_wind {
 	int present;

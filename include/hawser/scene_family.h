@@ -4,6 +4,7 @@
 #define HAWSER_SCENE_FAMILY_H
 
 #include <hawser/family.h>
+#include <hawser/net_rom.h>
 #include <hawser/scene.h>
 
 #ifdef __cplusplus
@@ -27,6 +28,21 @@ enum hawser_status hawser_scene_plane_open(struct hawser_rom_plane *plane,
                                            const char *const key[2], const double from[2],
                                            const double to[2], const double at[2], double omega,
                                            struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* The same of a net, which `make` gives at a value of the parameter, with the same elements; the family
+ * clears it. Coordinates are those of the options at the value `first`, in its units. Release with
+ * hawser_net_family_close. HAWSER_ERR_NO_SOLUTION: the modes become others. */
+struct hawser_net_at {
+	enum hawser_status (*make)(void *context, struct hawser_net *net, double p,
+	                           struct hawser_report *report);
+	void *context;
+};
+enum hawser_status hawser_net_family_open(struct hawser_rom_family *family,
+                                          const struct hawser_net_at *at,
+                                          const struct hawser_net_rom_options *options, double from,
+                                          double to, double first, double omega,
+                                          struct hawser_report *report) HAWSER_MUST_CHECK;
+void hawser_net_family_close(struct hawser_rom_family *family);
 
 #ifdef __cplusplus
 }

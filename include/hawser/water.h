@@ -21,6 +21,8 @@ struct hawser_water_level {
 struct hawser_water {
 	double density; /* kg/m^3; 0: there is no water */
 	double surface; /* m, mean level: above it is no water */
+	int air;        /* 1: it is the wind of a net, everywhere, without buoyancy and added mass; its
+	                 * force is on the cables' sections (struct hawser_net_cable, wind) */
 	double depth;   /* m, below the surface; infinite: deep; 0: not given */
 	struct hawser_water_level *current; /* [levels] upwards, linear between, and as at the ends beyond
 	                                     * them; owned */

@@ -107,6 +107,7 @@ enum hawser_status hawser__curve_step(struct hawser__curve *curve, double *taken
  * stability of a beam, of a locus of an autonomous model, of invariant circles. */
 extern const struct hawser__step_settings hawser__frf_steps;
 extern const struct hawser__step_settings hawser__exact_steps;
+extern const struct hawser__step_settings hawser__known_steps;
 extern const struct hawser__step_settings hawser__folds_steps;
 extern const struct hawser__step_settings hawser__backbone_steps;
 extern const struct hawser__step_settings hawser__boundary_steps;

@@ -28,6 +28,13 @@ const struct hawser__step_settings hawser__exact_steps = {
 	.goal_contraction = 0.05, .goal_angle = 0.3, .goal_distance = 1e-2, .distance_order = 6
 };
 
+/* The same through orbits that are known (response/branch/orbits.c), which are .3 rad apart: every
+ * second of them tells as much of the multipliers, and of peaks to 1e-4. */
+const struct hawser__step_settings hawser__known_steps = {
+	.smallest = 1e-9, .after_failure = 0.4, .after_refusal = 0.5, .slowest = 0.4, .fastest = 1.8,
+	.goal_contraction = 0.05, .goal_angle = 0.7, .goal_distance = 1e-2, .distance_order = 6
+};
+
 /* A point costs five times that of a response, and its predictor is of lower order. */
 const struct hawser__step_settings hawser__folds_steps = {
 	.smallest = 1e-9, .after_failure = 0.5, .after_refusal = 0.5, .slowest = 0.4, .fastest = 1.8,

@@ -30,14 +30,18 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/statics/interior.c \
 	%D%/modes/lanczos.c \
 	%D%/read/absorbed.c \
+	%D%/read/bodies.c \
 	%D%/read/events.c \
 	%D%/read/loads.c \
 	%D%/read/passing.c \
 	%D%/read/pulled.c \
 	%D%/read/water.c \
+	%D%/read/blown.c \
 	%D%/statics/history.c \
 	%D%/motion/integrate.c \
 	%D%/absorbers.c \
+	%D%/body.c \
+	%D%/body.h \
 	%D%/law.c \
 	%D%/mesh.c \
 	%D%/statics/mesh-error.c \
@@ -47,6 +51,8 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/motion/motion.h \
 	%D%/motion/motion-attached.c \
 	%D%/motion/motion-bed.c \
+	%D%/motion/motion-body.c \
+	%D%/motion/motion-body.h \
 	%D%/motion/motion-chain.c \
 	%D%/motion/motion-contact.c \
 	%D%/motion/motion-contact.h \
@@ -93,6 +99,7 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/span/span-statics.c \
 	%D%/statics/sparse.c \
 	%D%/statics/start.c \
+	%D%/statics/seat.c \
 	%D%/statics/stiffness.c \
 	%D%/statics/statics.c \
 	%D%/modes/symmetry.c \
@@ -117,6 +124,7 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/waves/linear.c \
 	%D%/waves/linear.h \
 	%D%/waves/response.c \
-	%D%/water/water.h
+	%D%/water/water.h \
+	%D%/water/wind.c
 # the table of keys, data alone, which the library of the scene has
 src_scene_libscene_la_SOURCES += %D%/read/net_rows.c

@@ -16,6 +16,7 @@
 #include <unistd.h>
 
 #include "core/report.h"
+#include "net/body.h"
 #include "net/water/water.h"
 
 /* Bytes that the statics of an element take, with the factors: measured on nets of Table 3.1. */
@@ -50,7 +51,8 @@ static enum hawser_status count(struct hawser__mesh *mesh, const struct hawser_n
 		                    need/1073741824.0, have/1073741824.0);
 	mesh->cables = net->cables;
 	mesh->elements = (int)elements;
-	mesh->nodes = net->nodes + mesh->elements - net->cables + net->absorbers;
+	mesh->nodes = net->nodes + mesh->elements - net->cables + net->absorbers +
+	              HAWSER__BODY_POINTS*net->bodies;
 	return HAWSER_OK;
 }
 
@@ -80,6 +82,7 @@ static enum hawser_status allocate(struct hawser__mesh *mesh, const struct hawse
 	mesh->axial = hawser__hold(&mesh->hold, elements, sizeof *mesh->axial);
 	mesh->q = hawser__hold(&mesh->hold, nodes, sizeof *mesh->q);
 	mesh->unknown = hawser__hold(&mesh->hold, nodes, sizeof *mesh->unknown);
+	mesh->rigid = hawser__hold(&mesh->hold, nodes, sizeof *mesh->rigid);
 	mesh->mass = hawser__hold(&mesh->hold, nodes, sizeof *mesh->mass);
 	mesh->damper = hawser__hold(&mesh->hold, nodes, sizeof *mesh->damper);
 	mesh->spring = hawser__hold(&mesh->hold, nodes, sizeof *mesh->spring);
@@ -108,8 +111,12 @@ static void chain(struct hawser__mesh *mesh, const struct hawser_net_cable *cabl
 		mesh->rho[e] = cable->rho;
 		mesh->axial[e] = axial + cable->axial;
 		mesh->length0[e] = cable->given == HAWSER_NET_LENGTH0 ? cable->value/n : 0.0;
-		for (int k = 0; i < n - 1 && k < 3; k++)
+		for (int k = 0; i < n - 1 && k < 3; k++) {
 			mesh->q[node + i][k] = a[k] + (b[k] - a[k])*(i + 1)/n;
+			mesh->unknown[node + i][k] = cable->rod ? -1 : 0;
+		}
+		if (i < n - 1)
+			mesh->rigid[node + i] = cable->rod;
 	}
 }
 
@@ -194,6 +201,7 @@ enum hawser_status hawser__mesh_build(struct hawser__mesh *mesh, const struct ha
 	for (int i = 0; i < net->nodes; i++) {
 		memcpy(mesh->q[i], net->node[i].x, sizeof mesh->q[i]);
 		mesh->mass[i] = net->node[i].mass;
+		mesh->rigid[i] = net->node[i].body;
 		memcpy(mesh->damper[i], net->node[i].damper, sizeof mesh->damper[i]);
 		memcpy(mesh->spring[i], net->node[i].spring, sizeof mesh->spring[i]);
 		for (int k = 0; k < 3; k++)
@@ -205,6 +213,7 @@ enum hawser_status hawser__mesh_build(struct hawser__mesh *mesh, const struct ha
 		mesh->first[i + 1] = mesh->first[i] + net->cable[i].elements;
 	}
 	hawser__absorbers_open(mesh, net, node);
+	hawser__bodies_open(mesh, net, node + net->absorbers);
 	hawser__mesh_number(mesh);
 	status = hawser__water_open(mesh, net, report);
 	if (status) {

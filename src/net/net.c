@@ -30,6 +30,10 @@ void hawser_net_clear(struct hawser_net *net)
 	free(net->failure);
 	free(net->winch);
 	free(net->absorber);
+	free(net->wind);
+	for (int i = 0; i < net->bodies; i++)
+		free(net->body[i].node);
+	free(net->body);
 	free(net->water.current);
 	free(net->water.file);
 	hawser_waves_clear(&net->water.waves);

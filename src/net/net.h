@@ -35,6 +35,7 @@ struct hawser__mesh {
 	int (*unknown)[3];     /* [nodes] index of the unknown of each direction; -1 if it is held */
 	double (*frame)[3][3]; /* [nodes] rows: these directions, unit vectors at right angles to each
 	                        * other; NULL: the axes. Set for modes alone (hawser__touch_hold) */
+	int *rigid;            /* [nodes] 1 + number of the body it is of, which holds it; 0: none */
 	double *mass;          /* [nodes] point masses, kg, without the cables */
 	double (*damper)[3], (*spring)[3]; /* [nodes] N s/m, N/m: to the ground */
 	double (*force)[3];    /* [nodes] weight (of cables, half to each end, and point masses) and

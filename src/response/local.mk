@@ -54,6 +54,8 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/floquet/floquet.c \
 	%D%/floquet/floquet.h \
 	%D%/family/factor.c \
+	%D%/family/keep.c \
+	%D%/family/keep.h \
 	%D%/family/plane.c \
 	%D%/family/parameter.c \
 	%D%/family/numbers.c %D%/family/numbers.h %D%/family/smooth.c %D%/family/smooth.h \
@@ -142,6 +144,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/floquet/monodromy_step.c \
 	%D%/orbit/newton.c \
 	%D%/branch/normal_form.c \
+	%D%/branch/orbits.c \
 	%D%/time/nystrom.c \
 	%D%/time/nystrom.h \
 	%D%/floquet/periodic.c \
@@ -165,6 +168,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/branch/subharmonic.c \
 	%D%/orbit/start.c \
 	%D%/orbit/start.h \
+	%D%/orbit/way.c \
 	%D%/branch/station.c \
 	%D%/branch/station.h \
 	%D%/branch/step.c \

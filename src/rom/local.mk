@@ -104,12 +104,14 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/build/model.h \
 	%D%/build/net.c \
 	%D%/build/net.h \
+	%D%/build/net_damped.c \
 	%D%/build/net_fill.c \
 	%D%/build/net_finer.c \
 	%D%/build/net_inertia.c \
 	%D%/build/net_lift.c \
 	%D%/build/net_load.c \
 	%D%/build/net_place.c \
+	%D%/build/net_wind.c \
 	%D%/file/open.c \
 	%D%/condense/order.c \
 	%D%/condense/order.h \

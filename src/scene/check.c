@@ -8,6 +8,7 @@
 
 #include "scene/keys.h"
 #include "scene/reader.h"
+#include "scene/wind_read.h"
 
 struct checked {
 	struct hawser__reader *reader;
@@ -188,10 +189,6 @@ static enum hawser_status wind(const struct checked *of)
 	if (zero(wind->direction))
 		return hawser__reader_fail(of->reader, place(of, "wind.direction"), "wind.direction is [0, 0, "
 		                           "0]: give a direction, such as [0, 0, 1] across the span");
-	if (wind->tables && (given(of, "wind.drag") || given(of, "wind.lift")))
-		return hawser__reader_fail(of->reader, place(of, "wind.table"), "wind.table contradicts "
-		                           "wind.%s: drag and lift are a table or sums of powers, remove one "
-		                           "of them", given(of, "wind.drag") ? "drag" : "lift");
 	if (wind->wake.present && wind->wake.fluid_damping > 0.0 &&
 	    (wind->tables || wind->crises || given(of, "wind.drag") || given(of, "wind.lift")))
 		return hawser__reader_fail(of->reader, place(of, "wind.wake"), "wind.wake.fluid_damping = %g "
@@ -206,13 +203,7 @@ static enum hawser_status wind(const struct checked *of)
 		return hawser__reader_fail(of->reader, place(of, "wind.profile"), "wind.profile contradicts "
 		                           "wind.wake.at: modes, which have one speed each: give a number of "
 		                           "places, such as at: 16");
-	if (!wind->tables && !wind->crises && !wind->wake.present && !given(of, "wind.drag"))
-		return hawser__reader_fail(of->reader, place(of, "wind"), "wind has no drag: give wind.drag, "
-		                           "or wind.table, such as drag: 1.2 of a round cable");
-	if ((wind->crises > 0) != (wind->viscosity > 0.0))
-		return hawser__reader_fail(of->reader, place(of, "wind"), "wind.reynolds and wind.viscosity "
-		                           "belong together: give both, or none (air: 1.5e-5 m^2/s)");
-	return HAWSER_OK;
+	return hawser__wind_check(of->reader, wind, hawser__tree_at(of->root, "wind"), "wind");
 }
 
 /* 1 if an attachment has no effect. */

@@ -63,12 +63,12 @@ const char *hawser_kind_name(enum hawser_kind kind)
 	       : kind == HAWSER_KIND_MODEL ? "model" : NULL;
 }
 
-/* 1 if an obstacle is a plane or a segment: such spans are meshes. */
+/* 1 if an obstacle is a plane, a profile or a segment: such spans are meshes. */
 static int has_flat(const struct hawser__tree *tree)
 {
 	for (const struct hawser__tree *child = tree ? tree->child : NULL; child; child = child->next)
-		if ((child->name && (!strcmp(child->name, "plane") || !strcmp(child->name, "segment"))) ||
-		    has_flat(child))
+		if ((child->name && (!strcmp(child->name, "plane") || !strcmp(child->name, "segment") ||
+		                     !strcmp(child->name, "profile"))) || has_flat(child))
 			return 1;
 	return 0;
 }
@@ -76,16 +76,19 @@ static int has_flat(const struct hawser__tree *tree)
 static enum hawser_kind kind_of(const struct hawser__tree *tree)
 {
 	struct hawser__kind_sign sign;
+	int mesh = has_flat(hawser__tree_find(tree, "obstacles")) ||
+	           (hawser__tree_find(tree, "water") && hawser__tree_find(tree, "span"));
 
 	for (int i = 0; hawser__kind_sign(&sign, i); i++) {
 		const struct hawser__tree *found = hawser__tree_find(tree, sign.key);
 
 		if (!found || (sign.word && (!found->text || strcmp(found->text, sign.word) != 0)))
 			continue;
-		return sign.kind == HAWSER_KIND_OBSTACLES &&
-		       has_flat(hawser__tree_find(tree, "obstacles")) ? HAWSER_KIND_NET : sign.kind;
+		return mesh && (sign.kind == HAWSER_KIND_OBSTACLES ||
+		                (sign.kind == HAWSER_KIND_SPAN && hawser__tree_find(tree, "water")))
+		       ? HAWSER_KIND_NET : sign.kind;
 	}
-	return HAWSER_KIND_SPAN;
+	return mesh && hawser__tree_find(tree, "water") ? HAWSER_KIND_NET : HAWSER_KIND_SPAN;
 }
 
 static const char *skip_blanks(const char *at, const char *end)

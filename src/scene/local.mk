@@ -30,6 +30,8 @@ noinst_LTLIBRARIES += %D%/libscene.la
 	%D%/units_common.c \
 	%D%/units.h \
 	%D%/units_explain.c \
+	%D%/wind_read.c \
+	%D%/wind_read.h \
 	%D%/write.c
 
 # Writes hawser-scene(5) from the table of keys; man/local.mk runs it.

@@ -10,6 +10,7 @@
 #include "core/report.h"
 #include "scene/keys.h"
 #include "scene/reader.h"
+#include "scene/wind_read.h"
 
 enum { SIZE_LIMIT = 1 << 20 };
 
@@ -53,75 +54,6 @@ static enum hawser_status series(struct hawser__reader *reader, struct hawser_sc
 		status = hawser__tree_number(reader, &value[n], one, what, "1", row->range);
 	}
 	*hawser__series(scene, row->at) = n;
-	return status;
-}
-
-/* Rows [most][columns] of numbers whose first ones ascend. The unit is that of the first one. */
-struct rows {
-	const char *key, *unit;
-	int columns, least;
-	double *value;
-	int *count;
-};
-
-static enum hawser_status row_of(struct hawser__reader *reader, const struct rows *rows,
-                                 const struct hawser__tree *tree, const char *what, double *to)
-{
-	char of[HAWSER__TEXT_ROOM];
-	const struct hawser__tree_key *row;
-	const struct hawser__tree *one = tree->child;
-	enum hawser_status status = HAWSER_OK;
-
-	snprintf(of, sizeof of, "span.%s[]", rows->key);
-	row = hawser__tree_next(NULL, of);
-	if (tree->kind != HAWSER__SEQUENCE || tree->children != rows->columns)
-		return hawser__reader_fail(reader, &tree->at, "%s must be a list of %d numbers: %s", what,
-		                           rows->columns, row->doc);
-	for (int c = 0; c < rows->columns && !status; c++, one = one->next)
-		status = hawser__tree_number(reader, &to[c], one, what, c ? "1" : rows->unit, row->range);
-	return status;
-}
-
-static enum hawser_status read_rows(struct hawser__reader *reader, const struct rows *rows,
-                                    const struct hawser__tree *root)
-{
-	const struct hawser__tree *tree = hawser__tree_at(root, rows->key);
-	enum hawser_status status = HAWSER_OK;
-	double *to = rows->value;
-	int n = 0;
-
-	if (!tree)
-		return HAWSER_OK;
-	if (tree->children < rows->least || tree->children > HAWSER_WIND_ROWS)
-		return hawser__reader_fail(reader, &tree->value, "%s has %d rows: give %d to %d", rows->key,
-		                           tree->children, rows->least, HAWSER_WIND_ROWS);
-	for (const struct hawser__tree *one = tree->child; one && !status; one = one->next, n++) {
-		char what[40];
-
-		snprintf(what, sizeof what, "%.20s[%d]", rows->key, n);
-		status = row_of(reader, rows, one, what, to);
-		if (!status && n > 0 && !(to[0] > to[-rows->columns]))
-			return hawser__reader_fail(reader, &one->at, "%s begins with %g, which is not above the "
-			                           "%g of the row before: write the rows in ascending order", what,
-			                           to[0], to[-rows->columns]);
-		to += rows->columns;
-	}
-	*rows->count = n;
-	return status;
-}
-
-/* Lists of the wind. */
-static enum hawser_status wind(struct hawser__reader *reader, struct hawser_wind *wind,
-                               const struct hawser__tree *root)
-{
-	const struct rows rows[] = {
-		{"wind.profile", "1", 2, 1, wind->profile[0], &wind->profiles},
-		{"wind.table", "rad", 3, 3, wind->table[0], &wind->tables},
-		{"wind.reynolds", "1", 2, 3, wind->reynolds[0], &wind->crises}};
-	enum hawser_status status = HAWSER_OK;
-
-	for (size_t i = 0; i < sizeof rows/sizeof *rows && !status; i++)
-		status = read_rows(reader, &rows[i], root);
 	return status;
 }
 
@@ -219,6 +151,7 @@ static enum hawser_status interpret(struct hawser__reader *reader, void *to,
                                     const struct hawser__tree *root)
 {
 	struct hawser_scene *scene = to;
+	const struct hawser__tree *wind = hawser__tree_find(root, "wind");
 	const struct hawser__items *list;
 	enum hawser_status status = foreign(reader, root);
 
@@ -228,12 +161,8 @@ static enum hawser_status interpret(struct hawser__reader *reader, void *to,
 		         : hawser__tree_fill(reader, scene, root, "", "span");
 	if (!status && scene->damping.kind == HAWSER_DAMPING_RATIO)
 		status = series(reader, scene, root, "damping.ratio", HAWSER_RATIOS);
-	if (!status)
-		status = series(reader, scene, root, "wind.drag", HAWSER_WIND_POWERS);
-	if (!status)
-		status = series(reader, scene, root, "wind.lift", HAWSER_WIND_POWERS);
-	if (!status)
-		status = wind(reader, &scene->wind, root);
+	if (!status && wind)
+		status = hawser__wind_lists(reader, &scene->wind, wind, "wind", "span.wind");
 	for (int i = 0; (list = hawser__list_row(i)) && !status; i++) {
 		const struct hawser__tree *tree = hawser__tree_find(root, list->name);
 

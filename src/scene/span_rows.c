@@ -414,11 +414,14 @@ static const struct hawser__tree_key span_rows[] = {
 	             "through it, which keeps its end values outside")
 	VECTOR("span.wind.table[]", 3, OPTIONAL, "rad, 1, 1", ANY, NOWHERE, NULL,
 	       "[angle of attack, drag coefficient, lift coefficient], angles in ascending order")
+	TEXT("span.wind.table", OPTIONAL, NOWHERE, NULL,
+	     "a file of such rows, a line each, in rad; in degrees if a first line of names has deg in it")
 	LIST_OF_MOST("span.wind.reynolds", HAWSER_WIND_ROWS,
 	             "drag coefficient at the angle of attack 0 over Reynolds' number, in place of "
 	             "the first one of wind.drag; a cubic spline, as wind.table")
 	VECTOR("span.wind.reynolds[]", 2, OPTIONAL, "1", ANY, NOWHERE, NULL,
 	       "[Reynolds' number of the relative wind, drag coefficient], in ascending order")
+	TEXT("span.wind.reynolds", OPTIONAL, NOWHERE, NULL, "a file of such rows")
 	SECTION("span.load", OPTIONAL,
 	        "a distributed load that varies as the cosine of the forcing phase")
 	SECTION("span.load.static", OPTIONAL,

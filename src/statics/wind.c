@@ -184,6 +184,56 @@ void hawser__section_force(double f[2], double (*by_v)[2], const struct hawser__
 	}
 }
 
+double hawser__flow_frame(double e[2][3], const double U[3], const double t[3])
+{
+	double along = hawser__dot(U, t), size, up[3] = {-t[0]*t[1], 1.0 - t[1]*t[1], -t[1]*t[2]};
+
+	for (int k = 0; k < 3; k++)
+		e[0][k] = U[k] - along*t[k];
+	size = hawser__norm(e[0]);
+	if (!(size > 0.0) && hawser__norm(up) > 0.0)
+		memcpy(e[0], up, sizeof up);
+	else if (!(size > 0.0))
+		memcpy(e[0], (const double[3]){1.0}, sizeof up);
+	along = hawser__norm(e[0]);
+	for (int k = 0; k < 3; k++)
+		e[0][k] /= along;
+	hawser__cross(e[1], t, e[0]);
+	along = e[1][1] < 0.0 ? -1.0 : 1.0;
+	for (int k = 0; k < 3; k++)
+		e[1][k] *= along;
+	return size;
+}
+
+/* The axes turn with t by the angle (U.t)/|U normal to t| times (dt.e2) about t, and out of the plane
+ * normal to it. */
+void hawser__section_line(double f[3], double (*f_r)[3], double (*f_x)[3],
+                          const struct hawser__section *section, const double U[3], const double r[3],
+                          const double t[3], double inverse)
+{
+	double e[2][3], size = hawser__flow_frame(e, U, t), local[2], by_v[2][2];
+	const double p[2] = {hawser__dot(e[0], r), hawser__dot(e[1], r)}, past = hawser__dot(t, r);
+	const double turn = size > 0.0 ? hawser__dot(t, U)/size : 0.0;
+
+	hawser__section_force(local, by_v, section, size, (const double[2]){size - p[0], -p[1]});
+	for (int i = 0; i < 3; i++)
+		f[i] = local[0]*e[0][i] + local[1]*e[1][i];
+	for (int k = 0; k < 9 && f_r; k++) {
+		int i = k/3, j = k%3;
+		double twist = turn*e[1][j], dp[2], df[2]; /* by t_j */
+
+		f_r[i][j] = 0.0;
+		for (int c = 0; c < 4; c++)
+			f_r[i][j] -= e[c/2][i]*by_v[c/2][c%2]*e[c%2][j];
+		dp[0] = -twist*p[1] - past*e[0][j];
+		dp[1] = twist*p[0] - past*e[1][j];
+		for (int c = 0; c < 2; c++)
+			df[c] = -by_v[c][0]*dp[0] - by_v[c][1]*dp[1];
+		f_x[i][j] = inverse*((df[0] + twist*local[1])*e[0][i] + (df[1] - twist*local[0])*e[1][i] -
+		                     t[i]*(local[0]*e[0][j] + local[1]*e[1][j]));
+	}
+}
+
 /* --- series --- */
 
 /* c = a b, cut off. */
@@ -289,24 +339,6 @@ static double mean_square(const struct hawser_wind *wind)
 	return sum;
 }
 
-/* Directions along the wind and across it, upwards; *speed: that of its part across the chord. */
-static int wind_axes(double along[3], double across[3], double *speed, const struct hawser_scene *scene)
-{
-	const double chord[3] = {scene->span.d, scene->span.h, 0.0}, *blow = scene->wind.direction;
-	double length = hawser__norm(chord), part = hawser__dot(blow, chord)/(length*length), size;
-
-	for (int c = 0; c < 3; c++)
-		along[c] = blow[c] - part*chord[c];
-	size = hawser__norm(along);
-	*speed = scene->wind.speed*size/hawser__norm(blow);
-	for (int c = 0; c < 3; c++)
-		along[c] /= size > 0.0 ? size : 1.0;
-	hawser__cross(across, along, chord);
-	for (int c = 0; c < 3; c++)
-		across[c] *= (across[1] < 0.0 ? -1.0 : 1.0)/length;
-	return size > 0.0;
-}
-
 double hawser__added_mass(const struct hawser_scene *scene)
 {
 	const struct hawser_wind *wind = &scene->wind;
@@ -318,18 +350,24 @@ double hawser__added_mass(const struct hawser_scene *scene)
 int hawser__static_load(double force[3], const struct hawser_scene *scene)
 {
 	static const double rest[2] = {0.0};
-	double along[3], across[3], speed, f[2];
+	const double *blow = scene->wind.direction;
+	double t[3] = {scene->span.d, scene->span.h}, U[3], e[2][3], chord = hawser__norm(t), speed, f[2];
 	struct hawser__section section;
 
 	for (int c = 0; c < 3; c++)
 		force[c] = scene->static_load.present ? scene->static_load.per_length[c] : 0.0;
 	if (!scene->wind.present)
 		return scene->static_load.present;
-	if (!wind_axes(along, across, &speed, scene))
+	for (int c = 0; c < 3; c++) {
+		t[c] /= chord;
+		U[c] = scene->wind.speed*blow[c]/hawser__norm(blow);
+	}
+	speed = hawser__flow_frame(e, U, t);
+	if (!(speed > 0.0))
 		return 1;
 	hawser__section_make(&section, &scene->wind);
 	hawser__section_force(f, NULL, &section, speed*sqrt(mean_square(&scene->wind)), rest);
 	for (int c = 0; c < 3; c++)
-		force[c] += f[0]*along[c] + f[1]*across[c];
+		force[c] += f[0]*e[0][c] + f[1]*e[1][c];
 	return 1;
 }

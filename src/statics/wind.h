@@ -30,6 +30,16 @@ void hawser__section_make(struct hawser__section *section, const struct hawser_w
 void hawser__section_force(double f[2], double (*by_v)[2], const struct hawser__section *section,
                            double speed, const double v[2]);
 
+/* Unit vectors normal to the unit vector t: e[0] along the flow U, e[1] across it, upwards; returns the
+ * speed normal to t. Without one e[0] is upwards. */
+double hawser__flow_frame(double e[2][3], const double U[3], const double t[3]);
+/* The force f per length on a line of this section with the unit tangent t = x' times `inverse`, in the
+ * flow U that is r relative to it; and unless they are NULL its derivatives by r, and by x' where U and
+ * r stay. As hawser__drag_line (water/line.h). */
+void hawser__section_line(double f[3], double (*f_r)[3], double (*f_x)[3],
+                          const struct hawser__section *section, const double U[3], const double r[3],
+                          const double t[3], double inverse);
+
 /* Its series to the third order in v, for a speed > 0: f[i] is the sum over t of series[i][t]
  * v[0]^hawser__wind_power[t][0] v[1]^hawser__wind_power[t][1]. */
 enum { HAWSER__WIND_TERMS = 10 };

@@ -23,6 +23,7 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/plan/own.c \
 	%D%/accuracy/estimate.c \
 	%D%/map/family.c \
+	%D%/map/net_family.c \
 	%D%/accuracy/fidelity.c \
 	%D%/identify/identify.c \
 	%D%/identify/identify.h \
@@ -78,6 +79,7 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/map/map_doubt.c \
 	%D%/map/map_gallop.c \
 	%D%/map/map_edges.c \
+	%D%/map/map_guide.c \
 	%D%/map/map_lines.c \
 	%D%/map/map_memo.c \
 	%D%/map/map_point.c \

@@ -273,6 +273,7 @@ static const struct row {
 	ROW(hawser_net_load),
 	ROW(hawser_net_winch),
 	ROW(hawser_net_absorber),
+	ROW(hawser_net_body),
 	ROW(hawser_net_wound),
 	ROW(hawser_net_member),
 	ROW(hawser_net_method),

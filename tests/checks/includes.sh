@@ -44,6 +44,7 @@ awk "$table"' /^[ \t]*#[ \t]*include/ { split(FILENAME, part, "/"); look(part[2]
 # Everything that follows a curve leaves the length of its steps to src/continuation, but for two: the boundaries of
 # hill, plane curves without an orbit of their own, and the first orbit, for which the load is raised in steps.
 find src/modes src/beam src/response src/study -name '*.[ch]' ! -path src/study/hill/hill.c ! -path src/response/orbit/start.c \
+	! -path src/response/orbit/way.c \
 	-exec grep -nE '\<(ds|step) [*/]=|\<(ds|step) = .*[0-9]\*([a-z]+->)?(ds|step)\>|GOAL_(ANGLE|CONTRACTION)' {} + |
 	nothing "steps along curves are adapted in src/continuation only"
 # The handler belongs to the process, so to the program that links the library.

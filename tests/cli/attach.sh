@@ -178,6 +178,7 @@ for name, cubic, tolerance in (("sink.json", k3, 0.012), ("soft.json", 0, 1e-4))
     worst = max(abs(m*w*w*x/abs((k - m*w*w + 0.75*cubic*s*s + 1j*w*c)*s) - 1) for w, x, s in points(name))
     assert worst < tolerance, (name, worst)
 r = json.load(open("sink.json"))
+assert 1e-5 < r["model_error"]["estimated"] < 2e-2, r["model_error"] # by the exact energy
 assert {"fold", "torus"} <= {e["kind"] for e in r["events"]}, r["events"]
 top = [max(x for _, x, _ in points(name)) for name in ("sink.json", "soft.json")]
 assert 0.5 < top[0]/top[1] < 0.6, top

@@ -131,4 +131,11 @@ assert abs(x - 0.090) < 1.1*one["error"]["shock"] and one["error"]["shock"] < 0.
 assert abs(100 - damped["probes"]["B"]["x"][-1][0] - 0.085) < 1e-3 and damped["error"]["shock"] is None
 END
 
+# in water: the views of the net at rest, and its surface in an animation
+cp "$SRCDIR/notebooks-data/scenes/net-current.yaml" current.yaml
+works "a net in water is drawn" statics current.yaml --set cables.c.elements=20 --plot current.svg -q
+try "  with the surface" grep -q 'surface of the water' current.svg
+works "  and in motion" integrate current.yaml --set cables.c.elements=20 --until 2 --every 1 --animate current.gif --frames 2 -q \
+	--set water.depth=200 --set 'water.waves={height: 4 m, period: 9 s}'
+
 done_testing

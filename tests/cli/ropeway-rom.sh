@@ -166,6 +166,45 @@ a = json.load(open("slow-frf.json"))["points"][0]["amplitude"]
 assert abs(a["x_span_3"] - 0.642e-3) < 1e-6 and abs(a["x_span_4"] - 0.813e-3) < 1e-6, a
 END2
 
+# Carriers that swing, and the same as a net, from the statics of the ropeway: frequencies, and how they bend with the energy.
+cat >hangers.yaml <<'END2'
+ropeway:
+  rope: {EA: 40 MN, rho: 4 kg/m}
+  bottom: {at: [0 m, 0 m], radius: 2.5 m, tension: {T0: 84 kN}}
+  top: {at: [120 m, 25 m], radius: 2.5 m, drive: {friction: 0.2}}
+  carriers: {spacing: 70 m, mass: {up: 400 kg, down: 250 kg}, phase: 18.3 m, hanger: 3.2 m}
+  down: off
+END2
+cat >same.yaml <<'END2'
+nodes: {A: [0, 0, 0], J1: [18, 4, 0], J2: [86, 18, 0], B: [120, 25, 0]}
+supports: {A: fixed, B: fixed}
+cables:
+  - {from: A, to: J1, EA: 40 MN, rho: 4, length0: 18.3, elements: 10}
+  - {from: J1, to: J2, EA: 40 MN, rho: 4, length0: 70, elements: 24}
+  - {from: J2, to: B, EA: 40 MN, rho: 4, length0: 34.1326810456635, elements: 16}
+masses: {J1: {mass: 400, hanger: 3.2}, J2: {mass: 400, hanger: 3.2}}
+damping: {ratio: 0.05}
+END2
+swing="--carriers swinging --load drive --ripple 6e-3 --damping 0.05 -n 7"
+for mode in 1 3 4 5; do
+	works "a mode of the net" nnm same.yaml -n 7 --mode $mode --energy-to 0.05 --tsv net-$mode.tsv -q
+	works "  and of the ropeway" nnm hangers.yaml $swing --mode $mode --energy-to 0.05 --tsv rope-$mode.tsv -q
+done
+works "  and under carriers that pass, whose weight is smeared" rom hangers.yaml --carriers swinging -n 7 --json swing.json --tsv swing.tsv -q
+python "carriers swing as in a net" <<'END2'
+import json, math
+passing = json.load(open("swing.json"))
+for mode in (1, 3, 4, 5):
+    (w, bend), (other, bends) = ((a[0], (b[0] - a[0])/(b[1] - a[1])) for a, b in
+        ([[float(x) for x in line.split("\t")[1:3]] for line in open(f"{n}-{mode}.tsv") if line[0] == "1"][::60]
+         for n in ("net", "rope")))
+    assert abs(w/other - 1) < 2e-7 and abs(bend/bends - 1) < 2e-5, (mode, w, other, bend, bends)
+    own = math.sqrt(passing["K"][mode - 1][mode - 1])/passing["scale"]["time"]
+    assert abs(own/w - 1) < 2e-3 or mode == 5, (mode, own, w) # a mode of the rope depends on how its weight is spread
+END2
+try "  is told" grep -q '^# 2 carriers swing on hangers of 3.2 m, 0 on sheaves do not' swing.tsv
+
+denies "carriers without hangers" 1 "give the length by which they hang" rom "$small" --carriers swinging
 denies "a drive without amplitude" 1 "give the amplitude of the rope's motion" rom "$small" --load drive
 denies "an amplitude without drive" 1 "leave out one of --ripple and --load passing" rom "$small" --ripple 0.01 --load passing
 denies "an unknown load" 1 "must be one of passing, drive" rom "$small" --load pasing
@@ -182,7 +221,7 @@ denies "too large a damping" 1 "the damping ratio is 2" rom "$small" --damping 2
 denies "too many modes" 1 "41 modes asked" rom "$small" -n 41
 denies "an option of ropeways" 1 "\-\-ripple is for ropeways" rom "$chairlift" --ripple 1
 denies "a picture" 1 "rom has no picture" rom "$small" --plot a.svg
-denies "carriers neither here nor there" 1 "must be one of fixed, smeared" frf "$small" --carriers moving
+denies "carriers neither here nor there" 1 "must be one of fixed, smeared, swinging" frf "$small" --carriers moving
 denies "a list of modes that does not ascend" 1 "\-\-keep 4,1: give numbers of modes" rom "$small" --keep 4,1
 denies "  or with their number" 1 "\-\-keep 1,4 says which modes are kept" rom "$small" --keep 1,4 -n 4
 denies "an option of ropeways, with a model file" 1 "\-\-carriers is for ropeways" frf passing.json --carriers fixed

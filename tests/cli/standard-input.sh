@@ -78,7 +78,7 @@ for kind in $kinds; do
 				*) sed 's/^/   /' block.yaml >scene.yaml ;;
 			esac
 			told "$command" >"$scratch/$form"
-			try "$kind: $command, $form" cmp -s "$scratch/block" "$scratch/$form"
+			try "$kind: $command, $form" diff "$scratch/block" "$scratch/$form"
 		done
 		cp block.yaml scene.yaml
 	done

@@ -112,7 +112,7 @@ static int model(double E[3], const struct hawser_line_statics *st, const double
 	struct hawser__lmode rope = {.systems = 0};
 	struct hawser__lexpand t = {.rope = NULL};
 	struct hawser_report report = {0};
-	enum hawser_status status = hawser__lmode_open(&rope, lane, 1, &o, &report);
+	enum hawser_status status = hawser__lmode_open(&rope, lane, 1, &o, 0.0, &report);
 	const int index[4] = {0};
 	double *x = NULL, *strain = NULL, *load = NULL, unit;
 	int own = system_in_plane(&rope, P);

@@ -368,8 +368,6 @@ static void refused(const struct hawser_line *line, const struct hawser_line_rom
 static void refusals(struct hawser_line line)
 {
 	struct hawser_line_rom_options o = {.modes = {.n = 41}};
-	struct hawser_line_mass mass = {.S = 40.0, .mass = 100.0, .hanger = 4.0};
-
 	refused(&line, &o, HAWSER_ERR_ARGUMENT, "41 modes");
 	o = (struct hawser_line_rom_options){.ratio = NAN};
 	refused(&line, &o, HAWSER_ERR_ARGUMENT, "ratio");
@@ -384,10 +382,6 @@ static void refusals(struct hawser_line line)
 	o = (struct hawser_line_rom_options){.held = 0};
 	line.speed = 4.0;
 	refused(&line, &o, HAWSER_ERR_ARGUMENT, "4 m/s");
-	line.speed = 0.0;
-	line.mass = &mass;
-	line.masses = 1;
-	refused(&line, &o, HAWSER_ERR_ARGUMENT, "hangs 4 m");
 }
 
 CASE(property_line_rom)

@@ -199,6 +199,75 @@ static void heaves(void)
 	hawser_net_clear(&net);
 }
 
+/* A chain on a slope whose joint with a light rope is just above it, in a current whose table has
+ * corners: the stated error against four times the elements. */
+static void joint(void)
+{
+	double T[2] = {NAN, NAN}, stated = NAN, least = NAN; /* least: the stated error is over it */
+
+	for (int i = 0; i < 2; i++) {
+		char cables[600];
+		const char *const set[] = {
+			"nodes={A: [0, -205.59, 0], J: {}, K: {}, B: [140.83, -5, -100.56]}", cables,
+			"water={density: 1025, current: {table: [[-205.59, 0.1, 0, 0], [-68.53, 0.4, 0, -0.58], "
+			"[0, 0.23, 0, -0.6]]}}",
+			"obstacles=[{plane: {point: [0, -205.59], normal: [-0.026626, 1]}}]", "g=9.81"};
+		const int n = i ? 120 : 30;
+		struct hawser_net net = {0};
+		struct hawser_net_statics st = {0};
+		struct hawser_net_mesh_error error;
+		struct hawser_report report = {0};
+
+		snprintf(cables, sizeof cables, "cables=[{name: a, from: A, to: J, EA: 2.17e6, rho: 103.97, "
+		         "length0: 111.46, diameter: 0.13811, drag: {normal: 0.9}, elements: %d}, {name: b, "
+		         "from: J, to: K, EA: 137e6, rho: 1.605, length0: 76.84, diameter: 0.040925, drag: "
+		         "{normal: 1.66}, elements: %d}, {name: c, from: K, to: B, EA: 95e6, rho: 347.6, "
+		         "length0: 172.2, diameter: 0.2445, drag: {normal: 1.47}, elements: %d}]", n, n, n);
+		if (solved(&net, &st, set, 5)) {
+			T[i] = st.member[0].T_to;
+			least = 0.01*st.member[2].T_max;
+		}
+		if (!i && ok(!hawser_net_mesh_error(&error, &net, &st, &report), "%s", report.message))
+			stated = error.tension;
+		hawser_net_statics_clear(&st);
+		hawser_net_clear(&net);
+	}
+	ok(fabs(T[0] - T[1])/least < 1.5*stated && stated < 0.1, "tension at a joint above the bed: %.2f, "
+	   "%.2f N, stated %.1e", T[0], T[1], stated);
+}
+
+/* Pulled along a rough bed that gives way by u, and back, slowly: T^2/(2 EA mu w) = u, and on the way
+ * back by v of it (T1 - T)^2/(4 EA mu w) = v. */
+static void rubs(double EA, double rho, double mu, double T)
+{
+	const double w = 9.81*rho, u = T*T/(2.0*EA*mu*w), back = 0.5*(1.0 - cos(0.25*M_PI));
+	char cables[300], ends[200], support[200], bed[200];
+	const char *const set[] = {"g=9.81", cables, ends, support, bed};
+	struct hawser_net net = {0};
+	struct hawser_net_motion m = {0};
+	struct hawser_report report = {0};
+	const struct hawser_net_probe probe = {1, -1, 0.0};
+	const struct hawser_net_motion_options options = {
+		.until = 12.5, .every = 2.5, .step = 0.05, .probe = &probe, .probes = 1};
+
+	snprintf(cables, sizeof cables, "cables=[{name: c, from: A, to: B, EA: %.17g, rho: %.17g, length0: "
+	         "%.17g, diameter: 0.08, elements: 100}]", EA, rho, 1.3*T/(mu*w));
+	snprintf(ends, sizeof ends, "nodes={A: [0, 0, 0], B: [%.17g, 0, 0]}", 1.3*T/(mu*w) + 0.5*u);
+	snprintf(support, sizeof support, "supports={A: fixed, B: {motion: {x: {amplitude: %.17g, Omega: "
+	         "%.17g}}}}", -0.5*u, 0.1*M_PI);
+	snprintf(bed, sizeof bed, "obstacles=[{plane: {point: [0, 0], normal: [0, 1]}, friction: %.17g, "
+	         "stiffness: 3e6}]", mu);
+	if (opened(&net, set, 5) &&
+	    ok(!hawser_net_integrate(&m, &net, &options, &report), "pulled: %s", report.message)) {
+		close_to(m.T[4], T, 6e-3, "pull at the end of the way, N");
+		ok(fabs(m.T[5] - T + sqrt(4.0*EA*mu*w*back*u)) < 1e-2*T, "and on the way back: %.1f of %.1f N",
+		   m.T[5], T);
+		ok(m.closure < 1e-11, "the ledger closes to %.1e", m.closure);
+	}
+	hawser_net_motion_clear(&m);
+	hawser_net_clear(&net);
+}
+
 CASE(reference_net_bed)
 {
 	chains();
@@ -206,5 +275,8 @@ CASE(reference_net_bed)
 	corner();
 	gives_way();
 	heaves();
+	joint();
+	rubs(4e8, 867.2778/9.81, 0.6, 2e5);
+	rubs(2.5e8, 41.3, 0.35, 6e4);
 	return done_testing();
 }

@@ -157,8 +157,9 @@ static void slopes(void)
 {
 	struct hawser_report report = {0};
 	struct hawser__mesh mesh;
-	struct hawser__water_past past[2] = {{-0.3, {1.1, -0.4, 0.3}, {0.2, 0.5, -0.1}, {0.3, -0.2, 0.7}},
-	                                     {0.2, {0.9, -0.2, 0.1}, {0.1, 0.4, -0.2}, {0.1, -0.3, 0.5}}};
+	struct hawser__water_past past[2] = {
+		{-0.3, {0.0}, {1.1, -0.4, 0.3}, {0.2, 0.5, -0.1}, {0.3, -0.2, 0.7}},
+		{0.2, {0.0}, {0.9, -0.2, 0.1}, {0.1, 0.4, -0.2}, {0.1, -0.3, 0.5}}};
 	double d[3] = {0.8, 0.5, -0.3}, off[4] = {0.0};
 	const double h = 1e-6;
 	struct swim swim;

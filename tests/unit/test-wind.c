@@ -128,6 +128,37 @@ static void crisis(void)
 	check_section(&wind, 27.55, "Reynolds"); /* between two knots */
 }
 
+/* Of a line in space: its derivatives against differences. */
+static void along_a_line(void)
+{
+	const double U[3] = {3.1, -1.2, 6.7}, r[3] = {2.4, -0.3, 7.9}, x[3] = {2.0, 0.7, -0.4}, h = 1e-6;
+	struct hawser__section section;
+	double f[3], f_r[3][3], f_x[3][3], unused[3][3], worst = 0.0;
+
+	hawser__section_make(&section, &iced);
+	for (int k = -1; k < 6; k++) {
+		double t[3], g[2][3];
+
+		for (int side = 0; side < 2; side++) {
+			double flow[3] = {r[0], r[1], r[2]}, way[3] = {x[0], x[1], x[2]}, length;
+
+			*(k < 0 ? flow : k < 3 ? &flow[k] : &way[k - 3]) += k < 0 ? 0.0 : side ? -h : h;
+			length = sqrt(way[0]*way[0] + way[1]*way[1] + way[2]*way[2]);
+			for (int i = 0; i < 3; i++)
+				t[i] = way[i]/length;
+			hawser__section_line(g[side], k < 0 ? f_r : unused, k < 0 ? f_x : unused, &section, U, flow,
+			                     t, 1.0/length);
+		}
+		for (int i = 0; i < 3 && k >= 0; i++)
+			worst = fmax(worst, fabs((g[0][i] - g[1][i])/(2.0*h) -
+			                         (k < 3 ? f_r[i][k] : f_x[i][k - 3])));
+		if (k < 0)
+			memcpy(f, g[0], sizeof f);
+	}
+	ok(worst < 1e-8, "a line: derivatives against differences, %.1e", worst);
+	close_to(fabs(f[0]*x[0] + f[1]*x[1] + f[2]*x[2]) + 1.0, 1.0, 1e-14, "nothing acts along it");
+}
+
 static void on_a_span(void)
 {
 	const char *text = "cable: {EA: 25 MN, rho: 1.6}\nspan: {d: 40, h: 30}\ntension: {H: 30 kN}\n"
@@ -163,6 +194,7 @@ CASE(unit_wind)
 	by_hand();
 	table();
 	crisis();
+	along_a_line();
 	on_a_span();
 	return done_testing();
 }

@@ -24,9 +24,11 @@ static enum hawser_status open_family(struct cli_over *over, struct cli_model *m
 	const char *key = over->axis.key;
 
 	for (int k = 0; k < FACTORS; k++)
-		if (strcmp(key, factor[k]) == 0)
+		if (strcmp(key, factor[k]) == 0) {
+			over->close = hawser_factor_close;
 			return hawser_factor_open(&over->family, &model->rom, (enum hawser_factor)k,
 			                          over->omega, report);
+		}
 	if (strncmp(key, "model.", 6) == 0)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
 		                    "--over %s: settings of the model are no parameters of the cable: "
@@ -35,6 +37,11 @@ static enum hawser_status open_family(struct cli_over *over, struct cli_model *m
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
 		                    "--over %s: write factor.load, factor.damping or a key of the scene; "
 		                    "Omega is followed without --over", key);
+	if (model->made && model->made->by->family)
+		return model->made->by->family(&over->family, &over->close, model->made, key,
+		                               (double[2]){fmin(fmin(over->from, over->to), over->at),
+		                                           fmax(fmax(over->from, over->to), over->at)},
+		                               isnan(over->at) ? over->from : over->at, over->omega, report);
 	if (model->made)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
 		                    "--over %s: %s has the parameters factor.load and factor.damping only",
@@ -45,9 +52,10 @@ static enum hawser_status open_family(struct cli_over *over, struct cli_model *m
 		                    "factor.damping only: give the scene, or name parameters in the file", key);
 	if (!model->has_scene) {
 		over->file = 1;
+		over->close = hawser_parameter_close;
 		return hawser_parameter_open(&over->family, &model->source, key, over->omega, report);
 	}
-	over->scene = 1;
+	over->close = hawser_scene_family_close;
 	return hawser_scene_family_open(&over->family, &model->scene, key,
 	                                fmin(fmin(over->from, over->to), over->at),
 	                                fmax(fmax(over->from, over->to), over->at),
@@ -96,12 +104,8 @@ enum hawser_status cli_over_check(const struct cli_over *over, int goes_on,
 
 void cli_over_clear(struct cli_over *over)
 {
-	if (over->open && over->scene)
-		hawser_scene_family_close(&over->family);
-	else if (over->open && over->file)
-		hawser_parameter_close(&over->family);
-	else if (over->open)
-		hawser_factor_close(&over->family);
+	if (over->open)
+		over->close(&over->family);
 	free(over->axis.copy);
 	*over = (struct cli_over){.open = 0};
 }

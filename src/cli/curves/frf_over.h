@@ -13,7 +13,8 @@ struct cli_over {
 	double omega;             /* rad/s, or the model's own unit; set before it is opened: the default */
 	double guess;             /* of a cycle's frequency, in the same unit; 0: none */
 	double at;                /* the value at which the modes are those of the scene; NAN: from */
-	int scene, file, open;    /* 1: the family is that of a scene; of a file; 1: it is open */
+	int file, open;           /* 1: the family is that of a file; 1: it is open */
+	void (*close)(struct hawser_rom_family *);
 	struct hawser_rom_family family;
 };
 

@@ -47,12 +47,10 @@ int cli_exact_calls(const struct cli_model *model, const struct cli_model_error 
 	                                                          ? model->scene.model.accuracy : 0.0)));
 }
 
-/* The same, or whether it alone tells the error of the modes: not with absorbers, whose free motion
- * does not die out where the first orbit is sought in time, for minutes. */
+/* The same, or whether it alone tells the error of the modes. */
 static int is_wanted(const struct cli_model *model, const struct cli_model_error *error)
 {
-	return cli_exact_calls(model, error) ||
-	       (error->unweighed && !model->modes.stroke && cli_exact_calls(model, NULL));
+	return cli_exact_calls(model, error) || (error->unweighed && cli_exact_calls(model, NULL));
 }
 
 int cli_exact_failed(const struct cli_model *model, const struct cli_model_error *error)

@@ -28,7 +28,7 @@ struct cli_lane_choice {
 #define CLI_LANE_UNDAMPED_OPTIONS \
 	{"ripple", 0, "LENGTH", "ropeways: amplitude of the rope at the drive, m", \
 	 CLI_POSITIVE_FOR(common.lane.ripple, CLI_ROPEWAY)}, \
-	{"carriers", 0, "HOW", "ropeways: fixed at the phase, or smeared over the rope (fixed)", \
+	{"carriers", 0, "HOW", "ropeways: fixed at the phase, smeared over the rope, or swinging (fixed)", \
 	 CLI_TEXT_FOR(common.lane.carriers, CLI_ROPEWAY)}, \
 	{"lane", 0, "NAME", "ropeways: up, down or both (both)", \
 	 CLI_TEXT_FOR(common.lane.lane, CLI_ROPEWAY)}, \

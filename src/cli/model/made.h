@@ -3,6 +3,7 @@
 #ifndef HAWSER_CLI_MADE_H
 #define HAWSER_CLI_MADE_H
 
+#include <hawser/family.h>
 #include <hawser/line_rom.h>
 #include <hawser/net_rom.h>
 
@@ -39,6 +40,11 @@ struct cli_maker {
 	enum hawser_status (*animate)(const char *path, const struct cli_model *model,
 	                              const struct hawser_net_rom_motion *motion,
 	                              struct hawser_report *report);
+	/* Its models over a key of its scene, or NULL; close is the one that releases them. */
+	enum hawser_status (*family)(struct hawser_rom_family *family,
+	                             void (**close)(struct hawser_rom_family *), struct cli_made *made,
+	                             const char *key, const double range[2], double at, double omega,
+	                             struct hawser_report *report);
 	void (*clear)(struct cli_made *made); /* without the modes */
 };
 

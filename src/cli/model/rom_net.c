@@ -3,9 +3,13 @@
 #include "config.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include <hawser/scene_family.h>
+
+#include "cli/model/key_sweep.h"
 #include "cli/model/made.h"
 #include "cli/motion/film_net.h"
 #include "core/report.h"
@@ -15,6 +19,8 @@ struct cli_rom_net {
 	struct hawser_net net;
 	int kept[HAWSER_NET_ROM_MODES]; /* --keep */
 	int n, count;                   /* --modes, or the last one that is kept; entries of kept */
+	struct cli_common common;       /* it was read with */
+	const char *key;                /* of a family */
 };
 
 /* candidates: of a choice, whose coordinates are modes alone. */
@@ -71,6 +77,7 @@ static enum hawser_status load(struct cli_model *model, const struct cli_common 
 		return hawser__no_memory(report, "rom");
 	model->made = &of->made;
 	of->made.by = &cli_maker_net;
+	of->common = *common;
 	status = cli_read_net(&of->net, common, report);
 	if (!status)
 		status = hawser_net_refine(&of->net, report);
@@ -174,6 +181,39 @@ static void comments(struct hawser__table *table, const struct cli_model *model)
 		                      cli_made_loaded(&model->rom, k) ? "" : "; no load acts on it");
 }
 
+/* The net at a value of the key, with the elements that it has. */
+static enum hawser_status net_at(void *context, struct hawser_net *net, double p,
+                                 struct hawser_report *report)
+{
+	const struct cli_rom_net *of = context;
+	struct cli_key_sweep key = {.points = 1};
+	char set[CLI_KEY_SWEEP_SET];
+	struct cli_common common;
+	enum hawser_status status;
+
+	snprintf(key.key, sizeof key.key, "%s", of->key);
+	cli_key_sweep_at(&common, set, &key, &of->common, p);
+	status = cli_read_net(net, &common, report);
+	for (int c = 0; !status && c < net->cables; c++)
+		net->cable[c].elements = of->net.cable[c].elements;
+	return status;
+}
+
+static enum hawser_status family(struct hawser_rom_family *to,
+                                 void (**close)(struct hawser_rom_family *), struct cli_made *made,
+                                 const char *key, const double range[2], double at, double omega,
+                                 struct hawser_report *report)
+{
+	struct cli_rom_net *of = (struct cli_rom_net *)made;
+	const struct hawser_net_at nets = {net_at, of};
+	int kept[HAWSER_NET_ROM_MODES];
+	const struct hawser_net_rom_options options = options_of(kept, of);
+
+	of->key = key;
+	*close = hawser_net_family_close;
+	return hawser_net_family_open(to, &nets, &options, range[0], range[1], at, omega, report);
+}
+
 static void clear(struct cli_made *made)
 {
 	hawser_net_clear(&((struct cli_rom_net *)made)->net);
@@ -183,4 +223,4 @@ const struct cli_maker cli_maker_net = {
 	.called = "a net", .many = "nets", .most = HAWSER_NET_ROM_MODES, .clusters = 1,
 	.still = "a net, whose mesh moves by tables: hawser integrate, with supports.NAME.table",
 	.load = load, .again = again, .comments = comments, .certify = certify, .animate = animate,
-	.clear = clear};
+	.family = family, .clear = clear};

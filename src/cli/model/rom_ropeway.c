@@ -5,9 +5,9 @@
  * Coriolis forces alone, since the counterweight holds the tension less the momentum. For a drive that
  * does not run evenly the carriers hang where the phase has them. Of carriers that pass the weight is
  * smeared over the rope and, as it varies, the load; their inertia is where the phase has them.
- * --carriers smeared smears all. In all cases they are fixed to the rope. The drive's bullwheel holds
- * the rope. Of one lane alone the carriage moves with half its mass, since it carries both, and no
- * bullwheel turns.
+ * --carriers smeared smears all. They are fixed to the rope, or with --carriers swinging, but for those
+ * on sheaves, hang from it as pendulums. The drive's bullwheel holds the rope. Of one lane alone the
+ * carriage moves with half its mass, since it carries both, and no bullwheel turns.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -24,8 +24,9 @@
 
 static const char *const lane_name[] = {"up", "down", "both"};
 static const char *const load_name[] = {"passing", "drive"};
-static const char *const carriers_name[] = {"fixed", "smeared"};
+static const char *const carriers_name[] = {"fixed", "smeared", "swinging"};
 enum { PASSING, DRIVE };
+enum { SMEARED = 1, SWINGING };
 enum { BOTH = HAWSER_ROPEWAY_LANES };
 
 /* A lane as a line of its own, at rest. */
@@ -40,7 +41,7 @@ struct cli_rom_ropeway {
 	struct cli_made made;
 	struct hawser_ropeway ropeway;
 	struct hawser_ropeway_statics st;
-	int which, smeared;                    /* up, down, BOTH */
+	int which, carriers;                   /* up, down, BOTH; 0, SMEARED, SWINGING */
 	int lanes;
 	struct lane lane[HAWSER_ROPEWAY_LANES];
 	struct hawser_line_rom_options options;
@@ -54,7 +55,7 @@ static void smear(struct lane *lane, double mass, const struct cli_rom_ropeway *
 {
 	double all = lane->line.rho + mass/of->ropeway.spacing;
 
-	if (of->smeared) {
+	if (of->carriers == SMEARED) {
 		lane->line.masses = 0;
 		lane->line.rho = all;
 		return;
@@ -62,6 +63,7 @@ static void smear(struct lane *lane, double mass, const struct cli_rom_ropeway *
 	lane->line.g *= all/lane->line.rho;
 	for (int i = 0; i < lane->line.masses; i++) {
 		lane->mass[i].body = lane->mass[i].mass;
+		lane->mass[i].hung = lane->mass[i].mass*of->ropeway.g;
 		lane->mass[i].mass = 0.0;
 	}
 }
@@ -105,7 +107,7 @@ static enum hawser_status take_lane(struct cli_rom_ropeway *of, int which, int a
 	}
 	for (int i = 0; i < lane->line.masses; i++) {
 		lane->mass[i] = from->line->mass[i];
-		lane->mass[i].hanger = 0.0;
+		lane->mass[i].hanger = of->carriers == SWINGING ? rw->hanger : 0.0;
 	}
 	lane->line.mass = lane->mass;
 	lane->line.sheave = lane->sheave;
@@ -115,7 +117,7 @@ static enum hawser_status take_lane(struct cli_rom_ropeway *of, int which, int a
 	} else {
 		o->amplitude[at] *= which ? -1.0 : 1.0;
 	}
-	if (mass > 0.0 && (passing || of->smeared))
+	if (mass > 0.0 && (passing || of->carriers == SMEARED))
 		smear(lane, mass, of);
 	return hawser_line_solve(&lane->st, &lane->line, report);
 }
@@ -135,7 +137,10 @@ static enum hawser_status take_lanes(struct cli_rom_ropeway *of, struct hawser_r
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom", "no carriers pass on %s: choose "
 		                    "another --lane or --case, or --load drive", both ? "the lanes"
 		                    : of->which ? "lane down" : "lane up");
-	if (both && of->smeared && carried(of, 0) != carried(of, 1))
+	if (of->carriers == SWINGING && !(of->ropeway.hanger > 0.0))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom", "--carriers swinging: give the length "
+		                    "by which they hang, such as ropeway.carriers.hanger: 4 m");
+	if (both && of->carriers == SMEARED && carried(of, 0) != carried(of, 1))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom", "--carriers smeared: the lanes have "
 		                    "carriers of %.9g kg and %.9g kg, and the mass of the rope is the same on "
 		                    "both: give --lane up or down", carried(of, 0), carried(of, 1));
@@ -164,7 +169,7 @@ static enum hawser_status choose(struct cli_rom_ropeway *of, int *load, int *loa
 	if (!status && choice->load)
 		status = cli_choose(load, "rom", "load", choice->load, load_name, 2, report);
 	if (!status && choice->carriers)
-		status = cli_choose(&of->smeared, "rom", "carriers", choice->carriers, carriers_name, 2,
+		status = cli_choose(&of->carriers, "rom", "carriers", choice->carriers, carriers_name, 3,
 		                    report);
 	of->which = status || of->ropeway.lanes < HAWSER_ROPEWAY_LANES ? HAWSER_ROPEWAY_UP : BOTH;
 	if (!status && choice->lane)
@@ -304,24 +309,41 @@ static void load_comments(struct hawser__table *table, const struct cli_rom_rope
 		hawser__table_comment(table, "the rope does not run: no Coriolis forces");
 }
 
+/* Whether and how many carriers swing. */
+static void carrier_comments(struct hawser__table *table, const struct cli_rom_ropeway *of)
+{
+	int all = 0, on = 0;
+
+	for (int i = 0; i < of->lanes; i++)
+		for (int k = 0; k < of->lane[i].line.masses; k++) {
+			all += of->lane[i].st.carrier[k].present;
+			on += of->lane[i].st.carrier[k].state > 0;
+		}
+	if (of->carriers == SMEARED)
+		hawser__table_comment(table, "the mass of the carriers is smeared over the rope");
+	else if (all > 0)
+		hawser__table_comment(table, "the mass of the carriers is at their phase = %.9g m",
+		                      of->st.phase);
+	if (of->carriers == SWINGING)
+		hawser__table_comment(table, "%d carriers swing on hangers of %.9g m, %d on sheaves do not",
+		                      all - on, of->ropeway.hanger, on);
+	else
+		hawser__table_comment(table, "carriers do not swing%s", of->ropeway.hanger > 0.0
+		                      ? ": --carriers swinging lets them" : "");
+}
+
 /* What does not move, or with what mass. */
 static void body_comments(struct hawser__table *table, const struct cli_rom_ropeway *of)
 {
 	const struct hawser_line_modes_options *o = &of->options.modes;
 	int carriage = o->freedoms > (of->lanes > 1);
 
-	if (of->smeared)
-		hawser__table_comment(table, "the mass of the carriers is smeared over the rope");
-	else if (of->lane[0].line.masses + of->lane[1].line.masses > 0)
-		hawser__table_comment(table, "the mass of the carriers is at their phase = %.9g m",
-		                      of->st.phase);
 	if (of->lanes > 1)
-		hawser__table_comment(table, "carriers do not swing; the carriage %s; the bottom bullwheel "
-		                      "turns, that of the drive does not",
-		                      carriage ? "moves" : "does not move");
+		hawser__table_comment(table, "the carriage %s; the bottom bullwheel turns, that of the drive "
+		                      "does not", carriage ? "moves" : "does not move");
 	else
-		hawser__table_comment(table, "carriers do not swing; the carriage %s; the bullwheels do not "
-		                      "turn", carriage ? "moves, with half its mass" : "does not move");
+		hawser__table_comment(table, "the carriage %s; the bullwheels do not turn", carriage
+		                      ? "moves, with half its mass" : "does not move");
 }
 
 static void comments(struct hawser__table *table, const struct cli_model *model)
@@ -331,6 +353,7 @@ static void comments(struct hawser__table *table, const struct cli_model *model)
 
 	lane_comments(table, of);
 	load_comments(table, of);
+	carrier_comments(table, of);
 	body_comments(table, of);
 	hawser__table_comment(table, "damping ratio %.9g of each mode", of->options.ratio);
 	cli_made_chosen(table, model);

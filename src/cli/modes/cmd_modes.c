@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "cli/frame/kinds.h"
+#include "cli/frame/mesh_net.h"
 #include "cli/modes/modes_damped.h"
 #include "cli/modes/modes_model.h"
 #include "cli/modes/modes_net.h"
@@ -21,7 +22,8 @@ struct settings {
 	int n, basis, points, shapes, list, damped, log, elements;
 	struct cli_ropeway_choice ropeway;
 };
-enum { POINTS = 201 }; /* of a shape: half a percent of the span apart */
+enum { POINTS = 201, /* of a shape: half a percent of the span apart */
+       DAMPED = 6 }; /* damped modes of a net, as many as its models have */
 static const struct settings defaults = {.points = POINTS};
 
 static const struct cli_option options[] = {
@@ -29,14 +31,14 @@ static const struct cli_option options[] = {
 	{"method", 0, "NAME", "method (spectral)", CLI_TEXT_FOR(method, CLI_SPAN),
 	 .excludes = "over, damped, model=fe"},
 	{"over", 0, "KEY=VALUES", "damped modes, or modes over sheaves, over a key: A:B:N, A:B or [A, B]",
-	 CLI_TEXT_FOR(over, CLI_SPAN | CLI_ROPEWAY | CLI_OBSTACLES), .excludes = "model=fe"},
+	 CLI_TEXT_FOR(over, CLI_SPAN | CLI_NET | CLI_ROPEWAY | CLI_OBSTACLES), .excludes = "model=fe"},
 	{"log", 0, "", "these values at equal ratios",
-	 CLI_FLAG_FOR(log, CLI_SPAN | CLI_ROPEWAY | CLI_OBSTACLES), .needs = "over"},
+	 CLI_FLAG_FOR(log, CLI_SPAN | CLI_NET | CLI_ROPEWAY | CLI_OBSTACLES), .needs = "over"},
 	{"shapes", 0, "", "write the shapes and slopes to the table, and to JSON",
 	 CLI_FLAG_FOR(shapes, CLI_SPAN | CLI_NET | CLI_ROPEWAY | CLI_OBSTACLES),
 	 .excludes = "over, damped"},
 	{"damped", 0, "", "damped modes: dampers and damping of the scene",
-	 CLI_FLAG_FOR(damped, CLI_SPAN), .excludes = "model=fe"},
+	 CLI_FLAG_FOR(damped, CLI_SPAN | CLI_NET), .excludes = "model=fe"},
 	CLI_HEADING("Contents of results"),
 	{"view", 0, "NAME", "contents of the picture: components, profile or waves (components)",
 	 CLI_TEXT_FOR(view, CLI_SPAN), .words = "components|profile|waves"},
@@ -108,18 +110,21 @@ static enum hawser_status solve(struct cli_modes_result *result, const struct se
 }
 
 /* --damped and --over. */
-static enum hawser_status run_damped(const struct settings *settings, struct hawser_report *report)
+static enum hawser_status run_damped(const struct settings *settings, int net,
+                                     struct hawser_report *report)
 {
 	struct cli_damped_result result = {.common = &settings->common,
 	                                   .range.logarithmic = settings->log};
 	enum hawser_status status = HAWSER_OK;
+	int n = settings->n > 0 ? settings->n : DAMPED;
 
 	status = cli_outputs_check_scales(&settings->common, settings->log ? "x" : "", report);
 	if (!status)
-		status = cli_scene_load(&result.scene, &settings->common, settings->n, report);
+		status = net ? cli_mesh_open(&result.net, &settings->common, report)
+		             : cli_scene_load(&result.scene, &settings->common, settings->n, report);
 	if (!status)
-		status = cli_damped_solve(&result, settings->over, cli_modes_options(&result.scene).n,
-		                          report);
+		status = cli_damped_solve(&result, settings->over,
+		                          net ? n : cli_modes_options(&result.scene).n, report);
 	if (!status)
 		status = cli_show(&settings->common, &cli_damped_showing, &result, report);
 	cli_damped_free(&result);
@@ -134,7 +139,7 @@ enum hawser_status cli_modes_of_span(const void *context, struct hawser_report *
 	enum hawser_status status;
 
 	if (settings->damped || settings->over)
-		return run_damped(settings, report);
+		return run_damped(settings, 0, report);
 	result.view = settings->view ? settings->view : "components";
 	status = cli_outputs_check(&settings->common, report);
 	if (!status)
@@ -151,8 +156,11 @@ enum hawser_status cli_modes_of_span(const void *context, struct hawser_report *
 enum hawser_status cli_modes_of_net(const void *context, struct hawser_report *report)
 {
 	const struct settings *settings = context;
-	enum hawser_status status = cli_outputs_check(&settings->common, report);
+	enum hawser_status status;
 
+	if (settings->damped || settings->over)
+		return run_damped(settings, 1, report);
+	status = cli_outputs_check(&settings->common, report);
 	return status ? status : cli_modes_net(&settings->common, settings->n, settings->shapes,
 	                                       settings->vtk, settings->ropeway.contact, report);
 }

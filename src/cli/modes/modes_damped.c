@@ -7,6 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <hawser/net_rom.h>
+
 #include "cli/model/axis.h"
 #include "cli/modes/modes_damped.h"
 #include "core/report.h"
@@ -35,13 +37,35 @@ static enum hawser_status read_over(struct cli_damped_result *result, const char
 	return status;
 }
 
+/* A net at a value of the key, with the elements that it has. */
+static enum hawser_status net_at(void *context, struct hawser_damped *state, double value,
+                                 struct hawser_report *report)
+{
+	const struct cli_damped_result *result = context;
+	char set[CLI_KEY_SWEEP_SET];
+	struct cli_common common;
+	struct hawser_net net;
+	enum hawser_status status;
+
+	cli_key_sweep_at(&common, set, &result->range, result->common, value);
+	status = cli_read_net(&net, &common, report);
+	if (status)
+		return cli_key_sweep_blame(report, status, &result->range, set);
+	for (int c = 0; c < net.cables; c++)
+		net.cable[c].elements = result->net.cable[c].elements;
+	status = hawser_net_damped_solve(state, &net, result->n, report);
+	hawser_net_clear(&net);
+	return status;
+}
+
 /* A sweep of one point: the scene as it is. */
 static enum hawser_status solve_one(struct cli_damped_result *result, int n,
                                     struct hawser_report *report)
 {
 	const struct hawser_damped_options options = {.n = n};
 	struct hawser_statics statics;
-	enum hawser_status status = hawser_statics_scene(&statics, &result->scene, report);
+	enum hawser_status status = result->net.cables ? HAWSER_OK
+		: hawser_statics_scene(&statics, &result->scene, report);
 
 	if (status)
 		return status;
@@ -50,6 +74,8 @@ static enum hawser_status solve_one(struct cli_damped_result *result, int n,
 	if (!result->sweep.state || !result->sweep.value)
 		return hawser__no_memory(report, "modes");
 	result->sweep.points = 1;
+	if (result->net.cables)
+		return hawser_net_damped_solve(result->sweep.state, &result->net, n, report);
 	return hawser_damped_solve(result->sweep.state, &statics, &result->scene, &options, report);
 }
 
@@ -110,17 +136,22 @@ enum hawser_status cli_damped_solve(struct cli_damped_result *result, const char
                                     struct hawser_report *report)
 {
 	struct hawser_damped_sweep_options options = {.modes = {.n = n}};
+	const struct hawser_damped_source source = {net_at, result};
 	enum hawser_status status;
 
+	result->n = n;
+	result->wind = result->scene.wind.present || result->net.winds > 0;
 	if (!over)
 		return solve_one(result, n, report);
 	status = read_over(result, over, report);
 	options.key = result->key;
 	options.value = result->range.value;
 	options.points = result->range.points;
+	*result->range.si = '\0'; /* the values are in SI */
 	if (!status)
-		status = hawser_damped_trace(&result->sweep, &result->scene, &options, report);
-	for (int plane = 0; plane < 2 && !status && !result->scene.wind.present; plane++)
+		status = result->net.cables ? hawser_damped_follow(&result->sweep, &source, &options, report)
+			: hawser_damped_trace(&result->sweep, &result->scene, &options, report);
+	for (int plane = 0; plane < 2 && !status && !result->wind; plane++)
 		find_best(result, plane);
 	return status;
 }
@@ -129,6 +160,7 @@ void cli_damped_free(struct cli_damped_result *result)
 {
 	hawser_damped_sweep_clear(&result->sweep);
 	hawser_scene_clear(&result->scene);
+	hawser_net_clear(&result->net);
 	free(result->range.value);
 }
 
@@ -282,6 +314,8 @@ static struct cli_head head(const void *of)
 {
 	const struct cli_damped_result *result = of;
 
+	if (result->net.cables)
+		return cli_si_head(result->common, "modes", "damped", result, result->key ? SWEPT : SINGLE);
 	return (struct cli_head){
 		result->common, "modes", "damped", &result->scene,
 		{.scale = hawser__si, .context = result, .options = result->key ? SWEPT : SINGLE}, NULL, NULL};
@@ -323,8 +357,8 @@ static void comments(struct hawser__table *table, const void *of)
 		over_comments(table, result);
 		return;
 	}
-	hawser__table_comment(table, "%d functions a component, time unit %.12g s", state->basis,
-	                      state->time_unit);
+	hawser__table_comment(table, "%d %s, time unit %.12g s", state->basis, result->net.cables
+	                      ? "modes without damping" : "functions a component", state->time_unit);
 	if (state->overdamped > 0)
 		hawser__table_comment(table, "%d further motion%s of this range, with dampers above the "
 		                      "critical size, creep%s without oscillation, the slowest at %.6g 1/s",
@@ -385,7 +419,7 @@ static enum hawser_status draw(const char *path, const void *of, struct hawser_r
 	struct hawser__figure figure = {0};
 	struct hawser__axis axis;
 	enum hawser_status status;
-	int panels = result->scene.wind.present ? 2 : 1;
+	int panels = result->wind ? 2 : 1;
 	double ends[2];
 
 	if (!result->key)

@@ -143,7 +143,9 @@ enum hawser_status cli_film_write(const char *path, const struct cli_film *film,
 		.points = film->nodes, .frames = film->room, .mark = (const double (*)[3])film->mark,
 		.end = (const int (*)[2])film->end, .elements = film->elements, .held = held,
 		.helds = net ? find_held(held, net) : film->helds, .surface = net ? net->surface : NULL,
-		.surfaces = net ? net->surfaces : 0, .note = *film->note ? film->note : NULL}, report);
+		.surfaces = net ? net->surfaces : 0,
+		.water = net && net->water.density > 0.0 ? &net->water : NULL,
+		.note = *film->note ? film->note : NULL}, report);
 	if (net)
 		free(held);
 	return status;

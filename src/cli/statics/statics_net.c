@@ -103,6 +103,31 @@ static void slack_comment(struct hawser__table *table, const struct result *resu
 		                      count == 1 ? "" : "s", names, count > SHOWN ? ", ..." : "");
 }
 
+/* The turn of a body from the scene, as a vector, rad: its axes were those of the scene. */
+static void turn_of(double turn[3], const struct hawser_net_body *body)
+{
+	const double (*a)[3] = body->axes;
+	double sine;
+
+	turn[0] = 0.5*(a[1][2] - a[2][1]);
+	turn[1] = 0.5*(a[2][0] - a[0][2]);
+	turn[2] = 0.5*(a[0][1] - a[1][0]);
+	sine = sqrt(turn[0]*turn[0] + turn[1]*turn[1] + turn[2]*turn[2]);
+	for (int k = 0; k < 3 && sine > 0.0; k++)
+		turn[k] *= atan2(sine, 0.5*(a[0][0] + a[1][1] + a[2][2] - 1.0))/sine;
+}
+
+static void bodies_comment(struct hawser__table *table, const struct hawser_net_statics *st)
+{
+	for (int b = 0; b < st->bodies; b++) {
+		double turn[3];
+
+		turn_of(turn, &st->body[b]);
+		hawser__table_comment(table, "%s: turned by (%.9g, %.9g, %.9g) rad from the scene",
+		                      st->body[b].name, turn[0], turn[1], turn[2]);
+	}
+}
+
 static void comments(struct hawser__table *table, const void *of)
 {
 	const struct result *result = of;
@@ -113,8 +138,9 @@ static void comments(struct hawser__table *table, const void *of)
 	                      st->cables, st->unknowns, st->iterations);
 	if (!isfinite(st->gap))
 		hawser__table_comment(table, "energy = %.12g J; %s there may be other equilibria", st->energy,
-		                      result->mesh.net.water.levels ? "in a current"
-		                                                    : "around obstacles that are not planes");
+		                      result->mesh.net.winds ? "in a wind"
+		                      : result->mesh.net.water.levels ? "in a current"
+		                                                      : "around obstacles that are not planes");
 	else
 		hawser__table_comment(table, "energy = %.12g J, at most %.1e J above the least one", st->energy,
 		                      st->gap);
@@ -126,6 +152,7 @@ static void comments(struct hawser__table *table, const void *of)
 	if (*result->warning)
 		hawser__table_comment(table, "%s", result->warning);
 	slack_comment(table, result);
+	bodies_comment(table, st);
 	for (int i = 0; i < st->nodes; i++) {
 		const struct hawser_net_node *node = &result->mesh.net.node[i];
 		const double *x = st->x[i], *f = st->reaction[i];
@@ -145,7 +172,7 @@ static void comments(struct hawser__table *table, const void *of)
 
 /* --- fields --- */
 
-enum { SURFACES = 1, PROFILE = 2, WATER = 64 };
+enum { SURFACES = 1, PROFILE = 2, WATER = 64, BODIES = 128 };
 #define NEWTON .unit = HAWSER__NEWTON /* a force */
 #define METRE .unit = HAWSER__METRE   /* a length */
 
@@ -215,6 +242,27 @@ static void profile_json(struct hawser__json *json, json_t *to, const void *of)
 	}
 }
 
+struct body_row {
+	const char *name;
+	double turn[3];
+};
+static const struct hawser__field body_field[] = {
+	{"name", NULL, "of the body", HAWSER__AT(struct body_row, name)},
+	{"turn", NULL, "its turn from the scene: angle times axis, rad", HAWSER__AT(struct body_row, turn)},
+	HAWSER__END,
+};
+static const void *body_row(void *to, const void *parent, size_t i)
+{
+	const struct hawser_net_body *body = &((const struct result *)parent)->st.body[i];
+	struct body_row *row = to;
+
+	row->name = body->name;
+	turn_of(row->turn, body);
+	return row;
+}
+static const struct hawser__list body_list = HAWSER__MADE_ROWS(
+	struct body_row, body_field, struct result, st.bodies, body_row);
+
 #define OF(member) HAWSER__AT(struct result, member)
 static const struct hawser__field net_field[] = {
 	{"method", NULL, "by which they are computed", OF(st.method)},
@@ -222,6 +270,7 @@ static const struct hawser__field net_field[] = {
 	{"cables", NULL, "in the order of the scene", HAWSER__OBJECTS_OF(member_list)},
 	{"reactions", NULL, "forces of the supports on the net, by name of the node",
 	 CLI_NODES_AT(struct result, st.reaction, cli_supports), NEWTON},
+	{"bodies", NULL, "rigid bodies", HAWSER__OBJECTS_OF(body_list), .when = BODIES},
 	{"energy", NULL, "strain energy minus loads times places", OF(st.energy), .unit = HAWSER__J},
 	{"gap", NULL, "the energy is at most this above the least one; null: not known", OF(st.gap),
 	 .unit = HAWSER__J, .flags = HAWSER__NULL | HAWSER__INFINITE},
@@ -254,8 +303,8 @@ static struct cli_head head(const void *of)
 
 	return cli_si_head(result->common, "statics", result->st.method, &result->mesh.net,
 	                   (result->mesh.net.surfaces ? SURFACES : 0u) |
-	                   (result->mesh.net.water.density > 0.0 ? WATER : 0u) |
-	                   (result->profile ? PROFILE : 0u) |
+	                   (result->mesh.net.water.density > 0.0 && !result->mesh.net.winds ? WATER : 0u) |
+	                   (result->st.bodies ? BODIES : 0u) | (result->profile ? PROFILE : 0u) |
 	                   (result->stiffness.rows ? CLI_STIFFNESS : 0u) |
 	                   (result->stiffness.rows > 3 ? CLI_STIFFNESS_TURNS : 0u));
 }
@@ -275,7 +324,9 @@ static enum hawser_status draw(const char *path, const void *of, struct hawser_r
 {
 	const struct result *result = of;
 
-	return hawser__plot_net(path, &result->mesh.net, &result->st, report);
+	return result->mesh.net.water.density > 0.0
+		? hawser__plot_mooring(path, &result->mesh.net, &result->st, report)
+		: hawser__plot_net(path, &result->mesh.net, &result->st, report);
 }
 
 static const struct cli_showing showing = {.head = head, .comments = comments, .more = rows,

@@ -84,8 +84,12 @@ void cli_stiffness_comments(struct hawser__table *table, const struct cli_stiffn
 		                      "drag and moments have no potential", of->asymmetry);
 }
 
+/* A node, of a body its first one. */
 static int node_of(const struct hawser_net *net, const char *name, size_t length)
 {
+	for (int i = 0; i < net->bodies; i++)
+		if (strlen(net->body[i].name) == length && !strncmp(net->body[i].name, name, length))
+			return net->body[i].node[0];
 	for (int i = 0; i < net->nodes; i++)
 		if (strlen(net->node[i].name) == length && !strncmp(net->node[i].name, name, length))
 			return i;

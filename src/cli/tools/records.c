@@ -2,6 +2,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <hawser/scene.h>
+
 #include "cli/frame/kinds.h"
 #include "cli/model/made.h"
 #include "cli/statics/statics_kinds.h"
@@ -38,7 +40,9 @@ static void net_facts(char *text, int *forced, const struct hawser_net *net)
 	used = snprintf(text, CLI_SCENE_FACTS, "  nodes: %d, of which %d are supports\n"
 	                "  cables: %d, with %ld elements\n  loads: %d; motions of supports: %d\n",
 	                net->nodes, supports, net->cables, elements, net->loads, net->motions);
-	if (net->water.density > 0.0)
+	if (net->winds)
+		snprintf(text + used, (size_t)(CLI_SCENE_FACTS - used), "  wind: %.6g m/s\n", net->wind->speed);
+	else if (net->water.density > 0.0)
 		snprintf(text + used, (size_t)(CLI_SCENE_FACTS - used), "  water: below y = %.6g m%s%s\n",
 		         net->water.surface, net->water.levels ? ", with a current" : "",
 		         net->water.waves.count ? ", with waves" : "");

@@ -127,7 +127,8 @@ enum hawser_status hawser_damped_solve(struct hawser_damped *damped,
 
 struct sweep {
 	struct hawser_damped_sweep *to;
-	const struct hawser_scene *scene;
+	const struct hawser_scene *scene;          /* or */
+	const struct hawser_damped_source *source;
 	const struct hawser_damped_sweep_options *options;
 	struct hawser__damped_pair *pair;   /* [threads] of the last point */
 	struct hawser_report *report;       /* [points] */
@@ -139,10 +140,13 @@ static enum hawser_status solve_at(struct hawser_damped *state, const struct swe
                                    struct hawser__damped_pair *pair, struct hawser_report *report)
 {
 	const struct hawser_damped_sweep_options *options = sweep->options;
-	struct hawser_scene scene = *sweep->scene; /* a copy that is not cleared */
+	struct hawser_scene scene;
 	struct hawser_statics st;
 	enum hawser_status status;
 
+	if (sweep->source)
+		return sweep->source->solve(sweep->source->context, state, value, report);
+	scene = *sweep->scene; /* a copy that is not cleared */
 	status = hawser_scene_set(&scene, options->key, value, report);
 	if (!status)
 		status = hawser_statics_scene(&st, &scene, report);
@@ -280,15 +284,9 @@ static enum hawser_status verdict(const struct sweep *sweep, struct hawser_repor
 	return HAWSER_OK;
 }
 
-static enum hawser_status check_sweep(const struct hawser_scene *scene,
-                                      const struct hawser_damped_sweep_options *options,
+static enum hawser_status check_sweep(const struct hawser_damped_sweep_options *options,
                                       struct hawser_report *report)
 {
-	double now;
-	enum hawser_status status = hawser_scene_get(scene, &now, options->key, report);
-
-	if (status)
-		return status;
 	if (options->points < 1)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
 		                    "a sweep of %d points: give at least one", options->points);
@@ -318,7 +316,7 @@ static enum hawser_status trace(struct sweep *sweep, int threads, struct hawser_
 			sweep->to->value[i] = sweep->options->value[i];
 		hawser__share(points, threads, point, sweep);
 		status = verdict(sweep, report);
-		for (int i = 0; !status && sweep->scene->wind.present && i + 1 < points; i++)
+		for (int i = 0; !status && (sweep->source || sweep->scene->wind.present) && i + 1 < points; i++)
 			status = events_between(sweep, i, report);
 	}
 	for (int i = 0; sweep->pair && i < threads; i++)
@@ -337,8 +335,11 @@ enum hawser_status hawser_damped_trace(struct hawser_damped_sweep *sweep,
 	struct hawser_damped_sweep_options settled = *options;
 	struct sweep work = {.to = sweep, .scene = scene, .options = &settled};
 	int threads = options->threads > 0 ? options->threads : hawser__processors();
-	enum hawser_status status = check_sweep(scene, options, report);
+	double now;
+	enum hawser_status status = hawser_scene_get(scene, &now, options->key, report);
 
+	if (!status)
+		status = check_sweep(options, report);
 	*sweep = (struct hawser_damped_sweep){.points = 0};
 	hawser_damped_settle(&settled.modes);
 	work.same = strncmp(options->key, "attach.", 7) == 0 &&
@@ -346,6 +347,22 @@ enum hawser_status hawser_damped_trace(struct hawser_damped_sweep *sweep,
 	             strstr(options->key, ".absorber_damping"));
 	if (!status)
 		status = trace(&work, threads, report);
+	if (status)
+		hawser_damped_sweep_clear(sweep);
+	return status;
+}
+
+enum hawser_status hawser_damped_follow(struct hawser_damped_sweep *sweep,
+                                        const struct hawser_damped_source *source,
+                                        const struct hawser_damped_sweep_options *options,
+                                        struct hawser_report *report)
+{
+	struct sweep work = {.to = sweep, .source = source, .options = options};
+	enum hawser_status status = check_sweep(options, report);
+
+	*sweep = (struct hawser_damped_sweep){.points = 0};
+	if (!status)
+		status = trace(&work, 1, report);
 	if (status)
 		hawser_damped_sweep_clear(sweep);
 	return status;

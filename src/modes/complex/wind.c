@@ -50,13 +50,16 @@ int hawser__flow_points(struct hawser__flow_points *flow, const struct hawser_mo
 	flow->weight = hawser__hold(&flow->hold, points, sizeof(double));
 	flow->speed = hawser__hold(&flow->hold, points, sizeof(double));
 	flow->shape = hawser__hold(&flow->hold, points*2*n + 1, sizeof(double));
+	flow->section = hawser__hold(&flow->hold, 1, sizeof *flow->section);
+	flow->at = hawser__hold(&flow->hold, points, sizeof *flow->at);
 	if (flow->hold.short_of_memory)
 		return 0;
 	if (scene->wind.present)
-		hawser__section_make(&flow->section, &scene->wind);
+		hawser__section_make(flow->section, &scene->wind);
 	for (size_t i = 0; i < points; i++) {
 		double axis[2][2];
 
+		flow->at[i] = flow->section;
 		flow->speed[i] = hawser__flow_axes(axis, st, grid->s[i], &scene->wind);
 		flow->weight[i] = grid->weight[i]*st->span.d/st->H/flow->unit;
 		for (size_t j = 0; j < n; j++) {
@@ -85,7 +88,7 @@ void hawser__flow_damping(double *D, const struct hawser__flow_points *flow)
 		const double *along = flow->shape + 2*i*n, *across = along + n;
 		double f[2], by_v[2][2];
 
-		hawser__section_force(f, by_v, &flow->section, flow->speed[i], rest);
+		hawser__section_force(f, by_v, flow->at[i], flow->speed[i], rest);
 		for (size_t j = 0; j < n; j++) {
 			double first = flow->weight[i]*(along[j]*by_v[0][0] + across[j]*by_v[1][0]);
 			double second = flow->weight[i]*(along[j]*by_v[0][1] + across[j]*by_v[1][1]);

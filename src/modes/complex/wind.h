@@ -15,7 +15,8 @@ struct hawser__flow_points {
 	double *shape;  /* [points][2][n] of each mode along the flow and across it, times unit: velocity
 	                 * in m/s */
 	double unit;    /* of velocities, m/s */
-	struct hawser__section section;
+	struct hawser__section *section; /* one, or all that the points have */
+	const struct hawser__section **at; /* [points] */
 	struct hawser__hold hold;
 };
 

@@ -11,6 +11,7 @@
 #include <hawser/net_modes.h>
 
 #include "core/report.h"
+#include "net/body.h"
 #include "net/statics/solution.h"
 #include "net/modes/symmetry.h"
 #include "net/touch/touch.h"
@@ -272,11 +273,13 @@ enum hawser_status hawser__net_modal_open(struct hawser__net_modal *modal, const
 {
 	struct hawser__mesh *mesh = &modal->mesh;
 	struct hawser_net_modes *modes = &modal->modes;
-	enum hawser_status status = hawser__mesh_build(mesh, net, report);
+	enum hawser_status status = hawser__bodies_none(net, "the question for modes", report);
 
 	*modes = (struct hawser_net_modes){.nodes = net->nodes};
 	modal->eigen = (struct hawser__eigen){.n = 0};
 	modal->T = NULL;
+	if (!status)
+		status = hawser__mesh_build(mesh, net, report);
 	if (!status)
 		status = hawser__net_supported(mesh, net, report);
 	if (!status && !(modal->T = calloc((size_t)mesh->elements + 1, sizeof *modal->T)))

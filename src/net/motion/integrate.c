@@ -9,6 +9,7 @@
 
 #include "core/progress.h"
 #include "core/report.h"
+#include "net/body.h"
 #include "net/motion/motion-contact.h"
 #include "net/motion/motion-events.h"
 #include "net/motion/motion-probe.h"
@@ -23,7 +24,8 @@ static const double BEGINS = 0.1;
 const double hawser__motion_tolerance = 1e-7;
 
 struct run {
-	const struct hawser_net *net;
+	const struct hawser_net *net, *given; /* with its bodies where they belong; as it was given */
+	struct hawser_net seated;
 	const struct hawser_net_motion_options *options;
 	struct hawser__mesh mesh;
 	struct hawser__motion motion;
@@ -53,6 +55,7 @@ static void clear(struct run *run)
 	free(run->touched.state);
 	hawser__motion_clear(&run->motion);
 	hawser__mesh_clear(&run->mesh);
+	hawser__bodies_unseat(&run->seated, run->given);
 }
 
 /* --- the beginning --- */
@@ -147,7 +150,8 @@ static enum hawser_status start(struct run *run, struct hawser_report *report)
 		return hawser__no_memory(report, "net");
 	for (int i = 0; i < net->dynamics.releases; i++) {
 		loose[net->dynamics.release[i]] = 1;
-		hawser__mesh_hold(&run->mesh, net->dynamics.release[i], none);
+		if (!run->mesh.rigid[net->dynamics.release[i]])
+			hawser__mesh_hold(&run->mesh, net->dynamics.release[i], none);
 	}
 	hawser__events_spare(&run->mesh, net);
 	if (net->surfaces && net->dynamics.releases)
@@ -161,16 +165,19 @@ static enum hawser_status start(struct run *run, struct hawser_report *report)
 		flatten(run);
 		status = hawser__motion_open(&run->motion, &run->mesh, scheme, rho, same, loose, report);
 	}
+	if (!status)
+		status = hawser__bodies_start(&run->motion, net, loose, run->still, report);
 	free(loose);
 	if (!status && run->motion.scheme->rule != hawser__motion_scheme(0)->rule)
 		status = hawser__mesh_lawless(net, "another scheme than energy", report);
-	if (!status && ((run->mesh.touches || run->mesh.water) ?
+	if (!status && ((run->mesh.touches || run->mesh.water || net->bodies) ?
 	                run->motion.scheme->rule != hawser__motion_scheme(0)->rule :
 	                run->motion.attached && run->motion.scheme->advance))
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s: the scheme %s does not know "
 		                      "%s: take energy, or leave dynamics.scheme and --method out",
 		                      net->name ? net->name : "the net", run->motion.scheme->shown.name,
-		                      run->mesh.touches ? "obstacles" : run->mesh.water ? "water"
+		                      run->mesh.touches ? "obstacles" : net->winds ? "wind"
+		                      : run->mesh.water ? "water" : net->bodies ? "rigid bodies"
 		                      : "springs, dampers and absorbers of nodes");
 	if (!status && run->mesh.touches)
 		status = hawser__contact_open(&run->motion, net->contact.restitution, report);
@@ -236,6 +243,7 @@ static enum hawser_status check(const struct hawser_net *net, struct hawser_repo
 static enum hawser_status prepare(struct run *run, struct hawser_report *report)
 {
 	const struct hawser_net_motion_options *options = run->options;
+	double rest;
 	enum hawser_status status = check(run->net, report);
 
 	if (status)
@@ -248,7 +256,10 @@ static enum hawser_status prepare(struct run *run, struct hawser_report *report)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%.3g rows are more than %d: choose "
 		                    "a longer time between them", options->until/run->every, ROWS);
 	run->step = options->step != 0.0 ? fmax(options->step, 0.0) : run->net->dynamics.step;
-	status = hawser__mesh_build(&run->mesh, run->net, report);
+	status = hawser__bodies_seat(&run->seated, &rest, run->given, report);
+	run->net = &run->seated;
+	if (!status)
+		status = hawser__mesh_build(&run->mesh, run->net, report);
 	if (!status)
 		status = hawser__net_supported(&run->mesh, run->net, report);
 	if (!status)
@@ -435,7 +446,7 @@ enum hawser_status hawser__net_integrate(struct hawser_net_motion *to, const str
                                          const struct hawser_net_motion_options *options,
                                          struct hawser_report *report)
 {
-	struct run run = {.net = net, .options = options};
+	struct run run = {.net = net, .given = net, .options = options};
 	const struct hawser__motion *motion = &run.motion;
 	enum hawser_status status;
 

@@ -7,19 +7,56 @@
  * p0)/h, as that of an element along itself (net/motion/motion-law.c); it does not pull. So the
  * change of W is kept exactly, and the damping only takes energy.
  *
+ * Friction T is that of springs along the plane, which slide where |T| would be above mu*N: with the
+ * slip x relative to the plane it is T0 - stiff*x, or as much of it as mu*N. It acts over all of the
+ * step, so that springs that stick lose some energy too, and none is won.
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "core/report.h"
 #include "core/vec3.h"
 #include "net/motion/motion-contact.h"
 
+/* Of a spring along the plane over that across it: the slip before it slides is this part of mu times
+ * the depth, of which the friction of moorings feels nothing. */
+static const double STIFFER_ALONG = 10.0;
+
 struct step {
 	double k, c, n[3], s0, s1;
 };
+
+/* Friction of the step, for the force N across the plane whose derivative by s1 is `slope`, and what
+ * it adds to the block of the node. */
+static void rub(double T[3], double *block, const struct hawser__motion *motion, int number,
+                const struct step *of, double N, double slope, double h)
+{
+	const struct hawser__touch *touch = &motion->mesh->touch[number];
+	const struct hawser__motion_touch *now = &motion->contact->touch[number];
+	const double *x = motion->x[touch->node], stiff = STIFFER_ALONG*of->k;
+	const double *v = touch->surface->velocity;
+	double across = hawser__dot(of->n, x), size, most, part;
+
+	for (int k = 0; k < 3; k++)
+		T[k] = now->T[k] - stiff*(x[k] - across*of->n[k] - h*v[k]);
+	size = hawser__norm(T);
+	most = touch->surface->friction*N;
+	part = size > most ? most/size : 1.0;
+	for (int i = 0; i < 9 && block; i++) {
+		double along = part < 1.0 ? T[i/3]*T[i % 3]/(size*size) : 0.0;
+		double plane = (i % 4 ? 0.0 : 1.0) - of->n[i/3]*of->n[i % 3];
+
+		block[i] += part*stiff*(plane - along);
+		if (part < 1.0)
+			block[i] += touch->surface->friction*slope*T[i/3]/size*of->n[i % 3];
+	}
+	for (int k = 0; k < 3; k++)
+		T[k] *= part;
+}
 
 /* 0 for a touch of a rigid obstacle. x: the increment of its node, or NULL: the state, as s0 and
  * s1. */
@@ -103,8 +140,15 @@ double hawser__bed_residual(struct hawser__motion *motion, const struct hawser__
 			motion->r[node][k] -= N*step.n[k];
 		for (int k = 0; k < 9 && tangent; k++)
 			motion->block[node][k] += slope*step.n[k/3]*step.n[k%3];
-		if (motion->contact)
+		if (motion->contact) {
+			double *T = motion->contact->touch[i].rubbed;
+
 			motion->contact->touch[i].given = N;
+			if (motion->mesh->touch[i].surface->friction > 0.0 && rule->weight < 0.0)
+				rub(T, tangent ? motion->block[node] : NULL, motion, i, &step, N, slope, h);
+			for (int k = 0; k < 3; k++)
+				motion->r[node][k] -= T[k];
+		}
 		most = fmax(most, N);
 	}
 	return most;
@@ -116,12 +160,32 @@ double hawser__bed_energy(const struct hawser__motion *motion)
 	struct step step;
 
 	for (int i = 0; i < motion->mesh->touches; i++)
-		if (soft(&step, motion, i, 0))
+		if (soft(&step, motion, i, 0)) {
+			const double *T = motion->contact ? motion->contact->touch[i].T : NULL;
+
 			sum += 0.5*step.k*fmax(step.s0, 0.0)*fmax(step.s0, 0.0);
+			sum += T ? 0.5*hawser__dot(T, T)/(STIFFER_ALONG*step.k) : 0.0;
+		}
 	return sum;
 }
 
-void hawser__bed_account(struct hawser__motion *motion)
+/* What the friction of a step takes, and what the plane gives where it moves. */
+static void rubbed(struct hawser__motion *motion, int number, const struct step *of, double h)
+{
+	const struct hawser__touch *at = &motion->mesh->touch[number];
+	struct hawser__motion_touch *touch = &motion->contact->touch[number];
+	const double *x = motion->x[at->node], *T = touch->rubbed, *before = touch->T;
+	double drives = h*hawser__dot(T, at->surface->velocity);
+	double lost = drives - hawser__dot(T, x) - 0.5*(hawser__dot(T, T) - hawser__dot(before, before))/
+	                                    (STIFFER_ALONG*of->k);
+	motion->contact->friction += lost;
+	motion->contact->surfaces += drives;
+	motion->energy.dissipated += lost;
+	motion->energy.work += drives;
+	memcpy(touch->T, T, sizeof touch->T);
+}
+
+void hawser__bed_account(struct hawser__motion *motion, double h)
 {
 	struct step step;
 
@@ -134,5 +198,6 @@ void hawser__bed_account(struct hawser__motion *motion)
 		p1 = fmax(step.s1, 0.0);
 		motion->energy.dissipated += motion->contact->touch[i].given*(step.s1 - step.s0) -
 		                             0.5*step.k*(p1 - p0)*(p1 + p0);
+		rubbed(motion, i, &step, h);
 	}
 }

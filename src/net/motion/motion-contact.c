@@ -88,7 +88,8 @@ enum hawser_status hawser__contact_open(struct hawser__motion *motion, double re
 	if (!contact)
 		return hawser__no_memory(report, "net");
 	motion->contact = contact;
-	motion->far = 0.0;
+	for (int i = 0; i < mesh->touches; i++) /* impacts are of lumped masses, planes that give way not */
+		motion->far = mesh->touch[i].give > 0.0 ? motion->far : 0.0;
 	contact->touches = mesh->touches;
 	contact->restitution = restitution;
 	if (!allocate(contact, (size_t)mesh->nodes, (size_t)mesh->elements))
@@ -174,6 +175,8 @@ void hawser__contact_begin(struct hawser__motion *motion)
 		                (of->r > 0.0 ||
 		                 (touch->g0 <= round && hawser__dot(n, motion->v[of->node]) <= 0.0));
 		memcpy(touch->T, of->friction, sizeof touch->T);
+		if (of->give > 0.0)
+			memcpy(touch->reply.velocity, of->friction, sizeof touch->T); /* is in a state */
 		touch->reply.impulse[0] = of->r;
 		touch->state = of->r <= 0.0 ? HAWSER_CONTACT_OPEN
 			: of->slides || of->surface->friction == 0.0 ? HAWSER_CONTACT_SLIP : HAWSER_CONTACT_STICK;

@@ -58,7 +58,7 @@ struct hawser__motion_contact {
 	struct hawser__hold hold; /* its arrays */
 };
 
-/* For a motion whose mesh has touches: sets motion->contact, and lumps the masses. */
+/* For a motion whose mesh has touches: sets motion->contact; lumps the masses where one is rigid. */
 enum hawser_status hawser__contact_open(struct hawser__motion *motion, double restitution,
                                         struct hawser_report *report)
 	HAWSER_MUST_CHECK;

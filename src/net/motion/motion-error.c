@@ -131,10 +131,6 @@ static enum hawser_status not_in_time(const struct hawser_net *net,
 			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s: obstacles.%s.friction: axial "
 			                    "and transverse are not yet known in motions: give one number",
 			                    net->name, surface->name);
-		if (surface->stiffness > 0.0 && surface->friction > 0.0)
-			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s: obstacles.%s: the friction of "
-			                    "a plane with stiffness is not yet known in motions: give friction: 0, "
-			                    "or leave its stiffness out", net->name, surface->name);
 		if (surface->groove && !flat)
 			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s: obstacles.%s.groove is not "
 			                    "yet known in motions along z: leave it out, or what moves the net "

@@ -24,6 +24,8 @@
 enum { RECENT = 3 }; /* steps whose differences see a jump */
 /* Of the velocities of a step: a bounce below this has ended. Of its ways: a gap below is round-off. */
 static const double REST = 1e-9, ROUND = 1e-9;
+/* Of its bound: friction below this part of it holds. */
+static const double HOLDS = 1.0 - 1e-9;
 /* At a node with several obstacles: times that normal velocities into them are taken away. */
 enum { AGAIN = 30 };
 
@@ -208,7 +210,11 @@ void hawser__contact_finish(struct hawser__motion *motion)
 
 		if (motion->mesh->touch[i].give > 0.0) { /* net/motion/motion-bed.c */
 			touch->N = touch->given;
-			touch->state = touch->N > 0.0 ? HAWSER_CONTACT_SLIP : HAWSER_CONTACT_OPEN;
+			memcpy(touch->reply.velocity, touch->rubbed, sizeof touch->rubbed); /* is in a state */
+			touch->state = touch->N <= 0.0 ? HAWSER_CONTACT_OPEN
+				: hawser__norm(touch->rubbed) <
+				  HOLDS*motion->mesh->touch[i].surface->friction*touch->N
+				? HAWSER_CONTACT_STICK : HAWSER_CONTACT_SLIP;
 			continue;
 		}
 		if (touch->candidate < 0) {

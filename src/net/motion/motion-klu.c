@@ -51,7 +51,8 @@ double hawser__klu_bytes(const struct hawser__klu *klu)
 {
 	/* an index and a value for each entry; KLU's estimate of the factors is one of a symmetric
 	 * pattern */
-	double factors = fmax(klu->symbolic->lnz, 0.0) + fmax(klu->symbolic->unz, 0.0);
+	double factors = klu->symbolic
+		? fmax(klu->symbolic->lnz, 0.0) + fmax(klu->symbolic->unz, 0.0) : 0.0;
 
 	return 12.0*(factors + klu->p[klu->unknowns]) + (double)klu->elements*sizeof *klu->at;
 }
@@ -169,6 +170,8 @@ static enum hawser_status pattern(struct hawser__klu *klu, const struct hawser__
 	fill(klu, (const int (*)[2])list, count);
 	free(list);
 	locate(klu, mesh);
+	if (!klu->unknowns) /* all nodes are held, as of a body on hinges */
+		return HAWSER_OK;
 	klu->symbolic = klu_analyze(klu->unknowns, klu->p, klu->i, &klu->common);
 	return klu->symbolic ? HAWSER_OK : failed(klu, report);
 }
@@ -256,7 +259,12 @@ static void assemble(struct hawser__klu *klu, const struct hawser__blocks_matrix
 enum hawser_status hawser__klu_divide(double *x, int *good, struct hawser__klu *klu,
                                       struct hawser_report *report)
 {
-	int done = klu->numeric && klu_refactor(klu->p, klu->i, klu->x, klu->symbolic, klu->numeric,
+	int done = !klu->unknowns;
+
+	*good = done;
+	if (done)
+		return HAWSER_OK;
+	done = klu->numeric && klu_refactor(klu->p, klu->i, klu->x, klu->symbolic, klu->numeric,
 	                                        &klu->common) && klu->common.status == KLU_OK;
 
 	if (!done) {

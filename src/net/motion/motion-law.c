@@ -227,7 +227,7 @@ void hawser__motion_residual(struct hawser__motion *motion, const struct hawser_
 		}
 		/* nothing may hold a body whose cable has parted, or that falls on an obstacle */
 		for (int k = 0; k < 3; k++)
-			if (motion->events || (motion->contact && free[k] >= 0))
+			if (motion->events || motion->bodies || (motion->contact && free[k] >= 0))
 				most = hawser__larger(most, fabs(motion->load[i][k]));
 		if (tangent)
 			motion->point[i] = rule->m[0]*motion->mesh->mass[i];
@@ -409,7 +409,7 @@ void hawser__motion_account(struct hawser__motion *motion, const struct hawser__
 	motion->energy.work += work;
 	motion->energy.dissipated += lost + (motion->attached ? hawser__attached_loss(motion, h) : 0.0);
 	if (motion->soft)
-		hawser__bed_account(motion);
+		hawser__bed_account(motion, h);
 	if (motion->water)
 		hawser__water_account(motion, h);
 	hawser__motion_balance(motion);
@@ -444,7 +444,7 @@ int hawser__motion_tensions(double *T, const struct hawser__motion *motion)
 		}
 		(void)stretch(&p, el, delta, d);
 		T[e] = hawser__motion_tension(motion, e, d, p);
-		slack += p < el->zero || (p > el->zero && T[e] == 0.0);
+		slack += !el->rod && (p < el->zero || (p > el->zero && T[e] == 0.0));
 	}
 	return slack;
 }

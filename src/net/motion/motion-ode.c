@@ -42,7 +42,7 @@ enum hawser_status hawser__ode_massive(const struct hawser__mesh *mesh, const st
 		for (int end = 0; end < 2; end++)
 			heavy[mesh->end[e][end]] |= mesh->rho[e] > 0.0;
 	for (int c = 0; c < mesh->cables && !status; c++)
-		if (net->cable[c].elements > 1 && net->cable[c].rho == 0.0)
+		if (net->cable[c].elements > 1 && net->cable[c].rho == 0.0 && !net->cable[c].rod)
 			status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "a motion needs mass at each "
 			                      "node, and cable %s has inner nodes without: give it rho, or 1 "
 			                      "element",

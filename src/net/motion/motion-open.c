@@ -29,6 +29,7 @@ void hawser__motion_clear(struct hawser__motion *motion)
 	free(motion->table);
 	hawser__blocks_clear(motion->blocks);
 	hawser__cvode_clear(motion->cvode);
+	hawser__bodies_close(motion->bodies);
 	hawser__water_motion_clear(motion->water);
 	hawser__contact_clear(motion->contact);
 	hawser__events_clear(motion->events);
@@ -68,6 +69,7 @@ static void refer(struct hawser__motion *motion, int balanced, const unsigned ch
 
 		el->a = mesh->end[e][0];
 		el->b = mesh->end[e][1];
+		el->rod = mesh->net && mesh->net->cable[mesh->cable[e]].rod;
 		for (int k = 0; k < 3; k++)
 			el->D[k] = mesh->q[el->b][k] - mesh->q[el->a][k];
 		el->l_ref = sqrt(el->D[0]*el->D[0] + el->D[1]*el->D[1] + el->D[2]*el->D[2]);

@@ -110,5 +110,7 @@ void hawser__contact_restore(struct hawser__motion *motion, const double *from)
 			touch->reply.velocity[k] = *from++;
 		}
 		touch->N = touch->reply.impulse[0];
+		if (motion->mesh->touch[i].give > 0.0)
+			memcpy(touch->T, touch->reply.velocity, sizeof touch->T);
 	}
 }

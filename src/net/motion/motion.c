@@ -97,6 +97,8 @@ void hawser__motion_watch(struct hawser__motion *motion, int element, const doub
 {
 	double T = hawser__motion_tension(motion, element, d, p), zero = motion->element[element].zero;
 
+	if (motion->element[element].rod)
+		return;
 	if (T < motion->least) {
 		motion->least = T;
 		motion->least_at = t;
@@ -140,9 +142,11 @@ static void predict(struct hawser__motion *motion, double h)
 			double v = motion->v0[i][k], mean = motion->past[i][k]*f, x;
 
 			x = h*v + (f > 0.0 ? f*(h*v - mean) : 0.5*h*h*motion->a0[i][k]);
-			motion->x[i][k] = motion->mesh->unknown[i][k] < 0
+			motion->x[i][k] = motion->mesh->unknown[i][k] < 0 && !motion->mesh->rigid[i]
 				? motion->u[i][k] - motion->u0[i][k] : x;
 		}
+	if (motion->bodies)
+		hawser__bodies_predict(motion, h);
 }
 
 static void move(struct hawser__motion *motion, double part)
@@ -150,6 +154,8 @@ static void move(struct hawser__motion *motion, double part)
 	for (int n = 0; n < motion->nodes; n++)
 		for (int k = 0; k < 3; k++)
 			motion->x[n][k] += part*motion->move[n][k];
+	if (motion->bodies)
+		hawser__bodies_move(motion, part);
 }
 
 /* Newton's method for the increment; *done is 0 if it fails. `careful`: a correction is halved while
@@ -165,11 +171,13 @@ static enum hawser_status iterate(struct hawser__motion *motion, int *done, int 
 	*done = 0;
 	for (int i = 0; i < (careful ? CAREFUL : ITERATIONS); i++) {
 		double rest, tolerance;
-		int good;
+		int good, made = fresh;
 		enum hawser_status status;
 
 		hawser__motion_residual(motion, rule, h, fresh);
 		rest = rest_of(motion);
+		if (motion->bodies)
+			rest = hawser__bodies_rest(motion, rest);
 		tolerance = 5000.0*DBL_EPSILON*motion->scale;
 		*done = (i > 0 || !motion->contact) && /* as where there are contacts */
 		        (rest <= tolerance || (rest <= 1e3*tolerance && rest > 0.25*last));
@@ -186,7 +194,8 @@ static enum hawser_status iterate(struct hawser__motion *motion, int *done, int 
 		fresh = i == 0 || !(rest <= HAWSER__KEEPS*last);
 		last = rest;
 		part = 1.0;
-		status = correct(motion, &good, report);
+		status = motion->bodies ? hawser__bodies_correct(motion, &good, made, correct, report)
+		                        : correct(motion, &good, report);
 		motion->singular = !good && i == 0;
 		if (status || !good)
 			return status;
@@ -223,6 +232,8 @@ static void finish(struct hawser__motion *motion, const struct hawser__motion_ru
 			motion->v[i][k] = rule->to_v[0]*x + rule->to_v[1]*v + rule->to_v[2]*a;
 			motion->a[i][k] = rule->to_a[0]*x + rule->to_a[1]*v + rule->to_a[2]*a;
 		}
+	if (motion->bodies)
+		hawser__bodies_finish(motion);
 	if (motion->contact)
 		hawser__contact_finish(motion);
 	hawser__motion_account(motion, rule, h);
@@ -234,7 +245,7 @@ static void finish(struct hawser__motion *motion, const struct hawser__motion_ru
 	for (int e = 0; e < motion->elements; e++) {
 		const struct hawser__motion_element *el = &motion->element[e];
 
-		motion->switches += (el->p > el->zero) != (el->p1 > el->zero);
+		motion->switches += !el->rod && (el->p > el->zero) != (el->p1 > el->zero);
 		hawser__motion_watch(motion, e, el->d1, el->p1, motion->t + h);
 	}
 	motion->drift += motion->contact ? fmax(motion->error, motion->contact->jump_error) : motion->error;

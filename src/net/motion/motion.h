@@ -26,6 +26,7 @@
 
 struct hawser__motion_element {
 	int a, b;                 /* nodes */
+	int rod;                  /* 1: of a rigid body, without tension: neither slack nor taut */
 	double D[3], l_ref, p_ref, F_ref[3]; /* F_ref: force of the reference, N */
 	double k, c, m, drag;     /* N/m; N s/m (Kelvin-Voigt); kg; kg/s */
 	double creep, loss, rest; /* N/m, N s/m of what is in line with k: a spring and a dashpot; 0: none;
@@ -170,6 +171,7 @@ struct hawser__motion {
 	int soft;                    /* 1: planes that give way; net/motion/motion-bed.c */
 	double (*bed)[9];            /* [nodes] `block`, if these two alone need it; or NULL */
 	double (*other)[9], (*block)[9]; /* of it, or NULL; see struct hawser__blocks_matrix */
+	struct hawser__motion_bodies *bodies; /* NULL: none; net/motion/motion-body.c */
 	struct hawser__water_motion *water; /* NULL: none; net/water/water-motion.c */
 	struct hawser__blocks *blocks;
 	struct hawser__cvode *cvode; /* of that scheme, or NULL */
@@ -298,6 +300,24 @@ double hawser__attached_residual(struct hawser__motion *motion, const struct haw
 void hawser__attached_eliminate(struct hawser__motion *motion, int solved);
 void hawser__attached_energies(double *kinetic, double *potential, const struct hawser__motion *motion);
 double hawser__attached_loss(const struct hawser__motion *motion, double h);
+/* motion-body.c: rigid bodies. Memory, with the supports that have gone (loose [nodes]) and the axes
+ * along which nothing moves; the increments of their nodes from those in motion->x; the larger of
+ * `most` and what is not balanced, N; a correction, whose linear equations with the right side
+ * -motion->r `solve` solves, with columns for a new matrix if `fresh`; to go a part of it; and the end
+ * of the step. */
+typedef enum hawser_status hawser__motion_solver(struct hawser__motion *motion, int *good,
+                                                 struct hawser_report *report);
+enum hawser_status hawser__bodies_start(struct hawser__motion *motion, const struct hawser_net *net,
+                                        const unsigned char *loose, const int still[3],
+                                        struct hawser_report *report) HAWSER_MUST_CHECK;
+void hawser__bodies_close(struct hawser__motion_bodies *bodies);
+void hawser__bodies_predict(struct hawser__motion *motion, double h);
+double hawser__bodies_rest(struct hawser__motion *motion, double most);
+enum hawser_status hawser__bodies_correct(struct hawser__motion *motion, int *good, int fresh,
+                                          hawser__motion_solver *solve, struct hawser_report *report)
+	HAWSER_MUST_CHECK;
+void hawser__bodies_move(struct hawser__motion *motion, double part);
+void hawser__bodies_finish(struct hawser__motion *motion);
 /* motion-bed.c: planes that give way: whether there are any; their part of the residual and of the
  * matrix, which returns the largest force; of the energy, J; and of the ledger. */
 enum hawser_status hawser__bed_open(struct hawser__motion *motion, struct hawser_report *report)
@@ -305,7 +325,7 @@ enum hawser_status hawser__bed_open(struct hawser__motion *motion, struct hawser
 double hawser__bed_residual(struct hawser__motion *motion, const struct hawser__motion_rule *rule,
                             double h, int tangent);
 double hawser__bed_energy(const struct hawser__motion *motion);
-void hawser__bed_account(struct hawser__motion *motion);
+void hawser__bed_account(struct hawser__motion *motion, double h);
 /* net/water/water-motion.c: in water. The flow of a step, for motion->x as expected; its part of the
  * residual and of the matrix, which returns the largest force; of the energies and the ledger; and
  * the loads of the mesh in the state with accelerations a [nodes] or NULL, for tensions, with the

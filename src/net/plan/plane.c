@@ -41,7 +41,7 @@ int hawser__net_still(double *place, const struct hawser_net *net, int k,
 	int found = 0;
 
 	*place = 0.0;
-	if (k == 1 || net->water.file || loaded(net, net->load, net->loads, k) ||
+	if (k == 1 || net->water.file || net->water.air || loaded(net, net->load, net->loads, k) ||
 	    loaded(net, net->motion, net->motions, k))
 		return 0;
 	if (net->water.waves.count && net->water.waves.along[k == 2] != 0.0)

@@ -2,6 +2,8 @@
  * scene/tree_rows.h. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <hawser/scene.h>
+
 #include "net/read/read.h"
 #include "scene/tree_rows.h"
 
@@ -11,6 +13,7 @@
 #define LOAD_AT(member) offsetof(struct hawser_net_load, member)
 #define PASS_AT(member) offsetof(struct hawser__net_passing, member)
 #define ABSORBER_AT(member) offsetof(struct hawser__net_absorber_given, member)
+#define BODY_AT(member) offsetof(struct hawser_net_body, member)
 #define FAILURE_AT(member) offsetof(struct hawser_net_failure, member)
 #define WINCH_AT(member) offsetof(struct hawser_net_winch, member)
 #define WAVES_AT(member) offsetof(struct hawser_net, water.given.member)
@@ -33,6 +36,28 @@
 	NUMBER(path ".harmonic.wavelength", OPTIONAL, "m", ANY, LOAD_AT(wavelength), NULL, \
 	       "unstretched length over which the phase falls by 2 pi, of a load that runs towards its " \
 	       "end; negative: towards its begin")
+#define WIND_AT(member) offsetof(struct hawser_wind, member)
+/* none: the default, of a cable words about it. */
+#define SECTION_IN_WIND(path, none) \
+	NUMBER(path ".diameter", OPTIONAL, "m", NOT_NEGATIVE, WIND_AT(diameter), none, \
+	       "diameter to which drag and lift refer; 0: the wind passes by") \
+	NUMBER(path ".angle", OPTIONAL, "rad", ANY, WIND_AT(angle), none, "as wind.angle of spans") \
+	NUMBER(path ".drag", OPTIONAL, "1", ANY, WIND_AT(drag), none, "as wind.drag of spans") \
+	LIST(path ".drag", OPTIONAL, "of the powers 0, 1, 2, ... of the angle of attack") \
+	NUMBER(path ".drag[]", OPTIONAL, "1", ANY, NOWHERE, NULL, "factor of a power") \
+	NUMBER(path ".lift", OPTIONAL, "1", ANY, WIND_AT(lift), none, "as wind.lift of spans") \
+	LIST(path ".lift", OPTIONAL, "of the powers 0, 1, 2, ... of the angle of attack") \
+	NUMBER(path ".lift[]", OPTIONAL, "1", ANY, NOWHERE, NULL, "factor of a power") \
+	LIST(path ".table", OPTIONAL, "as wind.table of spans") \
+	VECTOR(path ".table[]", 3, OPTIONAL, "rad, 1, 1", ANY, NOWHERE, NULL, \
+	       "[angle of attack, drag coefficient, lift coefficient]") \
+	TEXT(path ".table", OPTIONAL, NOWHERE, NULL, "a file of such rows, as of spans") \
+	LIST(path ".reynolds", OPTIONAL, "as wind.reynolds of spans") \
+	VECTOR(path ".reynolds[]", 2, OPTIONAL, "1", ANY, NOWHERE, NULL, \
+	       "[Reynolds' number of the relative wind, drag coefficient]") \
+	TEXT(path ".reynolds", OPTIONAL, NOWHERE, NULL, "a file of such rows") \
+	NUMBER(path ".viscosity", OPTIONAL, "m^2/s", NOT_NEGATIVE, WIND_AT(viscosity), none, \
+	       "as wind.viscosity of spans")
 #define MOTION(path, k) \
 	MAPPING(path, OPTIONAL, "harmonic motion in this direction") \
 	NUMBER(path ".amplitude", REQUIRED, "m", ANY, LOAD_AT(value[k]), NULL, \
@@ -85,6 +110,8 @@ static const struct hawser__tree_key net_rows[] = {
 	NUMBER("net.cables[].damper", OPTIONAL, "N.s/m", NOT_NEGATIVE, CABLE_AT(damper), "0",
 	       "force over the rate of its length, beside axial: a damper between two cables is a cable")
 	LINE_IN_WATER("net.cables[]")
+	MAPPING("net.cables[].wind", OPTIONAL, "its own section in the wind")
+	SECTION_IN_WIND("net.cables[].wind", "that of wind")
 	CHOICE("net.cables[].length0", "m", CABLE_AT(value), CABLE_AT(given), "unstretched length")
 	CHOICE("net.cables[].tension", "N", CABLE_AT(value), CABLE_AT(given),
 	       "mean tension, from which the length follows")
@@ -120,6 +147,27 @@ static const struct hawser__tree_key net_rows[] = {
 	       "coefficient of the drag times area")
 	NUMBER("net.buoys.*.added_mass", OPTIONAL, "1", NOT_NEGATIVE, NODE_AT(buoy.added), "0",
 	       "added mass over the mass of the water that is displaced")
+	MAPPING("net.bodies", OPTIONAL, "rigid bodies, of nodes that move together")
+	MAPPING("net.bodies.*", OPTIONAL, "one of them: a support among its nodes is a hinge, two are an "
+	        "axis")
+	LIST("net.bodies.*.nodes", REQUIRED, "its nodes, which have places")
+	TEXT("net.bodies.*.nodes[]", OPTIONAL, NOWHERE, NULL, "a node")
+	NUMBER("net.bodies.*.mass", OPTIONAL, "kg", NOT_NEGATIVE, BODY_AT(mass), "0",
+	       "mass, beside those of its nodes and rods")
+	VECTOR("net.bodies.*.centre", 3, OPTIONAL, "m", ANY, BODY_AT(centre), NULL,
+	       "[x, y, z] of the centre of this mass")
+	VECTOR("net.bodies.*.inertia", 3, OPTIONAL, "kg.m^2", NOT_NEGATIVE, BODY_AT(inertia),
+	       "[0, 0, 0]", "moments of inertia of this mass about axes through its centre along x, y, z")
+	LIST("net.bodies.*.rods", OPTIONAL, "straight parts between two of its nodes, as of steel tubes")
+	MAPPING("net.bodies.*.rods[]", OPTIONAL, "one of them")
+	TEXT("net.bodies.*.rods[].name", OPTIONAL, NOWHERE, "BODY_rod0, BODY_rod1 and so on", "name")
+	TEXT("net.bodies.*.rods[].from", REQUIRED, NOWHERE, NULL, "node at its begin")
+	TEXT("net.bodies.*.rods[].to", REQUIRED, NOWHERE, NULL, "node at its end")
+	NUMBER("net.bodies.*.rods[].rho", OPTIONAL, "kg/m", NOT_NEGATIVE, CABLE_AT(rho), "0",
+	       "mass per length")
+	LINE_IN_WATER("net.bodies.*.rods[]")
+	INTEGER("net.bodies.*.rods[].elements", OPTIONAL, 1, 1e6, CABLE_AT(elements), "20",
+	        "parts with loads of the water at their ends")
 	MAPPING("net.dampers", OPTIONAL, "dampers from nodes to the ground")
 	VECTOR("net.dampers.*", 3, OPTIONAL, "N.s/m", NOT_NEGATIVE, NODE_AT(damper), NULL,
 	       "force along x, y, z over the velocity of this node")
@@ -253,6 +301,19 @@ static const struct hawser__tree_key net_rows[] = {
 	     "wheeler", "of the velocity of waves up to their crests")
 	NUMBER("net.water.ramp", OPTIONAL, "s", NOT_NEGATIVE, WAVES_AT(ramp), "0",
 	       "time from t = 0 on in which waves grow")
+	MAPPING("net.wind", OPTIONAL, "steady wind, whose force follows the motion of the cables")
+	NUMBER("net.wind.speed", REQUIRED, "m/s", NOT_NEGATIVE, WIND_AT(speed), NULL, "its speed")
+	VECTOR("net.wind.direction", 3, OPTIONAL, "1", ANY, WIND_AT(direction), "[0, 0, 1]",
+	       "direction towards which it blows; its length does not matter")
+	NUMBER("net.wind.density", REQUIRED, "kg/m^3", POSITIVE, WIND_AT(density), NULL,
+	       "density of the air")
+	LIST("net.wind.profile", OPTIONAL, "its speed at heights over wind.speed, linear between")
+	VECTOR("net.wind.profile[]", 2, OPTIONAL, "m, 1", ANY, NOWHERE, NULL,
+	       "[y, factor], heights in ascending order")
+	WORD("net.wind.form", OPTIONAL, "cubic|exact", WIND_AT(form), "cubic", "its force in reduced "
+	     "models: to the third power of velocities, or integrated at every instant; integrate of the "
+	     "mesh has the whole force")
+	SECTION_IN_WIND("net.wind", "0")
 	LIST("net.obstacles", OPTIONAL, "surfaces that the nodes of the mesh do not pass")
 	MAPPING("net.obstacles[]", OPTIONAL, "a surface")
 	TEXT("net.obstacles[].name", OPTIONAL, NOWHERE, "s0, s1 and so on", "name")
@@ -320,7 +381,7 @@ static const struct hawser__tree_key net_rows[] = {
 const struct hawser__tree_table hawser__tree_of_net = {
 	"net", "A net of cables", net_rows, sizeof net_rows/sizeof *net_rows, "net", {"nodes"}};
 
-/* Spans over planes and segments. */
+/* Spans over planes and segments, and in water. */
 static const struct hawser__tree_key mesh_rows[] = {
 	HEAD("mesh", "span", NOT_NEGATIVE, NET_AT(g))
 	MAPPING("mesh.cable", REQUIRED, "the cable")
@@ -336,7 +397,7 @@ static const struct hawser__tree_key mesh_rows[] = {
 	MAPPING("mesh.tension", REQUIRED, "what fixes the tension")
 	NUMBER("mesh.tension.length0", REQUIRED, "m", POSITIVE, CABLE_AT(value), NULL,
 	       "unstretched length")
-	LIST("mesh.obstacles", REQUIRED, "as those of nets")
+	LIST("mesh.obstacles", OPTIONAL, "as those of nets")
 	MAPPING("mesh.contact", OPTIONAL, "as that of nets")
 	MAPPING("mesh.water", OPTIONAL, "as that of nets")
 	MAPPING("mesh.damping", OPTIONAL, "as that of nets")

@@ -306,14 +306,14 @@ static enum hawser_status dynamics(struct hawser__reader *reader, struct hawser_
 }
 
 /* Rules over all names, cables and supports. */
-static enum hawser_status rules(struct hawser__reader *reader, const struct hawser_net *net,
+static enum hawser_status rules(struct hawser__reader *reader, struct hawser_net *net,
                                 const struct hawser__tree *tree)
 {
-	const struct hawser__tree *one = tree->child;
+	const struct hawser__tree *one = tree ? tree->child : NULL;
 	char what[CALLED];
 	enum hawser_status status = HAWSER_OK;
 
-	for (int i = 0; i < net->cables && !status; i++, one = one->next) {
+	for (int i = 0; one && !status; i++, one = one->next) { /* the rods of bodies come after them */
 		const char *name = net->cable[i].name;
 
 		if (hawser__net_node_of(net, name) >= 0)
@@ -327,6 +327,8 @@ static enum hawser_status rules(struct hawser__reader *reader, const struct haws
 		snprintf(what, sizeof what, "cable %s", name);
 		if (!status)
 			status = hawser__net_wet(reader, net, one, what);
+		if (!status)
+			status = hawser__net_section(reader, net, i, one, what);
 	}
 	return status;
 }
@@ -348,7 +350,8 @@ static enum hawser_status common(struct hawser__reader *reader, struct hawser_ne
 	            {"passing", hawser__net_passing, 0}, {"dynamics", dynamics, 0},
 	            {"water", hawser__net_water, 0}, {"buoys", hawser__net_buoys, 0},
 	            {"obstacles", hawser__net_obstacles, 0}, {"contact", hawser__net_contact, 0},
-	            {"failures", hawser__net_failures, 0}, {"winches", hawser__net_winches, 0}};
+	            {"failures", hawser__net_failures, 0}, {"winches", hawser__net_winches, 0},
+	            {"wind", hawser__net_wind, 0}, {"bodies", hawser__net_bodies, 0}};
 	static const char *const plain[] = {"g", "damping", "dynamics", "contact", "water"};
 	enum hawser_status status = HAWSER_OK;
 
@@ -369,7 +372,8 @@ static enum hawser_status common(struct hawser__reader *reader, struct hawser_ne
 
 		if (tree)
 			status = part[i].read(reader, net, tree);
-		else if (part[i].required && !(i == 2 && hawser__tree_find(root, "obstacles")))
+		else if (part[i].required && !(i == 2 && hawser__tree_find(root, "obstacles")) &&
+		         !(i > 0 && hawser__tree_find(root, "bodies")))
 			status = hawser__reader_fail(reader, &(struct hawser__mark){.pass = 1},
 			                             "a net needs %s (see hawser-scene(5))", part[i].name);
 		if (!status && i < 2)

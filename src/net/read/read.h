@@ -28,6 +28,9 @@ struct hawser__net_absorber_given {
 };
 enum hawser_status hawser__net_absorbers(struct hawser__reader *reader, struct hawser_net *net,
                                          const struct hawser__tree *tree) HAWSER_MUST_CHECK;
+/* bodies.c: `bodies` of the scene, whose rods become cables. */
+enum hawser_status hawser__net_bodies(struct hawser__reader *reader, struct hawser_net *net,
+                                      const struct hawser__tree *tree) HAWSER_MUST_CHECK;
 /* Masses with hangers become nodes and cables, after all others are known. */
 enum hawser_status hawser__net_hangers(struct hawser__reader *reader, struct hawser_net *net)
 	HAWSER_MUST_CHECK;
@@ -38,6 +41,12 @@ enum hawser_status hawser__net_buoys(struct hawser__reader *reader, struct hawse
                                      const struct hawser__tree *tree) HAWSER_MUST_CHECK;
 enum hawser_status hawser__net_wet(struct hawser__reader *reader, const struct hawser_net *net,
                                    const struct hawser__tree *tree, const char *what)
+	HAWSER_MUST_CHECK;
+/* blown.c: `wind` of the scene; that of a cable, whose mapping is `tree`. */
+enum hawser_status hawser__net_wind(struct hawser__reader *reader, struct hawser_net *net,
+                                    const struct hawser__tree *tree) HAWSER_MUST_CHECK;
+enum hawser_status hawser__net_section(struct hawser__reader *reader, struct hawser_net *net, int cable,
+                                       const struct hawser__tree *tree, const char *what)
 	HAWSER_MUST_CHECK;
 /* Refuse nodes below the depth of the water. */
 enum hawser_status hawser__net_bed(struct hawser__reader *reader, const struct hawser_net *net,

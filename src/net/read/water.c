@@ -129,10 +129,12 @@ enum hawser_status hawser__net_wet(struct hawser__reader *reader, const struct h
 {
 	static const char *const of_water[] = {"drag", "added_mass"};
 
-	if (net->water.density > 0.0 && !hawser__tree_find(tree, "diameter"))
+	if (net->water.density > 0.0 && !net->water.air && !hawser__tree_find(tree, "diameter"))
 		return hawser__reader_fail(reader, &tree->at, "%s has no diameter, which its buoyancy and its "
 		                           "drag in the water need: add, for example, diameter: 0.1 m", what);
-	for (size_t i = 0; i < sizeof of_water/sizeof *of_water && !(net->water.density > 0.0); i++)
+	if (net->water.density > 0.0 && !net->water.air)
+		return HAWSER_OK;
+	for (size_t i = 0; i < sizeof of_water/sizeof *of_water; i++)
 		if (hawser__tree_find(tree, of_water[i]))
 			return hawser__reader_fail(reader, &tree->at, "%s has %s, and the scene has no water: add "
 			                           "water: {density: 1025 kg/m^3}", what, of_water[i]);

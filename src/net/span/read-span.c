@@ -1,5 +1,5 @@
-/* net/span/read-span.c - the scene of a span whose obstacles are not all circles: a net of one
- * cable between the supports A and B. Spans over circles alone have exact catenaries and arcs
+/* net/span/read-span.c - the scene of a span in water, or whose obstacles are not all circles: a net of
+ * one cable between the supports A and B. Spans over circles alone have exact catenaries and arcs
  * (hawser/obstacles.h). SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -55,8 +55,9 @@ enum hawser_status hawser__net_of_span(struct hawser__reader *reader, struct haw
 		const struct hawser__tree *one = hawser__tree_find(tension, end ? "T1" : "T0");
 
 		if (one)
-			return hawser__reader_fail(reader, &one->at, "tension.T%d: with planes and segments the "
-			                           "unstretched length must be known: give tension.length0, in m",
+			return hawser__reader_fail(reader, &one->at, "tension.T%d: in water, and with planes "
+			                           "and segments, the unstretched length must be known: give "
+			                           "tension.length0, in m",
 			                           end);
 	}
 	status = section(reader, &node[1], root, "span");

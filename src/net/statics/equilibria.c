@@ -18,6 +18,7 @@
 #include <hawser/net_equilibria.h>
 
 #include "core/report.h"
+#include "net/body.h"
 #include "net/statics/solution.h"
 
 enum { STARTS = 2000, MOST = 200, BLOCK = 64, ROOM = 64 };
@@ -309,8 +310,9 @@ static enum hawser_status open_search(struct search *s, const struct hawser_net 
 	size_t n;
 
 	if (!status)
+		status = hawser__bodies_none(net, "the search of several equilibria", report);
+	if (!status)
 		status = hawser__mesh_build(mesh, net, report);
-
 	if (!status)
 		status = hawser__net_supported(mesh, net, report);
 	if (status)

@@ -8,7 +8,10 @@
  * with half the elements; tensions are of second order, so that with n and m elements the error of
  * the first is the difference over (n/m)^2 - 1. Where a cable leaves an obstacle within an element,
  * the error depends on the place as well, and may be small by chance: there it is over n/m - 1, and
- * the larger one of two meshes, with a half and two thirds of the elements.
+ * the larger one of two meshes, with a half and two thirds of the elements. Two meshes are also taken
+ * in a current by a table, whose corners are somewhere within elements. At a joint of two cables that
+ * lies on an obstacle, what of it each half element lays down is not known: both tensions are the same
+ * there, and their difference is an error too.
  *
  * Refinement: a cable that is off may be so because of one that ends at the same joint; both get
  * more elements. Where a cable folds, the order is 1, so that it takes several rounds.
@@ -52,7 +55,7 @@ enum hawser_status hawser__net_exact(struct hawser_net_statics *exact, int *foun
 		by.cable[c].given = HAWSER_NET_LENGTH0;
 		by.cable[c].value = st->member[c].length0;
 	}
-	status = net->surfaces || net->water.density > 0.0
+	status = net->surfaces || net->bodies || net->water.density > 0.0
 	         ? HAWSER_ERR_ARGUMENT : hawser_net_solve(exact, &by, &options, &unused);
 	free(by.cable);
 	*found = status == HAWSER_OK;
@@ -88,8 +91,53 @@ static enum hawser_status coarse(struct hawser_net_statics *other, int *found, d
 	return status == HAWSER_ERR_MEMORY ? hawser__no_memory(report, "net") : HAWSER_OK;
 }
 
+static void note(struct hawser_net_mesh_error *error, double *each, int c, double off)
+{
+	each[c] = fmax(each[c], off);
+	if (each[c] > error->tension) {
+		error->tension = each[c];
+		error->cable = c;
+	}
+}
+
+/* 1 if nothing but cables pulls at a node. */
+static int bare(const struct hawser_net *net, int node)
+{
+	const struct hawser_net_node *of = &net->node[node];
+	int pulls = of->support || of->body || of->mass > 0.0 || of->buoy.volume > 0.0 ||
+	            of->buoy.CdA > 0.0;
+
+	for (int i = 0; i < net->loads; i++)
+		pulls |= net->load[i].node == node;
+	return !pulls;
+}
+
+/* The tensions of two cables at their joint, which are the same. */
+static void joints(struct hawser_net_mesh_error *error, double *each, const struct hawser_net *net,
+                   const struct hawser_net_statics *st, double most)
+{
+	for (int i = 0; i < net->nodes; i++) {
+		int end[2], ends = 0;
+		double T[2], off;
+
+		for (int j = 0; j < 2*net->cables && ends < 3; j++)
+			if ((j % 2 ? net->cable[j/2].to : net->cable[j/2].from) == i) {
+				if (ends < 2) {
+					end[ends] = j/2;
+					T[ends] = j % 2 ? st->member[j/2].T_to : st->member[j/2].T_from;
+				}
+				ends++;
+			}
+		if (ends != 2 || !bare(net, i))
+			continue;
+		off = fabs(T[1] - T[0]);
+		for (int j = 0; j < 2; j++)
+			note(error, each, end[j], off/fmax(st->member[end[j]].T_max, SMALL*most));
+	}
+}
+
 /* each [cables]: the errors of the cables, if they are larger than what is there. */
-static void compare(struct hawser_net_mesh_error *error, double *each,
+static void compare(struct hawser_net_mesh_error *error, double *each, const struct hawser_net *net,
                     const struct hawser_net_statics *st, const struct hawser_net_statics *other,
                     const double *ratio, int touches)
 {
@@ -105,12 +153,10 @@ static void compare(struct hawser_net_mesh_error *error, double *each,
 
 		if (!error->exact)
 			off /= fmax(fabs((touches ? ratio[c] : ratio[c]*ratio[c]) - 1.0), 0.1);
-		each[c] = fmax(each[c], off > 0.0 && most > 0.0 ? off/fmax(a->T_max, SMALL*most) : 0.0);
-		if (each[c] > error->tension) {
-			error->tension = each[c];
-			error->cable = c;
-		}
+		note(error, each, c, off > 0.0 && most > 0.0 ? off/fmax(a->T_max, SMALL*most) : 0.0);
 	}
+	if (touches && most > 0.0)
+		joints(error, each, net, st, most);
 }
 
 static enum hawser_status measure(struct hawser_net_mesh_error *error, double *each,
@@ -120,7 +166,7 @@ static enum hawser_status measure(struct hawser_net_mesh_error *error, double *e
 	struct hawser_net_statics other = {0};
 	double *ratio = calloc((size_t)net->cables + 1, sizeof *ratio);
 	enum hawser_status status = ratio ? HAWSER_OK : hawser__no_memory(report, "net");
-	int found = 0, tries = net->surfaces ? 2 : 1;
+	int found = 0, tries = net->surfaces || net->water.levels > 1 ? 2 : 1;
 
 	*error = (struct hawser_net_mesh_error){.tension = NAN, .cable = -1};
 	memset(each, 0, (size_t)net->cables*sizeof *each);
@@ -131,7 +177,7 @@ static enum hawser_status measure(struct hawser_net_mesh_error *error, double *e
 		if (!error->exact)
 			status = coarse(&other, &found, ratio, i ? 2.0/3.0 : 0.5, net, report);
 		if (!status && found)
-			compare(error, each, st, &other, ratio, net->surfaces > 0);
+			compare(error, each, net, st, &other, ratio, net->surfaces > 0);
 		hawser_net_statics_clear(&other);
 	}
 	free(ratio);

@@ -10,6 +10,7 @@
 #include "core/append.h"
 #include "core/report.h"
 #include "core/vec3.h"
+#include "net/body.h"
 #include "net/statics/exact.h"
 #include "net/statics/solution.h"
 #include "net/statics/tension.h"
@@ -25,6 +26,7 @@ void hawser_net_statics_clear(struct hawser_net_statics *st)
 	free(st->member);
 	free(st->point);
 	free(st->contact);
+	free(st->body);
 	memset(st, 0, sizeof *st);
 }
 
@@ -56,7 +58,7 @@ static void member(struct hawser_net_statics *st, int c, const struct hawser__te
 {
 	const struct hawser__mesh *mesh = of->mesh;
 	struct hawser_net_member *m = &st->member[c];
-	int first = mesh->first[c], n = mesh->first[c + 1] - first;
+	int first = mesh->first[c], n = mesh->first[c + 1] - first, rod = of->net->cable[c].rod;
 
 	*m = (struct hawser_net_member){.T_min = INFINITY, .T_max = -INFINITY};
 	for (int i = 0; i <= n; i++) {
@@ -64,15 +66,16 @@ static void member(struct hawser_net_statics *st, int c, const struct hawser__te
 		double e[3], l = i < n ? hawser__mesh_direction(e, mesh, first + i) : 0.0;
 
 		*point = (struct hawser_net_point){.cable = c, .S = m->length0,
-		                                   .T = hawser__tension_at(of, c, i)};
+		                                   .T = rod ? 0.0 : hawser__tension_at(of, c, i)};
 		memcpy(point->x, mesh->q[i < n ? mesh->end[first + i][0] : mesh->end[first + n - 1][1]],
 		       sizeof point->x);
 		m->T_from = i == 0 ? point->T : m->T_from;
 		m->T_to = point->T;
 		m->T_max = fmax(m->T_max, point->T);
-		m->T_min = i < n ? fmin(m->T_min, hawser__tension_least(of, c, i)) : m->T_min;
+		if (i < n)
+			m->T_min = rod ? 0.0 : fmin(m->T_min, hawser__tension_least(of, c, i));
 		m->wet += i < n && mesh->water ? mesh->water->wet[first + i] : 0.0;
-		m->slack += i < n && l < mesh->length0[first + i];
+		m->slack += i < n && !rod && l < mesh->length0[first + i];
 		m->length0 += i < n ? hawser__mesh_length(mesh, first + i) : 0.0;
 		m->length += l;
 	}
@@ -86,9 +89,10 @@ enum hawser_status hawser__net_statics_open(struct hawser_net_statics *st, size_
 	st->x = calloc(nodes, sizeof *st->x);
 	st->reaction = calloc(nodes, sizeof *st->reaction);
 	st->member = calloc(cables, sizeof *st->member);
+	st->body = calloc((size_t)st->bodies + 1, sizeof *st->body);
 	st->point = calloc(elements + cables, sizeof *st->point);
-	return st->x && st->reaction && st->member && st->point ? HAWSER_OK
-	                                                        : hawser__no_memory(report, "net");
+	return st->x && st->reaction && st->member && st->body && st->point
+		? HAWSER_OK : hawser__no_memory(report, "net");
 }
 
 /* Forces of the supports on the net, from the tensions, whatever their law. */
@@ -109,6 +113,29 @@ static void reactions(struct hawser_net_statics *st, const struct hawser__mesh *
 			if (b < st->nodes && mesh->unknown[b][k] < 0)
 				st->reaction[b][k] += T[i]*e[k];
 		}
+	}
+}
+
+/* Bodies as they are, with the forces of all their nodes at their first hinge, and none without. */
+static void bodies(struct hawser_net_statics *st, const struct hawser__mesh *mesh,
+                   const struct hawser_net *net)
+{
+	for (int b = 0; b < net->bodies; b++) {
+		const struct hawser_net_body *body = &net->body[b];
+		double force[3] = {0.0};
+		int at = -1;
+
+		st->body[b] = *body;
+		st->body[b].node = NULL;
+		for (int i = 0; i < mesh->nodes; i++)
+			for (int k = 0; k < 3 && mesh->rigid[i] == b + 1; k++)
+				force[k] += i < st->nodes ? st->reaction[i][k] : -mesh->force[i][k];
+		for (int i = body->nodes - 1; i >= 0; i--) {
+			memset(st->reaction[body->node[i]], 0, sizeof *st->reaction);
+			at = net->node[body->node[i]].support ? body->node[i] : at;
+		}
+		if (at >= 0)
+			memcpy(st->reaction[at], force, sizeof force);
 	}
 }
 
@@ -161,6 +188,7 @@ static enum hawser_status fill(struct hawser_net_statics *st, const struct hawse
 			memcpy(st->x[i], mesh->q[i], sizeof st->x[i]);
 		reactions(st, mesh, T);
 		rests(st, &of);
+		bodies(st, mesh, net);
 		for (int c = 0; c < st->cables; c++)
 			member(st, c, &of);
 	}
@@ -197,7 +225,8 @@ static enum hawser_status of_mesh(struct hawser_net_statics *st, const struct ha
 		status = hawser__touch_sides(&mesh, net, report);
 	if (!status) {
 		*st = (struct hawser_net_statics){
-			.nodes = net->nodes, .cables = net->cables, .unknowns = mesh.unknowns,
+			.nodes = net->nodes, .cables = net->cables,
+			.bodies = net->bodies, .unknowns = mesh.unknowns,
 			.energy = found.energy, .gap = found.gap, .residual = found.residual,
 			.floor = found.floor, .method = found.method, .iterations = found.iterations,
 			.apart = found.apart};
@@ -213,6 +242,8 @@ enum hawser_status hawser__net_solve_by(struct hawser_net_statics *st, const str
                                         const struct hawser_net_options *options,
                                         struct hawser_report *report)
 {
+	struct hawser_net seated;
+	double rest;
 	enum hawser_status status;
 
 	memset(st, 0, sizeof *st);
@@ -222,9 +253,17 @@ enum hawser_status hawser__net_solve_by(struct hawser_net_statics *st, const str
 		                    method->shown.name);
 	if (net->water.density > 0.0 && !method->solve)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s: the method %s does not know "
-		                    "water: give automatic, or leave it out", net->name, method->shown.name);
-	status = method->solve ? of_mesh(st, net, method, options, report)
-	                       : hawser__exact_statics(st, net, options, report);
+		                    "%s: give automatic, or leave it out", net->name, method->shown.name,
+		                    net->winds ? "wind" : "water");
+	status = method->solve ? hawser__bodies_seat(&seated, &rest, net, report)
+	                       : hawser__bodies_none(net, "the method catenary", report);
+	if (!status)
+		status = method->solve ? of_mesh(st, &seated, method, options, report)
+		                       : hawser__exact_statics(st, net, options, report);
+	if (!status && method->solve)
+		st->residual = fmax(st->residual, rest);
+	if (method->solve)
+		hawser__bodies_unseat(&seated, net);
 	if (status)
 		hawser_net_statics_clear(st);
 	return status;

@@ -1,12 +1,12 @@
-/* net/statics/stiffness.c - the tangent stiffness of an equilibrium at nodes that move as a rigid
- * body.
+/* net/statics/stiffness.c - the tangent stiffness of an equilibrium at nodes that move as rigid
+ * bodies.
  *
  * K     second derivative of the energy of the mesh, and what friction that slides and water add
  * u     displacements of all nodes for a unit motion of the body: those of its nodes are given, and
  *       K u = 0 at all others that are free
  * T, h  tension and length of an element
  *
- * The nodes of the body are held, and the others follow. Contacts stay as they are: a stiff spring
+ * The nodes of the bodies are held, and the others follow. Contacts stay as they are: a stiff spring
  * along the normal, and along the surface where a node sticks; the friction of one that slides
  * follows the normal force, which makes K unsymmetric.
  *
@@ -27,6 +27,7 @@
 
 #include "core/report.h"
 #include "core/vec3.h"
+#include "net/body.h"
 #include "net/motion/motion.h"
 #include "net/touch/touch.h"
 #include "net/water/water.h"
@@ -39,11 +40,14 @@ static const double LIFT = 1e-13;
 
 struct tangent {
 	const struct hawser_net *net;
-	struct hawser__mesh mesh;
+	struct hawser__mesh *mesh;
 	struct hawser__klu *klu;
-	const int *node;     /* [nodes] of the body */
-	int nodes;
-	double (*held)[3];   /* [nodes] N: force of the outside on them */
+	int *group;          /* [nodes of the mesh] 1 + number of the body that moves it; 0: none */
+	int groups, size;    /* bodies; motions of each */
+	const double (*about)[3]; /* [groups] */
+	double (*held)[3];   /* [nodes of the mesh] N: force of the outside on those of bodies */
+	double *total;       /* [groups][6] force and moment of the outside on each */
+	double *K;           /* [6 groups][6 groups], column by column: change of these by a motion */
 	double *T;           /* [elements] N */
 	double (*block)[9];  /* [elements] N/m */
 	double (*u)[3];      /* [nodes of the mesh] m */
@@ -62,7 +66,7 @@ static void along(double block[9], double stiffness, const double n[3])
 
 static void elements(struct tangent *at)
 {
-	const struct hawser__mesh *mesh = &at->mesh;
+	const struct hawser__mesh *mesh = at->mesh;
 
 	for (int i = 0; i < mesh->elements; i++) {
 		double e[3], h = hawser__mesh_direction(e, mesh, i);
@@ -80,7 +84,7 @@ static void elements(struct tangent *at)
  * cable has one touch with each surface, and its elements have successive numbers. */
 static int leaving(const struct tangent *at, const struct hawser__touch *touch)
 {
-	const struct hawser__mesh *mesh = &at->mesh;
+	const struct hawser__mesh *mesh = at->mesh;
 	int e = touch->element - !touch->end, a, b; /* the element before the node, and behind it */
 
 	if (touch->node < at->net->nodes || touch->surface->kind != HAWSER_SURFACE_PLANE)
@@ -95,7 +99,7 @@ static int leaving(const struct tangent *at, const struct hawser__touch *touch)
  * normal. */
 static double normal(struct tangent *at, const struct hawser__touch *touch)
 {
-	const struct hawser__mesh *mesh = &at->mesh;
+	const struct hawser__mesh *mesh = at->mesh;
 	int e = leaving(at, touch), a = touch->element;
 	double stiff = STIFFER*mesh->EA[a]/mesh->length0[a], load, off, h, d[3];
 
@@ -117,7 +121,7 @@ static void contact(struct tangent *at, const struct hawser__touch *touch)
 	double stiff = normal(at, touch), block[3][3], hold = 0.0, follows = 1.0/touch->r;
 
 	if (hawser__touch_sticks(touch)) {
-		hold = STIFFER*at->mesh.EA[touch->element]/at->mesh.length0[touch->element];
+		hold = STIFFER*at->mesh->EA[touch->element]/at->mesh->length0[touch->element];
 		follows = 0.0;
 	}
 	for (int i = 0; i < 3; i++)
@@ -128,12 +132,12 @@ static void contact(struct tangent *at, const struct hawser__touch *touch)
 	if (touch->surface->groove)
 		block[2][2] += stiff;
 	hawser__klu_node(at->klu, touch->element, touch->end, (const double (*)[3])block);
-	hawser__touch_oval_matrix(at->klu, &at->mesh, touch);
+	hawser__touch_oval_matrix(at->klu, at->mesh, touch);
 }
 
 static void assemble(struct tangent *at)
 {
-	const struct hawser__mesh *mesh = &at->mesh;
+	const struct hawser__mesh *mesh = at->mesh;
 
 	for (int i = 0; i < mesh->touches; i++)
 		at->on[mesh->touch[i].node] |= mesh->touch[i].r > 0.0;
@@ -154,7 +158,7 @@ static void assemble(struct tangent *at)
 /* The forces on the nodes by the displacements u. */
 static void forces(struct tangent *at)
 {
-	const struct hawser__mesh *mesh = &at->mesh;
+	const struct hawser__mesh *mesh = at->mesh;
 
 	memset(at->force, 0, (size_t)mesh->nodes*sizeof *at->force);
 	for (int i = 0; i < mesh->elements; i++) {
@@ -184,29 +188,29 @@ static void moved(double u[3], int motion, const double r[3])
 		u[motion] = 1.0;
 }
 
-static void arm_of(double arm[3], const struct tangent *at, const struct hawser_net_stiffness *to,
-                   int i)
+static void arm_of(double arm[3], const struct tangent *at, int node)
 {
 	for (int k = 0; k < 3; k++)
-		arm[k] = at->mesh.q[at->node[i]][k] - to->about[k];
+		arm[k] = at->mesh->q[node][k] - at->about[at->group[node] - 1][k];
 }
 
-/* The unit motion of the body at its nodes, in u, and 0 at all others. */
-static void give(struct tangent *at, const struct hawser_net_stiffness *to, int motion)
+/* The unit motion of a body at its nodes, in u, and 0 at all others. */
+static void give(struct tangent *at, int body, int motion)
 {
 	double arm[3];
 
-	memset(at->u, 0, (size_t)at->mesh.nodes*sizeof *at->u);
-	for (int i = 0; i < at->nodes; i++) {
-		arm_of(arm, at, to, i);
-		moved(at->u[at->node[i]], motion, arm);
-	}
+	memset(at->u, 0, (size_t)at->mesh->nodes*sizeof *at->u);
+	for (int i = 0; i < at->mesh->nodes; i++)
+		if (at->group[i] == body + 1) {
+			arm_of(arm, at, i);
+			moved(at->u[i], motion, arm);
+		}
 }
 
 /* The displacements of all nodes that follow those in u. */
 static enum hawser_status follow(struct tangent *at, struct hawser_report *report)
 {
-	const struct hawser__mesh *mesh = &at->mesh;
+	const struct hawser__mesh *mesh = at->mesh;
 	int good;
 	enum hawser_status status;
 
@@ -225,52 +229,53 @@ static enum hawser_status follow(struct tangent *at, struct hawser_report *repor
 	return HAWSER_OK;
 }
 
-/* Change of force and moment on the body for the displacements u: of the elements, and of the
- * forces of the equilibrium, whose arms turn with the body. */
-static void collect(struct hawser_net_stiffness *to, struct tangent *at, int motion)
+/* Change of forces and moments on the bodies for the displacements u: of the elements, and of the
+ * forces of the equilibrium, whose arms turn with the body that moves. */
+static void collect(double *column, struct tangent *at, int body, int motion)
 {
 	forces(at);
-	for (int i = 0; i < at->nodes; i++) {
-		double arm[3], turned[3] = {0.0}, moment[3];
-		int node = at->node[i];
+	for (int i = 0; i < at->mesh->nodes; i++) {
+		double arm[3], turned[3] = {0.0}, moment[3], *to = column + 6*(at->group[i] - 1);
 
-		arm_of(arm, at, to, i);
-		hawser__cross(moment, arm, at->force[node]);
-		if (motion >= 3)
-			hawser__cross(turned, at->u[node], at->held[i]);
+		if (!at->group[i])
+			continue;
+		arm_of(arm, at, i);
+		hawser__cross(moment, arm, at->force[i]);
+		if (motion >= 3 && at->group[i] == body + 1)
+			hawser__cross(turned, at->u[i], at->held[i]);
 		for (int k = 0; k < 3; k++) {
-			to->K[k][motion] += at->force[node][k];
-			to->K[3 + k][motion] += moment[k] + turned[k];
+			to[k] += at->force[i][k];
+			to[3 + k] += moment[k] + turned[k];
 		}
 	}
 }
 
-/* Force and moment of the outside on the body in the equilibrium. */
-static enum hawser_status hold(struct hawser_net_stiffness *to, struct tangent *at,
-                               struct hawser_report *report)
+/* Force and moment of the outside on the bodies in the equilibrium. */
+static enum hawser_status hold(struct tangent *at, struct hawser_report *report)
 {
+	static const unsigned char all[3] = {1, 1, 1};
 	double arm[3], moment[3];
 	enum hawser_status status;
 
-	if (at->mesh.water) /* with derivatives at the equilibrium */
-		hawser__water_load(&at->mesh);
-	hawser__mesh_gradient(at->force, NULL, &at->mesh);
-	for (int i = 0; i < at->nodes; i++) {
-		static const unsigned char all[3] = {1, 1, 1};
+	if (at->mesh->water) /* with derivatives at the equilibrium */
+		hawser__water_load(at->mesh);
+	hawser__mesh_gradient(at->held, NULL, at->mesh);
+	for (int i = 0; i < at->mesh->nodes; i++) {
+		double *to = at->total + 6*(at->group[i] - 1);
 
-		for (int k = 0; k < 3; k++)
-			at->held[i][k] = at->force[at->node[i]][k];
-		arm_of(arm, at, to, i);
+		if (!at->group[i])
+			continue;
+		arm_of(arm, at, i);
 		hawser__cross(moment, arm, at->held[i]);
 		for (int k = 0; k < 3; k++) {
-			to->force[k] += at->held[i][k];
-			to->force[3 + k] += moment[k];
+			to[k] += at->held[i][k];
+			to[3 + k] += moment[k];
 		}
-		hawser__mesh_hold(&at->mesh, at->node[i], all);
+		hawser__mesh_hold(at->mesh, i, all);
 	}
-	status = at->mesh.touches ? hawser__touch_again(&at->mesh, at->net, report) : HAWSER_OK;
-	hawser__touch_measure(&at->mesh);
-	hawser__touch_follow(&at->mesh); /* the friction of surfaces that move, with its derivative */
+	status = at->mesh->touches ? hawser__touch_again(at->mesh, at->net, report) : HAWSER_OK;
+	hawser__touch_measure(at->mesh);
+	hawser__touch_follow(at->mesh); /* the friction of surfaces that move, with its derivative */
 	return status;
 }
 
@@ -288,29 +293,100 @@ static double asymmetry(const struct hawser_net_stiffness *to)
 	return most;
 }
 
-static enum hawser_status solve(struct hawser_net_stiffness *to, struct tangent *at,
-                                struct hawser_report *report)
+static enum hawser_status solve(struct tangent *at, struct hawser_report *report)
 {
-	size_t nodes = (size_t)at->mesh.nodes + 1, elements = (size_t)at->mesh.elements + 1;
+	size_t nodes = (size_t)at->mesh->nodes + 1, elements = (size_t)at->mesh->elements + 1;
+	size_t motions = MOTIONS*(size_t)at->groups;
 	enum hawser_status status;
 
 	at->block = hawser__hold(&at->memory, elements, sizeof *at->block);
 	at->u = hawser__hold(&at->memory, nodes, sizeof *at->u);
 	at->force = hawser__hold(&at->memory, nodes, sizeof *at->force);
-	at->held = hawser__hold(&at->memory, (size_t)at->nodes + 1, sizeof *at->held);
+	at->held = hawser__hold(&at->memory, nodes, sizeof *at->held);
 	at->on = hawser__hold(&at->memory, nodes, sizeof *at->on);
 	at->x = hawser__hold(&at->memory, 3*nodes, sizeof *at->x);
-	status = at->memory.short_of_memory ? hawser__no_memory(report, "net") : hold(to, at, report);
+	at->total = hawser__hold(&at->memory, motions + 1, sizeof *at->total);
+	at->K = hawser__hold(&at->memory, motions*motions + 1, sizeof *at->K);
+	status = at->memory.short_of_memory ? hawser__no_memory(report, "net") : hold(at, report);
 	if (!status)
-		status = hawser__klu_open(&at->klu, &at->mesh, report);
+		status = hawser__klu_open(&at->klu, at->mesh, report);
 	if (!status)
 		assemble(at);
-	for (int motion = 0; motion < to->size && !status; motion++) {
-		give(at, to, motion);
-		status = at->mesh.unknowns ? follow(at, report) : HAWSER_OK;
-		collect(to, at, motion);
+	for (int i = 0; i < at->groups*at->size && !status; i++) {
+		int body = i/at->size, motion = i % at->size;
+
+		give(at, body, motion);
+		status = at->mesh->unknowns ? follow(at, report) : HAWSER_OK;
+		collect(at->K + motions*(size_t)(MOTIONS*body + motion), at, body, motion);
 	}
+	return status;
+}
+
+static void clear(struct tangent *at)
+{
+	hawser__klu_clear(at->klu);
+	hawser__hold_clear(&at->memory);
+}
+
+enum hawser_status hawser__bodies_tangent(double *K, double *force, double *scale,
+                                          struct hawser__mesh *mesh, double *T,
+                                          const struct hawser_net *net, const double (*about)[3],
+                                          struct hawser_report *report)
+{
+	struct tangent at = {.net = net, .mesh = mesh, .T = T, .group = mesh->rigid, .groups = net->bodies,
+	                     .size = MOTIONS, .about = about};
+	size_t motions = MOTIONS*(size_t)net->bodies;
+	enum hawser_status status = solve(&at, report);
+
+	if (!status) {
+		memcpy(K, at.K, motions*motions*sizeof *K);
+		memcpy(force, at.total, motions*sizeof *force);
+		memset(scale, 0, (size_t)net->bodies*sizeof *scale);
+	}
+	for (int i = 0; i < mesh->nodes && !status; i++)
+		if (mesh->rigid[i])
+			scale[mesh->rigid[i] - 1] += hawser__norm(at.held[i]);
+	clear(&at);
+	return status;
+}
+
+/* Nodes that move, with those of their bodies. */
+static void mark(struct tangent *at, const int *node, int nodes)
+{
+	for (int i = 0; i < nodes; i++) {
+		at->group[node[i]] = 1;
+		for (int j = 0; j < at->mesh->nodes && at->mesh->rigid[node[i]]; j++)
+			if (at->mesh->rigid[j] == at->mesh->rigid[node[i]])
+				at->group[j] = 1;
+	}
+}
+
+/* Of a net whose bodies are where they belong. */
+static enum hawser_status stiffness_at(struct hawser_net_stiffness *to, const struct hawser_net *net,
+                                       const int *node, int nodes, struct hawser_report *report)
+{
+	struct hawser__mesh mesh;
+	struct tangent at = {.net = net, .mesh = &mesh, .groups = 1, .size = to->size,
+	                     .about = (const double (*)[3])&to->about};
+	enum hawser_status status = hawser__mesh_build(&mesh, net, report);
+
+	if (status)
+		return status;
+	at.T = hawser__hold(&at.memory, (size_t)mesh.elements + 1, sizeof *at.T);
+	at.group = hawser__hold(&at.memory, (size_t)mesh.nodes + 1, sizeof *at.group);
+	status = at.memory.short_of_memory ? hawser__no_memory(report, "net")
+	                                   : hawser__net_equilibrium(&mesh, at.T, net, report);
+	if (!status) {
+		mark(&at, node, nodes);
+		status = solve(&at, report);
+	}
+	for (int i = 0; i < MOTIONS*MOTIONS && !status; i++)
+		to->K[i % MOTIONS][i/MOTIONS] = at.K[i];
+	if (!status)
+		memcpy(to->force, at.total, sizeof to->force);
 	to->asymmetry = asymmetry(to);
+	clear(&at);
+	hawser__mesh_clear(&mesh);
 	return status;
 }
 
@@ -318,22 +394,18 @@ enum hawser_status hawser_net_stiffness_of(struct hawser_net_stiffness *to,
                                            const struct hawser_net *net, const int *node, int nodes,
                                            const double *about, struct hawser_report *report)
 {
-	struct tangent at = {.net = net, .node = node, .nodes = nodes};
-	enum hawser_status status = hawser__mesh_build(&at.mesh, net, report);
+	struct hawser_net seated;
+	double rest, motion[6][6];
+	int body = net->node[node[0]].body;
+	enum hawser_status status = hawser__bodies_seat(&seated, &rest, net, report);
 
-	*to = (struct hawser_net_stiffness){.size = about ? 6 : 3};
+	*to = (struct hawser_net_stiffness){.size = about || body ? 6 : 3};
 	if (about)
 		memcpy(to->about, about, sizeof to->about);
+	else if (body && !status)
+		(void)hawser__body_motions(motion, to->about, &seated, &seated.body[body - 1], NULL);
 	if (!status)
-		at.T = hawser__hold(&at.memory, (size_t)at.mesh.elements + 1, sizeof *at.T);
-	if (!status && at.memory.short_of_memory)
-		status = hawser__no_memory(report, "net");
-	if (!status)
-		status = hawser__net_equilibrium(&at.mesh, at.T, net, report);
-	if (!status)
-		status = solve(to, &at, report);
-	hawser__klu_clear(at.klu);
-	hawser__hold_clear(&at.memory);
-	hawser__mesh_clear(&at.mesh);
+		status = stiffness_at(to, &seated, node, nodes, report);
+	hawser__bodies_unseat(&seated, net);
 	return status;
 }

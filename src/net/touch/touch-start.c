@@ -104,7 +104,8 @@ enum hawser_status hawser__touch_again(struct hawser__mesh *mesh, const struct h
 enum hawser_status hawser__touch_none(const struct hawser_net *net, const char *command,
                                       struct hawser_report *report)
 {
-	const char *what = net->surfaces ? "obstacles" : net->water.density > 0.0 ? "water" : NULL;
+	const char *what = net->surfaces ? "obstacles" : net->water.air ? "wind"
+		: net->water.density > 0.0 ? "water" : NULL;
 
 	return !what ? HAWSER_OK
 	       : hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s: %s does not know %s in nets yet, "

@@ -93,6 +93,10 @@ void hawser__water_ends(struct hawser__water_end end[2], const struct hawser__me
 	const double t[3] = {d[0]*inverse, d[1]*inverse, d[2]*inverse};
 	struct hawser__wet wet = {.part = {0.0}};
 
+	if (water->section) {
+		hawser__wind_ends(end, mesh, e, d, past, slopes);
+		return;
+	}
 	if (line->diameter > 0.0 && l > 0.0)
 		hawser__wet_line(&wet, 0.0, fmax(HAWSER__WATER_BAND*line->diameter, water->band),
 		                 (const double[2]){past[0].height, past[1].height});

@@ -51,6 +51,8 @@ enum hawser_status hawser__water_open(struct hawser__mesh *mesh, const struct ha
 	status = allocate(mesh, buoys, net->failures, report);
 	if (status)
 		return status;
+	if (net->winds)
+		status = hawser__wind_open(mesh, net, report);
 	mesh->water->of = &net->water;
 	mesh->water->part = 1.0;
 	mesh->water->least = INFINITY;
@@ -76,7 +78,7 @@ enum hawser_status hawser__water_open(struct hawser__mesh *mesh, const struct ha
 			water->buoy[water->buoys++] = (struct hawser__mesh_buoy){
 				.node = node, .element = k/2, .end = k%2, .of = &net->node[node].buoy};
 	}
-	return HAWSER_OK;
+	return status;
 }
 
 /* The current at a height, and its derivative by that. */
@@ -86,7 +88,7 @@ static void current(struct hawser__water_past *past, double u_y[3],
 	hawser__water_current(past->r, u_y, water->of, y);
 	past->height = y - water->of->surface;
 	for (int k = 0; k < 3; k++) {
-		past->r[k] *= water->part;
+		past->u[k] = past->r[k] *= water->part;
 		u_y[k] *= water->part;
 	}
 }

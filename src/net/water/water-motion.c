@@ -152,7 +152,8 @@ static void past(struct hawser__water_past *past, const struct hawser__water_mot
 {
 	past->height = water->mid[node][1] - water->surface[node];
 	for (int k = 0; k < 3; k++) {
-		past->r[k] = water->u[node][k] - v[k];
+		past->u[k] = water->u[node][k];
+		past->r[k] = past->u[k] - v[k];
 		past->du[k] = water->du[node][k];
 		past->a[k] = a[k];
 	}

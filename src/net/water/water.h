@@ -13,6 +13,8 @@
 struct hawser__mesh_water {
 	const struct hawser_water *of;
 	const struct hawser_water_line **line; /* [elements] */
+	const struct hawser__section **section; /* [elements] in the wind, NULL: of one that is not in it;
+	                         * all NULL: water */
 	double (*dead)[3];      /* [nodes] N: what is in mesh->force without the water */
 	double (*load)[2][3];   /* [elements] N: of the water on both ends of an element, as last found */
 	double *wet;            /* [elements] m, unstretched length in the water */
@@ -35,7 +37,7 @@ struct hawser__mesh_water {
 /* What flows past an end of an element. */
 struct hawser__water_past {
 	double height;     /* m, above the surface */
-	double r[3];       /* m/s, of the water relative to the line */
+	double u[3], r[3]; /* m/s, of the water; relative to the line */
 	double du[3], a[3]; /* m/s^2, of the water and of the line */
 };
 /* What the water does to an end of an element, and the derivatives of the load. */
@@ -51,6 +53,11 @@ struct hawser__water_end {
 /* d: vector along element e. With slopes = 0, by_r and by_d of what is wet are left as they were. */
 void hawser__water_ends(struct hawser__water_end end[2], const struct hawser__mesh *mesh, int e,
                         const double d[3], const struct hawser__water_past past[2], int slopes);
+/* wind.c: the same of a net in the wind, and what it needs. */
+void hawser__wind_ends(struct hawser__water_end end[2], const struct hawser__mesh *mesh, int e,
+                       const double d[3], const struct hawser__water_past past[2], int slopes);
+enum hawser_status hawser__wind_open(struct hawser__mesh *mesh, const struct hawser_net *net,
+                                     struct hawser_report *report) HAWSER_MUST_CHECK;
 /* The same of a buoy, without by_d; of by_y the first. */
 void hawser__water_buoy(struct hawser__water_end *end, const struct hawser__mesh *mesh,
                         const struct hawser_water_buoy *buoy, const struct hawser__water_past *past);

@@ -15,6 +15,7 @@
 
 #include "core/report.h"
 #include "core/vec3.h"
+#include "net/body.h"
 #include "net/modes/eigen.h"
 #include "net/motion/motion.h"
 #include "net/touch/touch.h"
@@ -219,6 +220,8 @@ enum hawser_status hawser__linear_mesh_open(struct hawser__linear_mesh *linear,
 
 	*linear = (struct hawser__linear_mesh){.net = net};
 	status = hawser__mesh_lawless(net, "the linear response", report);
+	if (!status)
+		status = hawser__bodies_none(net, "the response to waves", report);
 	if (!status && net->absorbers)
 		return hawser__fail(report, HAWSER_ERR_SCENE, "net", "%s: absorbers: the response to waves has "
 		                    "none: leave them out, or give a mass on a soft cable", net->name);

@@ -24,6 +24,7 @@
 #define TOP 0.90     /* of the height: the time is above */
 #define SHORTEST 5.0 /* s, of playing: less cannot be followed */
 #define LONGEST 20.0 /* s: more is not waited for */
+enum { WAVE_LINES = 3, WAVE_POINTS = 80 }; /* of the surface of the water: along x, over the width */
 enum { LEAST_DELAY = 2 }; /* 1/100 s: browsers show shorter ones with 1/10 s */
 
 enum hawser_status hawser__animate_check(const char *path, const char *command,
@@ -64,6 +65,19 @@ static const double *mark(const struct hawser__animation *of, int row)
 	return of->mark ? of->mark[row] : place(of, row, of->points - 1);
 }
 
+/* A place on the surface of the water: point number i of a line along x; lines are over the width. */
+static void wave(double x[3], const struct view *view, int line, int i, double t)
+{
+	const struct hawser__box *box = &view->box;
+	const struct hawser_water *water = view->of->water;
+
+	x[0] = box->low[0] + (box->high[0] - box->low[0])*i/(WAVE_POINTS - 1);
+	x[1] = water->surface;
+	x[2] = box->low[2] + (box->high[2] - box->low[2])*line/(WAVE_LINES - 1);
+	if (water->waves.count)
+		x[1] += hawser_waves_elevation(&water->waves, x, t);
+}
+
 /* Lines of the obstacles: into the script or, if it is NULL, into the box of what is seen. */
 static void obstacles(FILE *script, struct view *view)
 {
@@ -90,6 +104,15 @@ static void look(struct view *view)
 		hawser__box_add(&view->seen, to, 2);
 	}
 	obstacles(NULL, view);
+	for (int i = 0; i < 8 && of->water; i++) { /* corners of what the waves fill */
+		const double rise = fmax(0.5*of->water->given.height, of->water->given.Hs);
+		const double x[3] = {(i & 1 ? view->box.high : view->box.low)[0],
+		                     of->water->surface + (i & 2 ? rise : -rise),
+		                     (i & 4 ? view->box.high : view->box.low)[2]};
+
+		see(to, view, x);
+		hawser__box_add(&view->seen, to, 2);
+	}
 }
 
 /* A bar of 1, 2 or 5 times a power of ten, below the panel, for what is seen in perspective. */
@@ -141,18 +164,36 @@ static void shape(FILE *script, const struct view *view, int row)
 	fputs("END\n", script);
 }
 
+static void water(FILE *script, const struct view *view, int row)
+{
+	fputs("$water << END\n", script);
+	for (int line = 0; line < WAVE_LINES; line++) {
+		for (int i = 0; i < WAVE_POINTS; i++) {
+			double x[3];
+
+			wave(x, view, line, i, view->of->time[row]);
+			put(script, view, x);
+		}
+		fputs("\n", script);
+	}
+	fputs("END\n", script);
+}
+
 static void frame(FILE *script, const struct view *view, int row, int digits)
 {
 	const struct hawser__animation *of = view->of;
 	double to[2] = {0.0};
 
 	shape(script, view, row);
+	if (of->water)
+		water(script, view, row);
 	see(to, view, mark(of, row));
 	fprintf(script, "set label 901 '{/:Italic t} = %.*f s%s%s' at screen 0.5, screen 0.955 "
 	        "center\n", digits, of->time[row], of->note ? ", " : "", of->note ? of->note : "");
-	fprintf(script, "plot %s$trail every ::0::%d using 1:2 with lines lc rgb '#c0c0c0' lw 1, "
+	fprintf(script, "plot %s%s$trail every ::0::%d using 1:2 with lines lc rgb '#c0c0c0' lw 1, "
 	        "$line using 1:2 with lines lt 1 lw 2, %s'+' using (%.6g):(%.6g) every ::0::0 with points "
-	        "pt 7 ps 1 lc rgb '#D55E00'\n", of->surfaces
+	        "pt 7 ps 1 lc rgb '#D55E00'\n", of->water
+	        ? "$water using 1:2 with lines lw 1 lc rgb '#56B4E9', " : "", of->surfaces
 	        ? "$obstacles using 1:2 with lines lw 2 lc rgb '#999999', " : "", row, of->helds
 	        ? "$supports using 1:2 with points pt 9 ps 1.2 lc rgb 'black', " : "", to[0], to[1]);
 }

@@ -5,6 +5,7 @@
 
 #include <hawser/status.h>
 #include <hawser/surface.h>
+#include <hawser/water.h>
 
 enum { HAWSER__ANIMATE_FRAMES = 100 }; /* if the user does not say: smooth, some hundred kB */
 
@@ -22,6 +23,7 @@ struct hawser__animation {
 	int helds;
 	const struct hawser_surface *surface; /* [surfaces] obstacles; NULL if there are none */
 	int surfaces;
+	const struct hawser_water *water; /* whose surface is drawn, with its waves; or NULL */
 };
 
 /* That the name says GIF, gnuplot is there and the file can be written; path may be NULL. */

@@ -10,5 +10,9 @@
 enum hawser_status hawser__plot_net(const char *path, const struct hawser_net *net,
                                     const struct hawser_net_statics *st, struct hawser_report *report)
 	HAWSER_MUST_CHECK;
+/* plot_mooring.c: the same of a net in water, in side and plan view. */
+enum hawser_status hawser__plot_mooring(const char *path, const struct hawser_net *net,
+                                        const struct hawser_net_statics *st,
+                                        struct hawser_report *report) HAWSER_MUST_CHECK;
 
 #endif

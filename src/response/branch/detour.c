@@ -122,6 +122,8 @@ enum hawser_status hawser__detour(double *x, int *found, char tried[80], struct 
 		.progress = {watch, trace}};
 
 	*found = 0;
+	if (trace->watch)
+		options.most_work = trace->watch->first;
 	if (strcmp(options.method, hawser__scales_method.about.name) == 0)
 		options.method = NULL;
 	options.from = periods*(own->begin == own->to ? own->from : own->to);

@@ -206,6 +206,7 @@ static enum hawser_status prepare(void *owner, int *ended)
 	if ((status = hawser__trace_climbs(trace)))
 		return status;
 	trace->orbit->ops->metric(trace->orbit, trace->here.y);
+	hawser__known_aim(trace);
 	if (trace->orbit->own)
 		return hawser__own_ends(trace, ended);
 	return hawser__trace_vanish(trace, ended);
@@ -385,8 +386,7 @@ static enum hawser_status trace_once(int *jumped, struct hawser_frf *frf,
                                      struct hawser_report *report)
 {
 	struct hawser__trace trace = {.rom = rom, .options = *options, .frf = frf, .report = report,
-		.watch = watch, .curve = {.ops = &branch_ops, .settings = rom->exact ? &hawser__exact_steps
-		                                                                 : &hawser__frf_steps},
+		.watch = watch, .curve = {.ops = &branch_ops, .settings = hawser__known_settings(rom, watch)},
 		.lo = fmin(options->from, options->to),
 		.hi = fmax(options->from, options->to)};
 	enum hawser_status status;

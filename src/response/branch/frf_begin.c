@@ -11,6 +11,7 @@
 #include "response/branch/trace.h"
 
 #define FIRST_REFINEMENTS 3 /* refinements of the mesh at the first orbit; chosen */
+#define FIRST_WORK 30.0 /* most work for it, s, where nothing else is asked for; chosen */
 #define FIRST_STEP 0.05 /* relative to the orbit's size; short, since the first prediction has one
                          * tangent only; chosen */
 
@@ -50,7 +51,8 @@ static enum hawser_status start(struct hawser__trace *trace, const double *x,
 		orbit->family = family;
 		if (family)
 			trace->here.y[orbit->size - 1] = trace->options.begin;
-		if (status != HAWSER_ERR_CONVERGENCE || refined == FIRST_REFINEMENTS)
+		if (status != HAWSER_ERR_CONVERGENCE || refined == FIRST_REFINEMENTS ||
+		    hawser__start_spent(orbit, raised))
 			return status;
 		if ((status = orbit->ops->enrich(orbit, 1, trace->report)))
 			return status;
@@ -82,10 +84,13 @@ static enum hawser_status first_orbit(struct hawser__trace *trace)
 {
 	int ways = trace->watch && trace->watch->direct ? 0 : HAWSER__WAYS, found;
 	char tried[HAWSER__WAYS][80] = {"", ""};
-	struct hawser__raised raised = {.x = trace->start_y};
+	double most = trace->watch && trace->watch->first > 0.0 ? trace->watch->first : FIRST_WORK;
+	struct hawser__raised raised = {.most = most, .x = trace->start_y};
 	double *x = trace->mark_y;
-	enum hawser_status status;
+	enum hawser_status status = hawser__known_first(trace, &found);
 
+	if (status || found)
+		return status;
 	if (trace->orbit->own) {
 		if ((status = hawser__own_equilibrium(trace, trace->next.y)))
 			return status;
@@ -97,7 +102,7 @@ static enum hawser_status first_orbit(struct hawser__trace *trace)
 	status = start(trace, trace->options.start, &raised);
 	if (status != HAWSER_ERR_CONVERGENCE || raised.load < 0.0)
 		return status;
-	for (int way = 0; way < ways; way++) {
+	for (int way = 0; way < ways && !hawser__start_spent(trace->orbit, &raised); way++) {
 		if ((status = hawser__detour(x, &found, tried[way], trace, way, &raised)))
 			return status;
 		if (!found)

@@ -77,7 +77,8 @@ int hawser__trace_predict(void *owner, double ds)
 	                                     hawser__station_node(&trace->here)};
 	int nodes = trace->known < 3 ? trace->known : 3;
 
-	hawser__curve_ahead(trace->next.y, node + 3 - nodes, nodes, ds, &metric);
+	if (!hawser__known_ahead(trace, ds))
+		hawser__curve_ahead(trace->next.y, node + 3 - nodes, nodes, ds, &metric);
 	/* The plane is normal to the known tangent, since the direction of an extrapolated one may be
 	 * wrong. */
 	memcpy(trace->direction, trace->here.t, (size_t)trace->orbit->size*sizeof(double));
@@ -115,6 +116,7 @@ enum hawser_status hawser__trace_correct_next(void *owner, double ds,
 	trace->orbit->reach = ds;
 	status = hawser__trace_correct(trace, &trace->next, trace->direction, failed);
 	trace->orbit->reach = 0.0;
+	trace->orbit->known = 0;
 	*correction = trace->next.correction;
 	return status;
 }
@@ -202,11 +204,15 @@ enum hawser_status hawser__trace_refine(void *owner, double ds, double *factor)
 	return trace->orbit->ops->enrich(trace->orbit, 1, trace->report);
 }
 
-/* Whether a step is refused whatever its multipliers are. */
+/* Whether a step is refused whatever its multipliers are. One that ends at a known orbit may turn
+ * farther. */
 static int refused(const struct hawser__trace *trace, double angle, double ds)
 {
+	const struct hawser__step_settings *goal = ds == trace->aim ? &hawser__known_steps
+	                                                            : &hawser__exact_steps;
+
 	if (trace->rom->exact)
-		angle *= hawser__frf_steps.goal_angle/hawser__exact_steps.goal_angle;
+		angle *= hawser__frf_steps.goal_angle/goal->goal_angle;
 	return ds > TRUSTED_STEP && !hawser__trace_trusted(&trace->next.correction, angle);
 }
 

@@ -3,7 +3,8 @@
  *
  * frf.c starts, follows and ends the branch; step.c has the operations of a step
  * (continuation/curve.h); judge.c decides whether a step is accepted; closure.c detects closed
- * curves; slack.c finds where a cable goes slack, which ends its branch.
+ * curves; slack.c finds where a cable goes slack, which ends its branch; orbits.c keeps orbits and
+ * passes them again.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_RESPONSE_TRACE_H
@@ -24,6 +25,19 @@
 
 struct hawser__trace;
 
+/* One orbit and the tangent of its curve. */
+struct hawser__series {
+	double arc;
+	int order; /* highest harmonic of either */
+	double *y; /* [2][(2 order + 1) n + 1] both, by harmonics as of harmonic balance, then Omega */
+};
+
+/* Those of the points of a curve, in their order. */
+struct hawser__orbits {
+	int n, count;
+	struct hawser__series *item;
+};
+
 /* A caller that receives the orbits of located events, y [size] in the unknowns of the method. An
  * event may be located again when its step is repeated. `step` is called after each accepted step, from
  * trace->here to trace->next, whose events are in trace->account; it may use the scratch station.
@@ -34,8 +48,10 @@ struct hawser__trace_watch {
 	void *context;
 	enum hawser_status (*step)(void *context, struct hawser__trace *trace);
 	void (*back)(void *context);
+	const struct hawser__orbits *known; /* of this curve, from its beginning; NULL: none are known */
 	int direct; /* 1: no detours are tried for the first orbit */
 	int coarse; /* 1: longer steps: the trace is a detour itself (detour.c) */
+	double first; /* most work for the first orbit, s (hawser_orbit_work); 0: as much as by default */
 };
 
 struct hawser__trace {
@@ -62,6 +78,9 @@ struct hawser__trace {
 	int enriched;           /* number of finer discretisations already used in this step */
 	double undetermined;    /* error of the orbit before the last of them */
 	struct hawser__shrinking shrinking;
+	int passed;             /* number of the known orbits that lie behind */
+	int aimed;              /* the one at which the next step ends, */
+	double aim;             /* if it has this length; 0: at none */
 	int slow;               /* number of the last cycles that near a homoclinic orbit */
 	int slack;              /* 1: the curve ends at next, where the cable goes slack */
 	int known; /* number of stations before `here`, and `here` itself */
@@ -144,6 +163,22 @@ void hawser__trace_mark(struct hawser__trace *trace);
 /* closure.c: whether a branch has met another one in the step that was just recorded; if so, it ends
  * there. */
 enum hawser_status hawser__trace_meet(struct hawser__trace *trace, int *met);
+
+/* orbits.c: the number of values of the orbit of a series, of n coordinates, with Omega. */
+size_t hawser__series_length(const struct hawser__series *series, int n);
+/* orbits.c: the watch of a trace that fills *orbits, which is all zero; none is kept of another method
+ * than harmonic balance, and of motions of several periods. Release with hawser__orbits_clear. */
+struct hawser__trace_watch hawser__orbits_watch(struct hawser__orbits *orbits);
+void hawser__orbits_clear(struct hawser__orbits *orbits);
+/* orbits.c: the control of the steps of a trace. */
+const struct hawser__step_settings *hawser__known_settings(const struct hawser_rom *rom,
+                                                           const struct hawser__trace_watch *watch);
+/* orbits.c: the first known orbit, *found, becomes that of `here`. */
+enum hawser_status hawser__known_first(struct hawser__trace *trace, int *found);
+/* orbits.c: the length of the next step, which ends at a known orbit if one is near enough; and whether
+ * a step of this length does, whose orbit is then that of next. */
+void hawser__known_aim(struct hawser__trace *trace);
+int hawser__known_ahead(struct hawser__trace *trace, double ds);
 
 /* slack.c: replace next by the point where the least tension, `from` >= 0 at here and `to` < 0 at next
  * (N), is zero; its event, but for `after`. */

@@ -113,8 +113,8 @@ static enum hawser_status locate(int *found, struct hawser_frf_event *event, str
 	                                        &error, rest->rom, at, report)))
 		return status;
 	*found = 1;
-	*event = (struct hawser_frf_event){.kind = HAWSER_BRANCH_POINT, .omega = at,
-		.parameter = at, .located = 1, .bracket = {a, b},
+	*event = (struct hawser_frf_event){.kind = HAWSER_BRANCH_POINT, .omega = at, .parameter = at,
+		.located = 1, .bracket = {a, b},
 		.error = fmin((b - a)/at, ROUND_OFF + error*((b - a)/at)/change)};
 	if (!isfinite(change)) /* the multipliers are complex at one end */
 		event->error = (b - a)/at;

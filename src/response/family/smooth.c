@@ -25,8 +25,7 @@
 #include "response/family/numbers.h"
 #include "response/family/smooth.h"
 
-enum { PATIENCE = 24, /* models that are made before: fewer than interpolation takes */
-	FIRST = 8, MOST = 128, KEPT = 8, TAIL = 3 };
+enum { FIRST = 8, MOST = 128, KEPT = 8, TAIL = 3 };
 #define FASTER 0.1       /* least ratio of the errors of a degree and the one before; chosen */
 #define BEYOND 0.01      /* of the range, to which derivatives and corrections lead; chosen */
 
@@ -251,7 +250,7 @@ enum hawser_status hawser__smooth_model(struct hawser__smooth *smooth,
 	int oldest = 0;
 
 	*rom = NULL;
-	if (smooth->asked <= PATIENCE && ++smooth->asked > PATIENCE)
+	if (smooth->asked <= HAWSER__SMOOTH_PATIENCE && ++smooth->asked > HAWSER__SMOOTH_PATIENCE)
 		status = open_models(smooth, maker, report);
 	of = smooth->models;
 	if (status || !of || !(p >= of->from - margin && p <= of->to + margin))

@@ -13,9 +13,11 @@ struct hawser__model_maker {
 	double from, to;
 };
 
+/* Models that are made before: fewer than interpolation takes. */
+enum { HAWSER__SMOOTH_PATIENCE = 24 };
 /* All zero: nothing is known yet. */
 struct hawser__smooth {
-	int asked;                      /* how often */
+	int asked;                      /* how often; set to HAWSER__SMOOTH_PATIENCE: none is made before */
 	struct hawser__smooth_models *models; /* NULL: there are none */
 };
 

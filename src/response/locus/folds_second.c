@@ -19,7 +19,6 @@
 
 #include "response/locus/folds.h"
 #include "rom/energy/kernel.h"
-#include "rom/terms/vary.h"
 
 #define DIFFERENCE 1e-2 /* increment relative to the largest coordinate of the orbit; chosen for
                          * models with the exact energy */
@@ -160,8 +159,6 @@ static void by_orbit(struct hawser__fold *fold)
 		cblas_daxpy(count, sign*h, fold->time_v, 1, fold->time_u, 1);
 		hawser__rom_tangents(rom, fold->force, sign > 0 ? fold->plus : fold->minus,
 		                     fold->time_u, rows, fold->work);
-		hawser__rom_vary_all(rom, fold->force, sign > 0 ? fold->plus : fold->minus,
-		                     fold->time_u, rows);
 	}
 	cblas_daxpy(count*n, -1.0, fold->minus, 1, fold->plus, 1);
 	for (int r = 0; r < rows; r++)

@@ -12,7 +12,6 @@
 
 #include "response/locus/locus.h"
 #include "rom/energy/kernel.h"
-#include "rom/terms/vary.h"
 
 enum hawser_status hawser__locus_place(struct hawser__locus *locus, double omega, double parameter)
 {
@@ -79,7 +78,6 @@ void hawser__locus_fields(struct hawser__locus *locus, double *F, const double *
 
 	hawser__rom_tangents(rom, locus->force, derive ? locus->tangent : NULL, locus->u, rows,
 	                     locus->work);
-	hawser__rom_vary_all(rom, locus->force, derive ? locus->tangent : NULL, locus->u, rows);
 	hawser__locus_terms(locus, derive ? locus->tangent : NULL, locus->slope, locus->u, locus->du);
 	for (int r = 0; r < rows; r++) {
 		memcpy(locus->damping + (size_t)r*n2, rom->D, (size_t)n2*sizeof(double));

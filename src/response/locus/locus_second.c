@@ -18,7 +18,6 @@
 
 #include "response/locus/locus.h"
 #include "rom/energy/kernel.h"
-#include "rom/terms/vary.h"
 
 #define DIFFERENCE 1e-2 /* increment of the orbit, relative; chosen for models with the exact energy */
 #define NUDGE 1e-4      /* of the parameters, relative to their ranges; chosen */
@@ -45,7 +44,6 @@ double hawser__locus_both_sides(struct hawser__locus *locus, const double *x, in
 		cblas_daxpy(count, sign*h, x, 1, locus->shifted, 1);
 		hawser__rom_tangents(locus->rom, locus->force, tangent, locus->shifted, locus->rows,
 		                     locus->work);
-		hawser__rom_vary_all(locus->rom, locus->force, tangent, locus->shifted, locus->rows);
 		for (int k = 0; locus->more && k < count; k++)
 			locus->shifted_v[k] = locus->du[k] + sign*h*(imaginary ? cimag(locus->dv[k])
 			                                             : creal(locus->dv[k]));
@@ -239,7 +237,6 @@ double hawser__locus_normal_form(struct hawser__locus *locus, double *sign, doub
 	}
 	/* the tangent at the orbit itself, in locus->tangent */
 	hawser__rom_tangents(locus->rom, locus->force, locus->tangent, locus->u, rows, locus->work);
-	hawser__rom_vary_all(locus->rom, locus->force, locus->tangent, locus->u, rows);
 	hawser__locus_terms(locus, locus->tangent, locus->slope, locus->u, locus->du);
 	if (!((h = hawser__locus_both_sides(locus, x, 0)) > 0.0))
 		return NAN;

@@ -26,7 +26,6 @@
 
 #include "response/locus/locus_walk.h"
 #include "rom/energy/kernel.h"
-#include "rom/terms/vary.h"
 
 #define FAR 0.03  /* largest distance of kappa from its end at which both sides are compared; chosen */
 #define SAME 1e-6 /* of points that are the same, relative to the ranges; chosen */
@@ -158,7 +157,6 @@ double hawser__locus_lyapunov(struct hawser__locus *locus)
 	if (locus->more)
 		memset(sums.adjoint_v, 0, count*sizeof *sums.adjoint_v);
 	hawser__rom_tangents(locus->rom, locus->force, locus->tangent, locus->u, locus->rows, locus->work);
-	hawser__rom_vary_all(locus->rom, locus->force, locus->tangent, locus->u, locus->rows);
 	hawser__locus_terms(locus, locus->tangent, locus->slope, locus->u, locus->du);
 	if (add_part(locus, &sums, 0) || add_part(locus, &sums, 1))
 		return NAN;

@@ -110,21 +110,67 @@ static enum hawser_status take(struct hawser__about *about, const struct hawser_
 	return HAWSER_OK;
 }
 
-static enum hawser_status solve(struct hawser__about *about, struct hawser__orbit *orbit,
-                                const struct hawser_rom *rom, double omega,
-                                struct hawser_report *report)
+/* The response y [size]; with raised->way also on the way there. Active from the beginning is what the
+ * guide's orbits have. */
+static enum hawser_status respond(double *y, struct hawser__orbit *orbit,
+                                  struct hawser__correction *correction, double tolerance,
+                                  struct hawser__raised *raised, double omega,
+                                  struct hawser_report *report)
 {
-	double *y = calloc((size_t)orbit->size, sizeof *y);
-	struct hawser__correction correction = {.iterations = 0};
-	struct hawser__raised raised = {.lone = 1};
+	const struct hawser__way *guide = raised->guide;
 	enum hawser_status status = HAWSER_OK;
 
-	raised.x = calloc((size_t)orbit->m, sizeof *raised.x);
-	if (!y || !raised.x)
-		status = hawser__no_memory(report, "about");
+	raised->lone = 1;
+	raised->x = calloc((size_t)orbit->m, sizeof *raised->x);
+	if (!raised->x)
+		return hawser__no_memory(report, "about");
+	if (guide && guide->count > 0) {
+		hawser__way_predict(y, guide, guide->count - 1, -1, NULL, orbit->size - 1);
+		hawser__balance_adopt((struct hawser__balance *)orbit, y,
+		                      guide->passed[guide->count - 1].length/(2*orbit->n));
+		status = hawser__balance_arrange((struct hawser__balance *)orbit, report);
+	}
 	if (!status)
-		status = hawser__start(y, orbit, &correction, NULL, omega,
-		                       about->tolerance > 0.0 ? about->tolerance : TOLERANCE, &raised, report);
+		status = hawser__start(y, orbit, correction, NULL, omega, tolerance, raised, report);
+	free(raised->x);
+	return status;
+}
+
+static enum hawser_status open_orbit(struct hawser__orbit **orbit, double **y,
+                                     const struct hawser_rom *rom, double omega,
+                                     struct hawser_report *report)
+{
+	const struct hawser_frf_options options = {.from = omega, .to = omega};
+	enum hawser_status status = refuse(rom, report);
+
+	*y = NULL;
+	*orbit = NULL;
+	if (!status)
+		status = hawser__balance_method.open(orbit, rom, &options, report);
+	if (!status && !(*y = calloc((size_t)(*orbit)->size, sizeof **y)))
+		status = hawser__no_memory(report, "about");
+	return status;
+}
+
+static void close_orbit(struct hawser__orbit *orbit, double *y)
+{
+	free(y);
+	if (orbit)
+		orbit->ops->clear(orbit);
+}
+
+enum hawser_status hawser__about_response(struct hawser__about *about, const struct hawser_rom *rom,
+                                          double omega, struct hawser_report *report)
+{
+	struct hawser__correction correction = {.iterations = 0};
+	struct hawser__raised raised = {.guide = about->guide};
+	struct hawser__orbit *orbit;
+	double *y;
+	enum hawser_status status = open_orbit(&orbit, &y, rom, omega, report);
+
+	if (!status)
+		status = respond(y, orbit, &correction, about->tolerance > 0.0 ? about->tolerance : TOLERANCE,
+		                 &raised, omega, report);
 	if (status == HAWSER_ERR_CONVERGENCE && raised.load >= 0.0)
 		status = hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "about",
 		                      "at Omega %.9g%s the response that grows out of rest has a fold at "
@@ -134,24 +180,22 @@ static enum hawser_status solve(struct hawser__about *about, struct hawser__orbi
 		about->error = orbit->ops->error(orbit, correction.residual);
 		status = take(about, rom, (const struct hawser__balance *)orbit, omega, report);
 	}
-	free(raised.x);
-	free(y);
+	close_orbit(orbit, y);
 	return status;
 }
 
-enum hawser_status hawser__about_response(struct hawser__about *about, const struct hawser_rom *rom,
-                                          double omega, struct hawser_report *report)
+enum hawser_status hawser__about_way(struct hawser__way *way, const struct hawser__way *guide,
+                                     const struct hawser_rom *rom, double omega,
+                                     struct hawser_report *report)
 {
-	const struct hawser_frf_options options = {.from = omega, .to = omega};
+	struct hawser__correction correction = {.iterations = 0};
+	struct hawser__raised raised = {.way = way, .guide = guide};
 	struct hawser__orbit *orbit;
-	enum hawser_status status = refuse(rom, report);
+	double *y;
+	enum hawser_status status = open_orbit(&orbit, &y, rom, omega, report);
 
-	if (status)
-		return status;
-	status = hawser__balance_method.open(&orbit, rom, &options, report);
-	if (status)
-		return status;
-	status = solve(about, orbit, rom, omega, report);
-	orbit->ops->clear(orbit);
-	return status;
+	if (!status)
+		status = respond(y, orbit, &correction, HAWSER__ON_THE_WAY, &raised, omega, report);
+	close_orbit(orbit, y);
+	return status == HAWSER_ERR_MEMORY ? status : HAWSER_OK;
 }

@@ -3,7 +3,7 @@
 #ifndef HAWSER_RESPONSE_ABOUT_H
 #define HAWSER_RESPONSE_ABOUT_H
 
-#include <hawser/rom.h>
+#include "response/orbit/start.h"
 
 /* All zero at the beginning. */
 struct hawser__about {
@@ -13,7 +13,14 @@ struct hawser__about {
 	size_t room, room_h;   /* numbers allocated */
 	double tolerance;      /* of the orbit; 0: 1e-8 */
 	double error;          /* of the orbit, relative to its size */
+	const struct hawser__way *guide; /* of the next response: the way of a model like it; or NULL */
 };
+
+/* The orbits that the response at the scaled frequency omega passes as all excitation is raised from 0
+ * (start.h): none where it cannot be computed. HAWSER_ERR_MEMORY. */
+enum hawser_status hawser__about_way(struct hawser__way *way, const struct hawser__way *guide,
+                                     const struct hawser_rom *rom, double omega,
+                                     struct hawser_report *report);
 
 /* Set about->rom from the response at the scaled frequency omega that grows out of rest as all
  * excitation is raised from 0. It points to the D of `rom` and is valid as long as that, until the next

@@ -187,6 +187,9 @@ enum hawser_status hawser__balance_sharpen(struct hawser__orbit *orbit, int on,
 /* balance_state.c: make the harmonics of y up to `order` active that are not small;
  * hawser__balance_arrange() follows. */
 void hawser__balance_adopt(struct hawser__balance *balance, const double *y, int order);
+/* Make the pairs active of which y has parts, and no others. */
+enum hawser_status hawser__balance_hold(struct hawser__balance *balance, const double *y,
+                                        struct hawser_report *report);
 enum hawser_status hawser__balance_from_state(struct hawser__orbit *orbit, double *y,
                                               const double *x, double omega,
                                               struct hawser_report *report);

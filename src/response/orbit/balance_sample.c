@@ -16,7 +16,6 @@
 
 #include "response/orbit/balance.h"
 #include "rom/energy/kernel.h"
-#include "rom/terms/vary.h"
 
 /* Add s * q [n] * cos or sin(h tau) to out [harmonics][n], up to harmonic `reach`, for h of either
  * sign. */
@@ -193,8 +192,6 @@ static void evaluate(struct hawser__balance *balance, int derive)
 	            balance->basis, columns, balance->at, n, 0.0, balance->base.samples, n);
 	hawser__rom_tangents(rom, balance->force, derive ? balance->tangent : NULL,
 	                     balance->base.samples, rows, balance->work);
-	hawser__rom_vary_all(rom, balance->force, derive ? balance->tangent : NULL,
-	                     balance->base.samples, rows);
 	if (balance->more)
 		hawser__balance_terms(balance, omega, derive);
 	cblas_dgemm(CblasRowMajor, CblasTrans, CblasNoTrans, 2*balance->reach + 1, n, rows, 2.0/rows,

@@ -34,6 +34,20 @@ void hawser__balance_adopt(struct hawser__balance *balance, const double *y, int
 	}
 }
 
+enum hawser_status hawser__balance_hold(struct hawser__balance *balance, const double *y,
+                                        struct hawser_report *report)
+{
+	int n = balance->base.n, changed = 0;
+
+	for (int e = 0; e < (balance->top + 1)*n; e++) {
+		int on = y[hawser__cos(n, e/n, e%n)] != 0.0 || (e >= n && y[hawser__sin(n, e/n, e%n)] != 0.0);
+
+		changed |= on != balance->active[e];
+		balance->active[e] = (unsigned char)on;
+	}
+	return changed ? hawser__balance_arrange(balance, report) : HAWSER_OK;
+}
+
 /* Coefficients y of u at `rows` phases, samples [rows][n], after subtraction of the drift over the
  * period, `gap` [n]. Pairs above GUESS_PART become active. */
 static void analyse(struct hawser__balance *balance, double *y, const double *samples,

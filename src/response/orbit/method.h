@@ -88,6 +88,7 @@ struct hawser__orbit {
 	const double *tangent; /* [size] of the branch, for relax; or NULL */
 	double reach;         /* distance of the orbit from the previous one in the metric; 0: not
 	                       * examined */
+	int known;            /* 1: the next orbit that is corrected is one already, it may be */
 	double patience;      /* contraction that the corrector bears; 0: its own limit (newton.c) */
 	double goal;          /* largest relative residual of the next solutions, where the method solves by
 	                       * iteration; 0: what a step of the corrector needs */

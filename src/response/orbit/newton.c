@@ -210,7 +210,7 @@ static int approach(struct hawser__orbit *orbit, double *y, struct hawser__corre
 	*failed = 0;
 	if (!ops->guess || !ops->guess(orbit, y, row)) {
 		*failed = renew(orbit, correction, y, row);
-		return 0;
+		return !*failed && orbit->known && correction->residual <= tolerance;
 	}
 	correction->residual = ops->defects(orbit, y, 0);
 	if (!isfinite(correction->residual) || ops->factor(orbit, row) ||

@@ -22,20 +22,18 @@
 
 #define SMALLEST_LOAD_STEP 1e-4 /* fraction of the load: if a smaller step is needed, there is a
                                  * fold in the load; chosen */
-#define LEAP 0.01  /* fraction of the load over which a narrow resonance is passed, and */
-#define CLOSE 0.05 /* largest distance of the orbit beyond it from the scaled one; chosen */
 #define SETTLE_PERIODS 400 /* periods of the motion from rest before the attempt ends; chosen */
+#define SETTLE_FLOPS 2e10 /* operations, some 5 s, after which it ends too, and */
+#define SETTLE_EXACT 4e9  /* the same with exact energy, whose products are short: some take 1e9 a
+                           * period, and the curves of detour.c lead there sooner; chosen */
 #define SETTLE_TRY 20 /* periods between two attempts of Newton's method; chosen */
 #define FAR 0.2 /* distance from the linear response, relative to it, from which on another orbit may
                  * have been found; chosen */
-enum { LEAPS = 6 };
 /* Where only the orbit that grows out of rest is wanted; chosen: */
 #define BOLD 0.5        /* first step of the load */
 #define AIM 0.1         /* distance of an orbit from the predicted one, relative to it, for which the
                          * next step is meant */
 #define FASTER 4.0      /* largest ratio of two steps */
-#define ON_THE_WAY 1e-3 /* tolerance of orbits below the whole load, harmonics too: narrow
-                         * resonances of high ones are passed, 1e-6 takes five times as long */
 #define NEAR 0.3        /* largest distance of an orbit from the scaled one before, relative to it: one
                          * that is farther may be another orbit */
 #define LOST 0.01 /* largest relative effect of round-off on the forces; chosen */
@@ -142,46 +140,6 @@ static int correct_at(double *y, struct hawser__orbit *orbit,
 	return 0;
 }
 
-/* Past a resonance of a high harmonic, narrow where nothing damps it, which the load displaces across
- * this frequency: the orbit beyond it is the one before, scaled. From `good` at *load; returns whether
- * there is one. */
-static int leap(double *y, double *good, double *load, struct hawser__orbit *orbit,
-                struct hawser__correction *correction, struct hawser__load *weak, double omega,
-                double tolerance, struct hawser_report *report)
-{
-	int count = orbit->size - 1, beyond = 0;
-
-	for (int k = 1; k <= LEAPS && !beyond && *load > 0.0 && *load < 1.0; k++) {
-		double next = fmin(1.0, *load + k*LEAP), factor = next / *load, off = 0.0, all = 0.0;
-
-		hawser__load_set(weak, next);
-		memcpy(y, good, (size_t)count*sizeof *y);
-		cblas_dscal(count, factor, y, 1);
-		if (correct_at(y, orbit, correction, omega, next < 1.0 ? fmax(tolerance, ON_THE_WAY)
-		                                                       : tolerance, report))
-			continue;
-		for (int i = 0; i < count; i++) {
-			off += pow(y[i] - factor*good[i], 2);
-			all += y[i]*y[i];
-		}
-		beyond = off <= CLOSE*CLOSE*all;
-		*load = beyond ? next : *load;
-	}
-	return beyond;
-}
-
-/* Distance of y from `from`, relative to it; both [count]. */
-static double distance(const double *y, const double *from, int count)
-{
-	double off = 0.0, all = 0.0;
-
-	for (int i = 0; i < count; i++) {
-		off += pow(y[i] - from[i], 2);
-		all += from[i]*from[i];
-	}
-	return sqrt(off/fmax(all, DBL_MIN));
-}
-
 /* The orbit at the whole load, or on the way there: `guess` corrected. Of a lone one an orbit that is
  * rough and near the guess comes first, since a fine one takes more harmonics. *growth becomes the
  * ratio of the next step to this one. Returns what correct_at does. */
@@ -189,13 +147,63 @@ static int correct_lone(double *y, struct hawser__orbit *orbit, double *growth,
                         struct hawser__correction *correction, const double *guess, double omega,
                         double tolerance, int whole, struct hawser_report *report)
 {
-	int failed = correct_at(y, orbit, correction, omega, fmax(tolerance, ON_THE_WAY), report);
-	double off = failed ? 0.0 : distance(y, guess, orbit->size - 1);
+	int failed = correct_at(y, orbit, correction, omega, fmax(tolerance, HAWSER__ON_THE_WAY), report);
+	double off = failed ? 0.0 : hawser__orbit_distance(y, guess, orbit->size - 1);
 
 	if (failed || !(off <= NEAR))
 		return failed ? failed : 1;
 	*growth = fmin(FASTER, sqrt(AIM/fmax(off, DBL_EPSILON)));
 	return whole ? correct_at(y, orbit, correction, omega, tolerance, report) : 0;
+}
+
+/* Along the way of another model: from its lowest load to its highest one in as few orbits as lead
+ * there. Returns what correct_at does of the last orbit. */
+static int follow(struct hawser__climb *climb, double *y, struct hawser__orbit *orbit,
+                  struct hawser__correction *correction, double omega, double tolerance,
+                  const struct hawser__raised *raised, struct hawser_report *report)
+{
+	const struct hawser__way *guide = raised->guide;
+	int count = orbit->size - 1, top = guide->count - 1, here = -1, next = 0, failed = 0;
+
+	while (here < top && here < next && failed < 2) {
+		double load = guide->passed[next].load;
+
+		hawser__load_set(&climb->weak, load);
+		hawser__way_predict(y, guide, next, here, climb->good, count);
+		memcpy(climb->guess, y, (size_t)count*sizeof *y);
+		failed = correct_lone(y, orbit, &climb->growth, correction, climb->guess, omega, tolerance,
+		                      load == 1.0, report);
+		if (!failed) {
+			failed = hawser__climb_pass(climb, y, load, orbit, raised);
+			here = next;
+			next = top;
+		} else {
+			next = here + (next - here)/2;
+		}
+	}
+	return failed;
+}
+
+/* The orbit y at the whole load by the curve over it from the last orbit; returns what correct_at
+ * does. */
+static int round_up(double *y, struct hawser__climb *climb, struct hawser__orbit *orbit,
+                    struct hawser__correction *correction, double omega, double tolerance,
+                    const struct hawser__raised *raised, struct hawser_report *report)
+{
+	int failed = hawser__climb_arc(y, climb, orbit, correction, omega, raised, report);
+
+	orbit->rom = &climb->weak.rom;
+	hawser__load_set(&climb->weak, 1.0);
+	y[orbit->size - 1] = omega;
+	if (failed || climb->load == 1.0)
+		return failed;
+	failed = correct_at(y, orbit, correction, omega, tolerance, report);
+	return failed ? failed : hawser__climb_pass(climb, y, 1.0, orbit, raised);
+}
+
+int hawser__start_spent(const struct hawser__orbit *orbit, const struct hawser__raised *raised)
+{
+	return raised->most > 0.0 && hawser_orbit_work(&orbit->cost, orbit->rom) > raised->most;
 }
 
 /* Increase the load from zero to its value, in steps that grow while Newton's method converges, from
@@ -208,62 +216,54 @@ static enum hawser_status raise_load(double *y, struct hawser__orbit *orbit, int
                                      struct hawser_report *report)
 {
 	const struct hawser_rom *rom = orbit->rom;
-	size_t size = (size_t)orbit->size;
-	double *good = calloc(size, sizeof *good), *guess = calloc(size, sizeof *guess);
-	double *last = calloc(size, sizeof *last), *other; /* the orbit before `good` */
-	double load = 0.0, last_load = 0.0, step = raised->lone ? BOLD : 0.1, growth = 1.5, leapt = -1.0;
-	struct hawser__load weak;
-	enum hawser_status status = hawser__load_open(&weak, rom, report);
+	struct hawser__climb climb;
+	enum hawser_status status = hawser__climb_open(&climb, orbit, raised->lone ? BOLD : 0.1, report);
+	int rounds;
 
-	if (!status && (!good || !guess || !last))
-		status = hawser__no_memory(report, "frf");
 	if (status)
 		goto done;
-	orbit->rom = &weak.rom;
-	while (load < 1.0) {
-		double next = fmin(1.0, load + step);
+	orbit->rom = &climb.weak.rom;
+	*failed = !raised->guide ? 0 : follow(&climb, y, orbit, correction, omega, tolerance, raised,
+	                                      report);
+	rounds = climb.load > 0.0;
+	while (*failed < 2 && !status && (climb.load < 1.0 || rounds)) {
+		double next = fmin(1.0, climb.load + climb.step);
 
-		hawser__load_set(&weak, next);
-		for (size_t i = 0; i + 1 < size; i++)
-			y[i] = load > 0.0 ? good[i] + (good[i] - last[i])*(next - load)/(load - last_load) : 0.0;
-		if (load == 0.0 && (status = linear_response(y, orbit, omega, report)))
+		if (rounds) {
+			*failed = round_up(y, &climb, orbit, correction, omega, tolerance, raised, report);
 			break;
-		memcpy(guess, y, size*sizeof *guess);
+		}
+		hawser__load_set(&climb.weak, next);
+		for (int i = 0; i + 1 < orbit->size; i++)
+			y[i] = climb.load > 0.0 ? climb.good[i] + (climb.good[i] - climb.last[i])*
+			                          (next - climb.load)/(climb.load - climb.last_load) : 0.0;
+		if (climb.load == 0.0 && (status = linear_response(y, orbit, omega, report)))
+			break;
+		memcpy(climb.guess, y, (size_t)orbit->size*sizeof *y);
 		*failed = raised->lone
-		          ? correct_lone(y, orbit, &growth, correction, guess, omega, tolerance,
+		          ? correct_lone(y, orbit, &climb.growth, correction, climb.guess, omega, tolerance,
 		                         next == 1.0, report)
 		          : correct_at(y, orbit, correction, omega, tolerance, report);
 		if (!*failed) {
-			other = last;
-			last = good;
-			good = other;
-			last_load = load;
-			memcpy(good, y, size*sizeof *good);
-			step = growth*(next - load);
-			load = next;
-		} else if (*failed == 1 && raised->lone && step < LEAP && load != leapt &&
-		           leap(y, good, &load, orbit, correction, &weak, omega, tolerance, report)) {
-			memcpy(good, y, size*sizeof *good);
-			*failed = 0;
-			step = LEAPS*LEAP;
-		} else if (*failed >= 2 || (step *= 0.5) < (raised->lone ? LEAP/8.0 : SMALLEST_LOAD_STEP)) {
-			status = *failed == 3 ? HAWSER_ERR_MEMORY : HAWSER_ERR_CONVERGENCE;
-			break;
-		} else if (raised->lone) {
-			leapt = step < 0.5*LEAP ? load : leapt; /* from the same load it fails again */
+			climb.step = climb.growth*(next - climb.load);
+			*failed = hawser__climb_pass(&climb, y, next, orbit, raised);
+		} else if (*failed == 1) {
+			rounds = raised->lone && climb.load > 0.0;
+			climb.step *= 0.5;
+			if (climb.step < SMALLEST_LOAD_STEP || hawser__start_spent(orbit, raised))
+				break;
 		}
 	}
+	if (!status && *failed)
+		status = *failed == 3 ? HAWSER_ERR_MEMORY : HAWSER_ERR_CONVERGENCE;
 	if (status == HAWSER_ERR_CONVERGENCE && *failed == 1) {
-		raised->load = load;
-		if (load > 0.0)
-			orbit->ops->state(orbit, raised->x, good);
+		raised->load = climb.peak;
+		if (climb.load > 0.0)
+			orbit->ops->state(orbit, raised->x, climb.good);
 	}
 	orbit->rom = rom;
 done:
-	hawser__load_clear(&weak);
-	free(last);
-	free(guess);
-	free(good);
+	hawser__climb_close(&climb);
 	return status;
 }
 
@@ -278,11 +278,16 @@ static enum hawser_status settle(double *y, struct hawser__orbit *orbit,
 	struct hawser__flow flow;
 	double *x = calloc((size_t)m, sizeof *x);
 	enum hawser_status status = hawser__flow_init(&flow, rom, report);
-	int found = 0, failed;
+	double most = rom->exact ? SETTLE_EXACT : SETTLE_FLOPS;
+	int found = 0, failed, periods = 0;
 
 	if (!status && !x)
 		status = hawser__no_memory(report, "frf");
-	for (int p = 1; !status && !found && p <= SETTLE_PERIODS; p++) {
+	if (!status)
+		periods = (int)fmin(SETTLE_PERIODS, most/(steps*hawser__flow_flops(&flow, 0)));
+	if (periods < SETTLE_TRY)
+		periods = 0;
+	for (int p = 1; !status && !found && p <= periods; p++) {
 		hawser__flow_map(&flow, x, NULL, &period, omega);
 		if (!isfinite(cblas_dnrm2(m, x, 1)))
 			break;
@@ -325,11 +330,13 @@ enum hawser_status hawser__start(double *y, struct hawser__orbit *orbit,
 	int failed, far = 0;
 
 	raised->load = -1.0;
+	if (raised->guide && raised->guide->count > 0)
+		return raise_load(y, orbit, &failed, correction, omega, tolerance, raised, report);
 	status = start ? orbit->ops->from_state(orbit, y, start, omega, report)
 	               : linear_response(y, orbit, omega, report);
 	if (status)
 		return status;
-	failed = correct_at(y, orbit, correction, omega, raised->lone ? fmax(tolerance, ON_THE_WAY)
+	failed = correct_at(y, orbit, correction, omega, raised->lone ? fmax(tolerance, HAWSER__ON_THE_WAY)
 	                                                              : tolerance, report);
 	if (failed == 3)
 		return HAWSER_ERR_MEMORY;
@@ -337,6 +344,8 @@ enum hawser_status hawser__start(double *y, struct hawser__orbit *orbit,
 		return status;
 	if (!failed && raised->lone && !far)
 		failed = correct_at(y, orbit, correction, omega, tolerance, report);
+	if (!failed && !far && raised->way && hawser__way_add(raised->way, 1.0, y, orbit->size - 1))
+		failed = 3;
 	if (failed != 1 && !far)
 		return failed == 3 ? HAWSER_ERR_MEMORY : failed ? HAWSER_ERR_CONVERGENCE : HAWSER_OK;
 	if (start)
@@ -347,7 +356,8 @@ enum hawser_status hawser__start(double *y, struct hawser__orbit *orbit,
 		                       "load, as after whole periods",
 		                       HAWSER_SHOWN(orbit->rom, omega), correction->residual);
 	status = raise_load(y, orbit, &failed, correction, omega, tolerance, raised, report);
-	if (status != HAWSER_ERR_CONVERGENCE || failed == 2 || raised->lone)
+	if (status != HAWSER_ERR_CONVERGENCE || failed == 2 || raised->lone ||
+	    hawser__start_spent(orbit, raised))
 		return status;
 	return settle(y, orbit, correction, omega, tolerance, report);
 }

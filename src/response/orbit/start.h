@@ -3,14 +3,69 @@
 #ifndef HAWSER_RESPONSE_START_H
 #define HAWSER_RESPONSE_START_H
 
+#include "response/orbit/load.h"
 #include "response/orbit/method.h"
 
-/* How far the load could be raised. */
+/* Orbits that a response passes as its load is raised from rest, by ascending load. */
+struct hawser__way {
+	struct hawser__passed {
+		double load, *y; /* [length] unknowns; those behind are 0 */
+		int length;
+	} *passed; /* [count] */
+	int count;
+};
+/* Add the orbit y [count] at this load; not 0: memory is short. */
+int hawser__way_add(struct hawser__way *way, double load, const double *y, int count);
+/* y [count] becomes the orbit `next` of the way of another model. Where the orbit `from` is known that
+ * corresponds to its orbit `here`, the same is added that these differ by; here -1: none is. */
+void hawser__way_predict(double *y, const struct hawser__way *way, int next, int here,
+                         const double *from, int count);
+void hawser__way_drop(struct hawser__way *way); /* the last orbit */
+void hawser__way_clear(struct hawser__way *way);
+
+/* How far the load could be raised. The first four are set by the caller. */
 struct hawser__raised {
-	int lone;    /* set by the caller: only the orbit that grows out of rest with the load is wanted */
+	int lone;    /* only the orbit that grows out of rest with the load is wanted */
+	struct hawser__way *way;         /* of a lone one: orbits that are passed are added; or NULL */
+	const struct hawser__way *guide; /* of a lone one: the way of a model like this, which is tried
+	                                  * first; or NULL */
+	double most; /* work, s (hawser_orbit_work), at which it ends; 0: no limit */
 	double load; /* factor of the load; -1: that was not tried, or other loads would not help */
 	double *x;   /* [m] state of the orbit at this load, where it is above 0 */
 };
+
+#define HAWSER__ON_THE_WAY 1e-3 /* tolerance of orbits below the whole load, harmonics too: narrow
+                         * resonances of high ones are passed, 1e-6 takes five times as long */
+
+/* A load that is raised. */
+struct hawser__climb {
+	struct hawser__load weak;
+	double *good, *last, *guess; /* [size] the last orbit, the one before, a prediction */
+	double *t, *row;             /* [size] direction of the curve over the load, and its dual */
+	double load, last_load, step, growth;
+	double peak;                 /* greatest load so far */
+};
+
+/* `step`: the first of the load. */
+enum hawser_status hawser__climb_open(struct hawser__climb *climb, const struct hawser__orbit *orbit,
+                                      double step, struct hawser_report *report);
+void hawser__climb_close(struct hawser__climb *climb);
+/* y is the next orbit, at this load. Returns 0, or 3 when out of memory. */
+int hawser__climb_pass(struct hawser__climb *climb, const double *y, double load,
+                       const struct hawser__orbit *orbit, const struct hawser__raised *raised);
+/* Follow the curve over the load by its arclength, from the last orbit until the load is whole: then y
+ * becomes a guess of the orbit there; or until it has a fold. A dip of the load is passed: a narrow
+ * resonance of a high harmonic, which nothing damps. Returns 0; 1: a fold, or the curve was lost; 2: no
+ * discretisation is fine enough; 3: out of memory. */
+int hawser__climb_arc(double *y, struct hawser__climb *climb, struct hawser__orbit *orbit,
+                      struct hawser__correction *correction, double omega,
+                      const struct hawser__raised *raised, struct hawser_report *report);
+
+/* Distance of y from `from`, relative to it; both [count]. */
+double hawser__orbit_distance(const double *y, const double *from, int count);
+
+/* 1 if the orbits so far took more than raised->most. */
+int hawser__start_spent(const struct hawser__orbit *orbit, const struct hawser__raised *raised);
 
 /* Find the orbit y [size] at Omega = omega: from `start` [m] (state at phase 0) or, if that is
  * NULL, from the linear response. If Newton's method fails, or raised->lone and it ends far from

@@ -21,7 +21,6 @@
 #include "core/report.h"
 #include "response/orbit/collocation.h"
 #include "response/time/stepper.h"
-#include "rom/energy/exact.h"
 #include "rom/energy/kernel.h"
 
 #define WORTH 1.2   /* of the ratio: steps of radau worth taking */
@@ -64,12 +63,9 @@ static void count_work(struct automatic *automatic)
 {
 	const struct hawser_rom *rom = automatic->base.rom;
 	double n = rom->n, order = n*HAWSER__NODES;
-	double points = rom->exact ? rom->exact->points : 0.0;
 
-	automatic->force = OVERHEAD + 4.0*n*n +
-	                   (rom->exact ? points*(40.0 + 6.0*n) : hawser__rom_flops(rom, 0));
-	automatic->tangent = OVERHEAD + 4.0*(1 + HAWSER__NODES)*n*n +
-	                     (rom->exact ? points*(60.0 + 3.0*n*n) : hawser__rom_flops(rom, 1));
+	automatic->force = OVERHEAD + 4.0*n*n + hawser__rom_flops(rom, 0);
+	automatic->tangent = OVERHEAD + 4.0*(1 + HAWSER__NODES)*n*n + hawser__rom_flops(rom, 1);
 	automatic->dense = order*order*(CUBIC*order + SQUARE);
 }
 

@@ -448,9 +448,9 @@ static double carry(struct hawser__flow *flow, int derive, double *samples, int 
 	return error;
 }
 
-/* Additions and multiplications of a step of one stretch. The stages add s - 1 (or s) slopes and
+/* The stages add s - 1 (or s) slopes and
  * one further vector at stage s: 67 (or 78) in the 12 stages, and 12 and 13 at the end. */
-static double count_flops(const struct hawser__flow *flow, int derive)
+double hawser__flow_flops(const struct hawser__flow *flow, int derive)
 {
 	double n = flow->n, width = flow->m + 1, flops = STAGES*hawser__rom_flops(flow->rom, derive);
 	double stages = flow->coupled ? 67.0 + 78.0 : 67.0, products = flow->coupled ? 2.0 : 1.0;
@@ -483,7 +483,7 @@ static double run(struct hawser__flow *flow, double *x, double *A, double *b, do
 			store_derivatives(flow, A + at*m*m, b + at*m, live);
 	}
 	flow->stages += (long)stretch->count*stretch->steps*STAGES;
-	flow->flops += (double)stretch->count*stretch->steps*count_flops(flow, A != NULL);
+	flow->flops += (double)stretch->count*stretch->steps*hawser__flow_flops(flow, A != NULL);
 	return error;
 }
 

@@ -83,6 +83,9 @@ struct hawser__stretch {
 	double apart;
 };
 
+/* Additions and multiplications of a step of one stretch, with derive: and of its derivatives. */
+double hawser__flow_flops(const struct hawser__flow *flow, int derive);
+
 /* Integrate x [count][m] over the stretches. samples [count][steps][n], unless NULL, become u at
  * the start of each step. Returns the sum of the estimated local errors over the steps (Euclidean
  * norm of the errors of x). */

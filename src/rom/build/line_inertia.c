@@ -10,9 +10,10 @@
 
 #include "rom/build/line.h"
 
-/* Largest mean square of the slopes of mode j in a span. */
-static double turning_of(const struct hawser_line_modes *modes, int j)
+/* Largest mean square of the slopes of mode j in a span, or of a hanger. */
+static double turning_of(const struct hawser__lexpand *t, const struct hawser_line_modes *modes, int j)
 {
+	const double *own = t->slope + 3*(size_t)t->points*(size_t)j;
 	const double *slope = modes->slope + 3*(size_t)j*(size_t)modes->points;
 	double most = 0.0;
 
@@ -32,6 +33,8 @@ static double turning_of(const struct hawser_line_modes *modes, int j)
 		}
 		most = fmax(most, length > 0.0 ? sum/length : 0.0);
 	}
+	for (int p = t->points - t->hangers; p < t->points; p++)
+		most = fmax(most, own[3*p + 1]*own[3*p + 1] + own[3*p + 2]*own[3*p + 2]);
 	return most;
 }
 
@@ -46,7 +49,7 @@ static double amplitude(const void *of, int j)
 	return force > 0.0 ? hawser__inertia_expected(omega*omega, 0.5*t->third[(j*t->n + j)*t->n + j],
 	                                              hawser__lexpand_fourth(t, own),
 	                                              force/(2.0*inertia->options->ratio*omega),
-	                                              turning_of(inertia->modes, j)) : 0.0;
+	                                              turning_of(t, inertia->modes, j)) : 0.0;
 }
 
 static double mass(const void *of, const double *x, const double *y)

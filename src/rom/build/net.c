@@ -39,7 +39,7 @@ static enum hawser_status check(const struct hawser_net *net, const struct hawse
 			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net rom", "%s: node %s moves by a table, "
 			                    "and the response is to harmonic motions: give supports.%s.motion",
 			                    net->name, net->node[i].name, net->node[i].name);
-	return hawser__touch_none(net, "rom", report);
+	return net->water.air && !net->surfaces ? HAWSER_OK : hawser__touch_none(net, "rom", report);
 }
 
 /* --- the modes --- */
@@ -300,11 +300,40 @@ static enum hawser_status prepare(struct hawser__net_source *source, struct haws
 }
 
 static enum hawser_status complete(struct hawser_rom *rom, struct hawser__net_source *source,
-                                   const struct hawser__answers *answers, struct hawser_report *report)
+                                   const struct hawser__answers *answers,
+                                   const struct hawser_net_rom_options *o,
+                                   struct hawser_report *report)
 {
-	enum hawser_status status = hawser__nexpand_pairs(&source->t, report);
+	enum hawser_status status;
+
+	if (o->linear)
+		return hawser__net_fill_first(rom, source, 0, report);
+	status = hawser__nexpand_pairs(&source->t, report);
 
 	return status ? status : hawser__net_fill(rom, source, answers, report);
+}
+
+/* like: with the modes most like its coordinates, or NULL. */
+static enum hawser_status open_source(struct hawser__net_source *source, struct hawser_net *fine,
+                                      struct hawser__answers *answers, const struct hawser_net *net,
+                                      const struct hawser_net_rom_options *options,
+                                      const struct hawser__net_source *like,
+                                      struct hawser_report *report)
+{
+	enum hawser_status status = hawser__net_finer(fine, net, 0, report);
+	int aligned = 1;
+
+	*source = (struct hawser__net_source){.net = fine};
+	*answers = (struct hawser__answers){.count = 0};
+	if (!status)
+		status = like ? find_like(source, &aligned, like, report)
+		              : find_modes(source, options, report);
+	if (!status && !aligned)
+		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "net rom", "%s: the modes have become "
+		                    "others than those at the first value: give a smaller range, or another "
+		                    "number of modes", net->name);
+	return status || options->linear ? status
+		: prepare(source, answers, options, !like && !options->bare && !options->condensed, report);
 }
 
 enum hawser_status hawser__net_source_open(struct hawser__net_source *source, struct hawser_net *fine,
@@ -313,14 +342,24 @@ enum hawser_status hawser__net_source_open(struct hawser__net_source *source, st
                                            const struct hawser_net_rom_options *options,
                                            struct hawser_report *report)
 {
-	enum hawser_status status = hawser__net_finer(fine, net, 0, report);
+	return open_source(source, fine, answers, net, options, NULL, report);
+}
 
-	*source = (struct hawser__net_source){.net = fine};
-	*answers = (struct hawser__answers){.count = 0};
-	if (!status)
-		status = find_modes(source, options, report);
-	return status ? status : prepare(source, answers, options,
-	                                 !options->bare && !options->condensed, report);
+void hawser__net_like_clear(struct hawser__net_like *like)
+{
+	hawser__answers_clear(&like->answers);
+	hawser__net_source_clear(&like->source);
+	free(like->fine.cable);
+}
+
+enum hawser_status hawser__net_like_open(struct hawser__net_like *like, const struct hawser_net *net,
+                                         const struct hawser_net_rom_options *options,
+                                         struct hawser_report *report)
+{
+	enum hawser_status status = check(net, options, report);
+
+	return status ? status : hawser__net_source_open(&like->source, &like->fine, &like->answers, net,
+	                                                 options, report);
 }
 
 /* Without the error of the length of elements. */
@@ -338,10 +377,10 @@ static enum hawser_status extrapolate(struct hawser_rom *rom, const struct hawse
 
 	if (!status)
 		status = find_like(&source, &aligned, fine, report);
-	if (!status && aligned)
+	if (!status && aligned && !o->linear)
 		status = prepare(&source, &answers, o, 0, report);
 	if (!status && aligned)
-		status = complete(&coarse, &source, &answers, report);
+		status = complete(&coarse, &source, &answers, o, report);
 	if (!status && aligned)
 		status = hawser__net_mix(rom, &aligned, &coarse, report);
 	if (o->alone)
@@ -374,9 +413,10 @@ static enum hawser_status take_modes(struct hawser_modes *modes, const struct ha
 	return HAWSER_OK;
 }
 
-enum hawser_status hawser_net_rom_build(struct hawser_rom *rom, struct hawser_modes *modes,
+enum hawser_status hawser__net_rom_like(struct hawser_rom *rom, struct hawser_modes *modes,
                                         const struct hawser_net *net,
                                         const struct hawser_net_rom_options *options,
+                                        const struct hawser__net_like *like,
                                         struct hawser_report *report)
 {
 	struct hawser_net fine = {.nodes = 0};
@@ -387,14 +427,15 @@ enum hawser_status hawser_net_rom_build(struct hawser_rom *rom, struct hawser_mo
 	memset(rom, 0, sizeof *rom);
 	memset(modes, 0, sizeof *modes);
 	if (!status)
-		status = hawser__net_source_open(&source, &fine, &answers, net, options, report);
+		status = open_source(&source, &fine, &answers, net, options, like ? &like->source : NULL,
+		                     report);
 	if (!status)
-		status = complete(rom, &source, &answers, report);
+		status = complete(rom, &source, &answers, options, report);
 	if (!status && !options->raw)
 		status = extrapolate(rom, &source, net, options, report);
 	if (!status)
 		status = take_modes(modes, rom, &source, report);
-	if (!status)
+	if (!status && !options->linear)
 		status = hawser_rom_compile(rom, report);
 	hawser__answers_clear(&answers);
 	hawser__net_source_clear(&source);
@@ -404,4 +445,12 @@ enum hawser_status hawser_net_rom_build(struct hawser_rom *rom, struct hawser_mo
 		hawser_modes_clear(modes);
 	}
 	return status;
+}
+
+enum hawser_status hawser_net_rom_build(struct hawser_rom *rom, struct hawser_modes *modes,
+                                        const struct hawser_net *net,
+                                        const struct hawser_net_rom_options *options,
+                                        struct hawser_report *report)
+{
+	return hawser__net_rom_like(rom, modes, net, options, NULL, report);
 }

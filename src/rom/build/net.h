@@ -54,6 +54,17 @@ enum hawser_status hawser__net_fill(struct hawser_rom *rom, struct hawser__net_s
                                     const struct hawser__answers *answers,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
 
+/* The unknowns of a coordinate. */
+const double *hawser__net_row(const struct hawser__net_source *source, int j);
+/* Units, K and D, and with `whole` what the wind adds to higher orders. */
+enum hawser_status hawser__net_fill_first(struct hawser_rom *rom,
+                                          const struct hawser__net_source *source, int whole,
+                                          struct hawser_report *report) HAWSER_MUST_CHECK;
+/* net_wind.c: the force of the wind, if the net has one, to first order or in its form. */
+enum hawser_status hawser__net_wind_fill(struct hawser_rom *rom,
+                                         const struct hawser__net_source *source, int whole,
+                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+
 /* net.c: what a model with these options is made of, but its tensors, and the mesh `fine`, whose cables
  * are to be freed; the source must not be moved. Clear it and the answers, on failure too. */
 enum hawser_status hawser__net_source_open(struct hawser__net_source *source, struct hawser_net *fine,
@@ -62,6 +73,22 @@ enum hawser_status hawser__net_source_open(struct hawser__net_source *source, st
                                            const struct hawser_net_rom_options *options,
                                            struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser__net_source_clear(struct hawser__net_source *source);
+/* The same kept, and a model whose coordinates are most like those, in its units: of the same net with
+ * other values (NULL: hawser_net_rom_build). All zero before; clear it, on failure too. */
+struct hawser__net_like {
+	struct hawser_net fine;
+	struct hawser__net_source source;
+	struct hawser__answers answers;
+};
+enum hawser_status hawser__net_like_open(struct hawser__net_like *like, const struct hawser_net *net,
+                                         const struct hawser_net_rom_options *options,
+                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+enum hawser_status hawser__net_rom_like(struct hawser_rom *rom, struct hawser_modes *modes,
+                                        const struct hawser_net *net,
+                                        const struct hawser_net_rom_options *options,
+                                        const struct hawser__net_like *like,
+                                        struct hawser_report *report) HAWSER_MUST_CHECK;
+void hawser__net_like_clear(struct hawser__net_like *like);
 /* net_lift.c: displacements [rows][unknowns], m, at equidistant phases from 0 of a motion u [rows][n]
  * of its model over so many periods of the load. */
 enum hawser_status hawser__net_lift(double *to, const struct hawser__net_source *source,

@@ -22,8 +22,7 @@ double hawser__net_unit(const struct hawser__net_source *source)
 	return source->mass*source->length*source->length;
 }
 
-/* The row of a coordinate. */
-static const double *row_of(const struct hawser__net_source *source, int j)
+const double *hawser__net_row(const struct hawser__net_source *source, int j)
 {
 	size_t unknowns = (size_t)source->modal.mesh.unknowns;
 
@@ -43,10 +42,11 @@ static enum hawser_status set_matrices(struct hawser_rom *rom, const struct haws
 	for (int j = 0; j < n; j++) {
 		rom->K[j*(n + 1)] = j < source->n ? hawser__net_omega(source, j)*hawser__net_omega(source, j)
 		                                  : source->inertia.kappa2[j - source->n];
-		hawser__net_spread(shape, source, row_of(source, j));
+		hawser__net_spread(shape, source, hawser__net_row(source, j));
 		for (int k = 0; k <= j; k++)
 			rom->D[j*n + k] = rom->D[k*n + j] =
-				hawser__net_damping(source, (const double (*)[3])shape, row_of(source, k))/unit;
+				hawser__net_damping(source, (const double (*)[3])shape,
+				                    hawser__net_row(source, k))/unit;
 		rom->D[j*(n + 1)] += 2.0*source->net->ratio*sqrt(rom->K[j*(n + 1)]);
 	}
 	free(shape);
@@ -143,19 +143,20 @@ static enum hawser_status set_places(struct hawser_rom *rom, struct hawser__net_
 
 			if (own)
 				hawser__net_at(rom->shapes.shape + 3*(j*points + p),
-				               rom->shapes.slope + 3*(j*points + p), source, row_of(source, j), p);
+				               rom->shapes.slope + 3*(j*points + p), source,
+				               hawser__net_row(source, j), p);
 			else
 				hawser__net_at(unused, rom->line.slope + 3*(j*(source->places - points) + p - points),
-				               source, row_of(source, j), p);
+				               source, hawser__net_row(source, j), p);
 		}
 	}
 	return status;
 }
 
-enum hawser_status hawser__net_fill(struct hawser_rom *rom, struct hawser__net_source *source,
-                                    const struct hawser__answers *answers, struct hawser_report *report)
+enum hawser_status hawser__net_fill_first(struct hawser_rom *rom,
+                                          const struct hawser__net_source *source, int whole,
+                                          struct hawser_report *report)
 {
-	const struct hawser__expanded e = hawser__net_expanded(source);
 	enum hawser_status status = hawser__rom_init(rom, source->n + source->inertia.found.shapes, report);
 
 	if (status)
@@ -166,6 +167,15 @@ enum hawser_status hawser__net_fill(struct hawser_rom *rom, struct hawser__net_s
 	rom->scaled = 1;
 	rom->inertia = source->inertia.found;
 	status = set_matrices(rom, source, report);
+	return status ? status : hawser__net_wind_fill(rom, source, whole, report);
+}
+
+enum hawser_status hawser__net_fill(struct hawser_rom *rom, struct hawser__net_source *source,
+                                    const struct hawser__answers *answers, struct hawser_report *report)
+{
+	const struct hawser__expanded e = hawser__net_expanded(source);
+	enum hawser_status status = hawser__net_fill_first(rom, source, 1, report);
+
 	if (!status)
 		status = hawser__expanded_tensors(rom, &e, source->n, 0, report);
 	if (!status)

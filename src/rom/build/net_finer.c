@@ -284,7 +284,8 @@ enum hawser_status hawser__net_mix(struct hawser_rom *to, int *mixed, const stru
 	mix(to->D, from->D, n*n);
 	mix_places(to, from);
 	good = APPEND(&to->Q, &to->quads, from->Q, from->quads) &&
-	       APPEND(&to->C, &to->cubics, from->C, from->cubics);
+	       APPEND(&to->C, &to->cubics, from->C, from->cubics) &&
+	       APPEND(&to->term, &to->terms, from->term, from->terms);
 	for (int h = 0; good && h < to->harmonics; h++)
 		good = mix_harmonic(&to->harmonic[h], &from->harmonic[h], to);
 	return good ? HAWSER_OK : hawser__no_memory(report, "net rom");

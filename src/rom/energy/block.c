@@ -15,6 +15,7 @@
 #include "core/hot.h"
 #include "rom/energy/exact.h"
 #include "rom/energy/kernel.h"
+#include "rom/terms/vary.h"
 
 #define WIDE 2 /* vectors per column if there are enough states: hides the latency of a sum */
 
@@ -250,6 +251,7 @@ void hawser__rom_tangents(const struct hawser_rom *rom, double *restoring, doubl
 
 	if (rom->exact) {
 		hawser__exact_tangents(rom->exact, restoring, tangent, u, count, work);
+		hawser__rom_vary_all(rom, restoring, tangent, u, count);
 		return;
 	}
 	each = count == 1 || by_function(rom, tangent != NULL);
@@ -261,6 +263,8 @@ void hawser__rom_tangents(const struct hawser_rom *rom, double *restoring, doubl
 		else
 			hawser_rom_restoring(rom, restoring + at, u + at);
 	}
+	if (each)
+		hawser__rom_vary_all(rom, restoring, tangent, u, count);
 	for (int first = 0; !each && first < count; first += 8) {
 		int live = count - first < 8 ? count - first : 8;
 
@@ -272,6 +276,7 @@ void hawser__rom_tangents(const struct hawser_rom *rom, double *restoring, doubl
 				lanes[8*j + (size_t)i] = from[j];
 		}
 		evaluate_eight(rom, force, tangent ? slope : NULL, lanes);
+		hawser__rom_vary_eight(rom, force, tangent ? slope : NULL, lanes, first, count);
 		spread(restoring + (size_t)first*n, force, n, live);
 		if (tangent)
 			spread(tangent + (size_t)first*n*n, slope, n*n, live);
@@ -288,7 +293,8 @@ double hawser__rom_flops(const struct hawser_rom *rom, int tangent)
 	double sum = (form ? 5.0 : 1.0)*(n*(n + 1)/2); /* products u_l u_m, and their part of a force */
 
 	if (rom->exact)
-		return 0.0;
+		return rom->exact->points*(tangent ? 60.0 + 3.0*n*n : 40.0 + 6.0*n) +
+		       (rom->exact->springs ? 2.0*n*n : 0.0);
 	if (by_function(rom, tangent))
 		return hawser__function_flops(&rom->kernel->size, tangent);
 	for (int p = 0; p < panels->count; p++) {

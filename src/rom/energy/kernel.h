@@ -90,7 +90,8 @@ struct hawser_rom_kernel {
 	struct hawser__hold hold; /* its arrays */
 };
 
-/* Restoring forces [count][n] and, unless NULL, tangents [count][n][n] at the states u [count][n].
+/* Restoring forces [count][n] and, unless NULL, tangents [count][n][n] at the states u [count][n] at
+ * equal distances over a period, the first at the phase 0, with the terms that vary with it (vary.h).
  * `work` is a workspace of the caller with the size that _work returns for this count or a larger
  * one; NULL if that is 0. No allocation. Threads may call it with their own workspaces. */
 size_t hawser__rom_tangents_work(const struct hawser_rom *rom, int count);
@@ -105,8 +106,7 @@ void hawser__rom_tangents(const struct hawser_rom *rom, double *restoring, doubl
 void hawser__rom_lanes(const struct hawser_rom *rom, double *restoring, double *tangent,
                        const double *u, int live, double *work);
 
-/* Additions and multiplications of a force, or of force and tangent, at one of several states; 0 for
- * a model with the exact energy. */
+/* Additions and multiplications of a force, or of force and tangent, at one of several states. */
 double hawser__rom_flops(const struct hawser_rom *rom, int tangent);
 
 /* panel.c: the panels of a finished kernel; NULL when out of memory. */

@@ -100,8 +100,7 @@ double hawser__drag_equal(const struct hawser_modes *modes, const struct hawser_
 enum hawser_status hawser__drag_make(struct hawser_rom *rom, const struct hawser_modes *modes,
                                      const struct hawser_scene *scene, struct hawser_report *report)
 {
-	static const double rest[2] = {0.0};
-	struct hawser_rom_drag *drag;
+	struct hawser__flow_points flow = {.n = 0};
 	enum hawser_status status;
 	int wind = scene && scene->wind.present && scene->wind.form == HAWSER_WIND_EXACT;
 
@@ -110,18 +109,33 @@ enum hawser_status hawser__drag_make(struct hawser_rom *rom, const struct hawser
 	status = wind ? HAWSER_OK : check(scene, report);
 	if (status)
 		return status;
-	drag = rom->drag = calloc(1, sizeof *drag);
-	if (!drag || !hawser__flow_points(&drag->flow, modes, scene))
+	if (!hawser__flow_points(&flow, modes, scene)) {
+		hawser__flow_points_clear(&flow);
 		return hawser__no_memory(report, "rom");
-	drag->wind = scene->wind.speed;
+	}
 	if (!wind)
-		drag->flow.section = (struct hawser__section){
+		*flow.section = (struct hawser__section){
 			.half = scene->damping.drag, .drag = {.powers = 1, .power = {1.0}}, .lift = {.powers = 1}};
-	drag->still = hawser__hold(&drag->flow.hold, (size_t)drag->flow.points, 2*sizeof(double));
+	return hawser__drag_take(rom, &flow, scene->wind.speed, report);
+}
+
+enum hawser_status hawser__drag_take(struct hawser_rom *rom, struct hawser__flow_points *flow,
+                                     double wind, struct hawser_report *report)
+{
+	static const double rest[2] = {0.0};
+	struct hawser_rom_drag *drag = rom->drag = calloc(1, sizeof *drag);
+
+	if (!drag) {
+		hawser__flow_points_clear(flow);
+		return hawser__no_memory(report, "rom");
+	}
+	drag->flow = *flow;
+	drag->wind = wind;
+	drag->still = hawser__hold(&drag->flow.hold, (size_t)drag->flow.points + 1, 2*sizeof(double));
 	if (!drag->still)
 		return hawser__no_memory(report, "rom");
-	for (int i = 0; i < drag->flow.points; i++)
-		hawser__section_force(drag->still + 2*i, NULL, &drag->flow.section, drag->flow.speed[i], rest);
+	for (int i = 0; i < flow->points; i++)
+		hawser__section_force(drag->still + 2*i, NULL, flow->at[i], flow->speed[i], rest);
 	return HAWSER_OK;
 }
 
@@ -155,7 +169,7 @@ void hawser__drag_add(const struct hawser_rom_drag *drag, double *force, const d
 		double at[2], f[2];
 
 		velocity_at(at, flow, i, v, stride);
-		hawser__section_force(f, NULL, &flow->section, flow->speed[i], at);
+		hawser__section_force(f, NULL, flow->at[i], flow->speed[i], at);
 		for (int c = 0; c < 2; c++)
 			f[c] = flow->weight[i]*(f[c] - drag->still[2*i + c]);
 		for (int j = 0; j < flow->n; j++)
@@ -174,7 +188,7 @@ void hawser__drag_slope(const struct hawser_rom_drag *drag, double sign, double 
 		double at[2], f[2], by_v[2][2], w = -sign*flow->weight[i];
 
 		velocity_at(at, flow, i, v, stride);
-		hawser__section_force(f, by_v, &flow->section, flow->speed[i], at);
+		hawser__section_force(f, by_v, flow->at[i], flow->speed[i], at);
 		for (int j = 0; j < n; j++) {
 			double first = w*(along[j]*by_v[0][0] + across[j]*by_v[1][0]);
 			double second = w*(along[j]*by_v[0][1] + across[j]*by_v[1][1]);

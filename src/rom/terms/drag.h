@@ -20,6 +20,9 @@ struct hawser_rom_drag {
 enum hawser_status hawser__drag_make(struct hawser_rom *rom, const struct hawser_modes *modes,
                                      const struct hawser_scene *scene,
                                      struct hawser_report *report);
+/* The same of a flow with this speed, m/s, which the model takes over. */
+enum hawser_status hawser__drag_take(struct hawser_rom *rom, struct hawser__flow_points *flow,
+                                     double wind, struct hawser_report *report);
 void hawser__drag_free(struct hawser_rom_drag *drag);
 
 /* force [n] += the force at the velocities v [n]. The values of one quantity are `stride` apart. */

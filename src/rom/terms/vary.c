@@ -5,6 +5,7 @@
 
 #include <math.h>
 
+#include "core/hot.h"
 #include "rom/terms/ends.h"
 #include "rom/energy/exact.h"
 #include "rom/energy/kernel.h"
@@ -20,19 +21,22 @@ int hawser__rom_varies(const struct hawser_rom *rom)
 	return 0;
 }
 
-enum { TOGETHER = 16 }; /* harmonics of the same indices at once */
+enum { TOGETHER = 16, /* harmonics of the same indices at once */
+       STATES = 8, VECS = STATES/HAWSER_BLOCK };
 
 /* Harmonics of the same indices: each entry is the sum of theirs, and is applied once. */
 struct group {
 	int count;
 	const struct hawser_quad *Q[TOGETHER];
-	double wave[TOGETHER];
+	double wave[TOGETHER][STATES];
 };
 
-static void add_to(struct group *group, const struct hawser_harmonic *harmonic, double tau)
+static void add_to(struct group *group, const struct hawser_harmonic *harmonic, const double *tau,
+                   int states)
 {
-	group->wave[group->count] = harmonic->phase == HAWSER_COS ? cos(harmonic->k*tau)
-	                            : sin(harmonic->k*tau);
+	for (int i = 0; i < states; i++)
+		group->wave[group->count][i] = harmonic->phase == HAWSER_COS ? cos(harmonic->k*tau[i])
+		                               : sin(harmonic->k*tau[i]);
 	group->Q[group->count++] = harmonic->Q;
 }
 
@@ -45,7 +49,7 @@ static void vary_by(const struct group *group, int quads, double *restoring, dou
 		double value = 0.0, x = u[q->k], y = u[q->l];
 
 		for (int g = 0; g < group->count; g++)
-			value += group->wave[g]*group->Q[g][i].value;
+			value += group->wave[g][0]*group->Q[g][i].value;
 		restoring[q->j] += value*x*y;
 		if (!tangent)
 			continue;
@@ -54,10 +58,69 @@ static void vary_by(const struct group *group, int quads, double *restoring, dou
 	}
 }
 
+/* The same at STATES states, whose values are next to each other; entries of the same j and k, which
+ * follow one another, share what they multiply. */
+HAWSER_HOT
+static void vary_states(const struct group *group, int quads, double *restoring, double *tangent,
+                        const double *u, int n)
+{
+	const struct hawser_quad *q = group->Q[0];
+	hawser__vec *force = (hawser__vec *)restoring, *slope = (hawser__vec *)tangent;
+
+	for (int i = 0; i < quads;) {
+		int j = q[i].j, k = q[i].k;
+		const hawser__vec *x = (const hawser__vec *)u + VECS*k;
+		hawser__vec sum[VECS] = {{0.0}};
+
+		for (; i < quads && q[i].j == j && q[i].k == k; i++) {
+			const hawser__vec *y = (const hawser__vec *)u + VECS*q[i].l;
+			hawser__vec value[VECS] = {{0.0}};
+
+			for (int g = 0; g < group->count; g++)
+				for (int v = 0; v < VECS; v++)
+					value[v] += ((const hawser__vec *)group->wave[g])[v]*group->Q[g][i].value;
+			for (int v = 0; v < VECS; v++) {
+				sum[v] += value[v]*y[v];
+				if (slope)
+					slope[VECS*(j*n + q[i].l) + v] += value[v]*x[v];
+			}
+		}
+		for (int v = 0; v < VECS; v++) {
+			force[VECS*j + v] += sum[v]*x[v];
+			if (slope)
+				slope[VECS*(j*n + k) + v] += sum[v];
+		}
+	}
+}
+
 /* The first harmonic with the same indices as h. A model that is not compiled does not know it. */
 static int first_like(const struct hawser_rom *rom, int h)
 {
 	return rom->kernel && h < rom->kernel->harmonics ? rom->kernel->alike[h] : h;
+}
+
+/* One state, or STATES of them. */
+static void vary(const struct hawser_rom *rom, double *restoring, double *tangent, const double *u,
+                 const double *tau, int states)
+{
+	for (int h = 0; h < rom->harmonics; h++) {
+		struct group group = {.count = 0};
+		int quads = rom->harmonic[h].quads;
+
+		if (quads == 0 || first_like(rom, h) != h)
+			continue;
+		for (int g = h; g < rom->harmonics; g++) {
+			if (first_like(rom, g) == h)
+				add_to(&group, &rom->harmonic[g], tau, states);
+			if (group.count < TOGETHER && (g + 1 < rom->harmonics || group.count == 0))
+				continue;
+			if (states > 1)
+				vary_states(&group, quads, restoring, tangent, u, rom->n);
+			else
+				vary_by(&group, quads, restoring, tangent, u, rom->n);
+			group.count = 0;
+		}
+	}
 }
 
 void hawser__rom_vary_at(const struct hawser_rom *rom, double *restoring, double *tangent,
@@ -70,21 +133,17 @@ void hawser__rom_vary_at(const struct hawser_rom *rom, double *restoring, double
 		hawser__ends_at(rom, s, &(struct hawser_rom_moment){.tau = tau});
 		hawser__exact_vary(rom->exact, restoring, tangent, u, s);
 	}
-	for (int h = 0; h < rom->harmonics; h++) {
-		struct group group = {.count = 0};
-		int quads = rom->harmonic[h].quads;
+	vary(rom, restoring, tangent, u, &tau, 1);
+}
 
-		if (quads == 0 || first_like(rom, h) != h)
-			continue;
-		for (int g = h; g < rom->harmonics; g++) {
-			if (first_like(rom, g) == h)
-				add_to(&group, &rom->harmonic[g], tau);
-			if (group.count == TOGETHER || (g + 1 == rom->harmonics && group.count > 0)) {
-				vary_by(&group, quads, restoring, tangent, u, rom->n);
-				group.count = 0;
-			}
-		}
-	}
+void hawser__rom_vary_eight(const struct hawser_rom *rom, double *restoring, double *tangent,
+                            const double *u, int first, int count)
+{
+	double tau[STATES];
+
+	for (int i = 0; i < STATES; i++)
+		tau[i] = 2.0*M_PI*(first + i)/count;
+	vary(rom, restoring, tangent, u, tau, STATES);
 }
 
 void hawser__rom_vary_lane(const struct hawser_rom *rom, double *restoring, double *tangent,

@@ -1,6 +1,6 @@
 /* rom/terms/vary.h - terms of the restoring force that vary with the phase tau and are not linear
- * in the coordinates. The functions of kernel.h do not contain them, since they do not know the
- * phase: a caller adds these terms to their results.
+ * in the coordinates. Of the functions of kernel.h only hawser__rom_tangents contains them: the others
+ * do not know the phase, and a caller adds these terms to their results.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_ROM_VARY_H
@@ -20,8 +20,12 @@ void hawser__rom_vary_lane(const struct hawser_rom *rom, double *restoring, doub
                            const double *u, double tau, int stride);
 
 /* The same for `count` states u [count][n] at equal distances over a period, the first at tau = 0:
- * restoring [count][n], and tangent [count][n][n] or NULL. */
+ * restoring [count][n], and tangent [count][n][n] or NULL. hawser__rom_tangents calls it, or, for eight
+ * states from the one `first`, _eight: u and restoring [n][8], tangent [n][n][8] or NULL, of a model
+ * without exact energy. */
 void hawser__rom_vary_all(const struct hawser_rom *rom, double *restoring, double *tangent,
                           const double *u, int count);
+void hawser__rom_vary_eight(const struct hawser_rom *rom, double *restoring, double *tangent,
+                            const double *u, int first, int count);
 
 #endif

@@ -113,18 +113,24 @@ static void prune(struct hawser_rom *rom, int first)
 	rom->terms = kept;
 }
 
-static enum hawser_status add_terms(struct hawser_rom *rom, const struct hawser__flow_points *flow,
-                                    struct hawser_report *report)
+enum hawser_status hawser__wind_terms(struct hawser_rom *rom, const struct hawser__flow_points *flow,
+                                      struct hawser_report *report)
 {
 	int n = flow->n, pairs = n*(n + 1)/2, all = pairs + pairs*(n + 2)/3;
-	double (*series)[2][HAWSER__WIND_TERMS] = calloc((size_t)flow->points, sizeof *series);
-	double *value = calloc((size_t)n, sizeof *value);
+	double (*series)[2][HAWSER__WIND_TERMS], *value;
 
+	if (n > MOST)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+		                    "wind.form: cubic is for models of at most %d coordinates, and this one "
+		                    "has %d: give wind.form: exact, which hawser integrate takes, or keep "
+		                    "fewer modes", MOST, n);
+	series = calloc((size_t)flow->points, sizeof *series);
+	value = calloc((size_t)n, sizeof *value);
 	rom->term = calloc((size_t)n*(size_t)all + 1, sizeof *rom->term);
 	if (series && value && rom->term)
 		for (int i = 0; i < flow->points; i++)
 			if (flow->speed[i] > 0.0) /* drag of air at rest has no series */
-				hawser__section_series(series[i], &flow->section, flow->speed[i]);
+				hawser__section_series(series[i], flow->at[i], flow->speed[i]);
 	for (int factors = 2; series && value && rom->term && factors < 4; factors++) {
 		int index[3] = {0}, first = rom->terms;
 
@@ -155,17 +161,12 @@ enum hawser_status hawser__wind_add(struct hawser_rom *rom, const struct hawser_
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
 		                    "linear questions do not take the wakes of wind.wake, whose motion is not "
 		                    "small: remove it, or integrate");
-	if (whole && modes->n > MOST)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
-		                    "wind.form: cubic is for models of at most %d coordinates, and this one "
-		                    "has %d: give wind.form: exact, which hawser integrate takes, or keep "
-		                    "fewer modes", MOST, modes->n);
 	if (!hawser__flow_points(&flow, modes, scene))
 		status = hawser__no_memory(report, "rom");
 	if (!status)
 		hawser__flow_damping(rom->D, &flow);
 	if (!status && whole)
-		status = add_terms(rom, &flow, report);
+		status = hawser__wind_terms(rom, &flow, report);
 	hawser__flow_points_clear(&flow);
 	return status;
 }

@@ -12,5 +12,10 @@
 enum hawser_status hawser__wind_add(struct hawser_rom *rom, const struct hawser_modes *modes,
                                     const struct hawser_scene *scene, int whole,
                                     struct hawser_report *report);
+/* The terms of second and third order alone, to a model that has none. HAWSER_ERR_ARGUMENT,
+ * HAWSER_ERR_MEMORY. */
+struct hawser__flow_points;
+enum hawser_status hawser__wind_terms(struct hawser_rom *rom, const struct hawser__flow_points *flow,
+                                      struct hawser_report *report);
 
 #endif

@@ -27,7 +27,7 @@ static double free_third(const struct hawser__lexpand *t, int j, int k, int l)
 	double sum = 0.0;
 
 	for (int p = 0; p < t->points; p++, x += 3, y += 3, z += 3)
-		sum += t->weight[p]/(t->stretch[p]*t->stretch[p]*t->rope->epsilon)*hawser__third_at(x, y, z);
+		sum += t->weight[p]/(t->stretch[p]*t->stretch[p]*t->epsilon[p])*hawser__third_at(x, y, z);
 	return sum;
 }
 

@@ -50,14 +50,22 @@ struct hawser__lexpand_weight {
 	double *u;            /* [n] */
 };
 
+/* A hanger: a point of the energy behind those of the free rope, whose tangent is its own. */
+struct hawser__lexpand_hanger {
+	int system[3], pendulum[3]; /* along it, along x, along z */
+};
+
 struct hawser__lexpand {
 	struct hawser__lmode *rope;
 	const struct hawser__lexpand_shape *shape; /* [n] the caller's */
 	int n, pairs;
 	int held;             /* 1: the rope leaves the circles at material points */
 	int *first;           /* [pieces] first point of a free piece; -1: an arc */
-	int points;           /* of free pieces */
+	int points;           /* of free pieces, and hangers */
 	double *weight, *stretch, *tau; /* [points]: of the quadrature; |x'|; scaled tension */
+	double *epsilon;      /* [points] force over EA */
+	int hangers;          /* the last points */
+	struct hawser__lexpand_hanger *hanger; /* [hangers] */
 	double *slope;        /* [n][points][3] a, b, c */
 	int ends, weights;
 	struct hawser__lexpand_end *end;       /* [ends] */

@@ -95,7 +95,8 @@ enum hawser_status hawser__lexpand_drive(double *row, double *pull,
 		struct hawser__lexpand_part part = hawser__lexpand_part(rope, row, i);
 		double (*lift)[HAWSER__ENDS][2] = calloc((size_t)system->segments + 1, sizeof *lift);
 		double *load = hawser__numbers((size_t)system->size, 1);
-		const struct hawser__lmode_given given = {NULL, (const double (*)[HAWSER__ENDS][2])lift};
+		const struct hawser__lmode_given given = {
+			.lift = (const double (*)[HAWSER__ENDS][2])lift};
 
 		if (!lift || !load)
 			status = hawser__no_memory(report, "line rom");

@@ -37,6 +37,7 @@ struct work {
 	size_t width;
 	double *source, *load; /* of a system */
 	double (*lift)[HAWSER__ENDS][2];
+	double *off;
 };
 
 /* Entries of a system in a row: a strain each, and two of each value of the state. */
@@ -56,6 +57,25 @@ static void force(double f[3], const struct hawser__lexpand *t, int p, int j, in
 	hawser__pair_force(f, x, y);
 	for (int c = 0; c < 3; c++)
 		f[c] /= t->stretch[p]*t->stretch[p];
+}
+
+/* Where the masses on hangers are without the rope's motion: as high as a swing lifts them. */
+static void add_hangers(const struct work *w, int system, int j, int k)
+{
+	const struct hawser__lexpand *t = w->t;
+
+	for (int i = 0; i < 3*t->hangers; i++) {
+		const struct hawser__lexpand_hanger *hanger = &t->hanger[i/3];
+		const struct hawser__lmode_pendulum *one;
+		int p = t->points - t->hangers + i/3;
+		double f[3];
+
+		if (hanger->system[i%3] != system)
+			continue;
+		one = &t->rope->system[system].pendulum[hanger->pendulum[i%3]];
+		force(f, t, p, j, k);
+		w->off[one->at] = (i%3 ? -1.0 : 1.0)*one->compliance*f[i%3]/t->epsilon[p];
+	}
 }
 
 static void add_segment(const struct work *w, const struct hawser__lmode_segment *s, int system, int j,
@@ -160,13 +180,12 @@ static void fill_row(double *left, double *right, const struct work *w,
 /* What does not depend on the response: V4, and src.src'. */
 static void fill_points(double *left, double *right, const struct hawser__lexpand *t, int j, int k)
 {
-	double eps = t->rope->epsilon;
-
 	for (int p = 0; p < t->points; p++) {
 		const double *x = t->slope + 3*((size_t)t->points*(size_t)j + (size_t)p);
 		const double *y = t->slope + 3*((size_t)t->points*(size_t)k + (size_t)p);
 		double g = t->stretch[p], weight = t->weight[p], f[3], sb2 = g/t->tau[p];
-		double sigma = x[1]*y[1] + x[2]*y[2], aa = -2.0*weight/(g*g*g*eps)*x[0]*y[0];
+		double eps = t->epsilon[p], sigma = x[1]*y[1] + x[2]*y[2];
+		double aa = -2.0*weight/(g*g*g*eps)*x[0]*y[0];
 
 		force(f, t, p, j, k);
 		left[FIELDS*p] = weight*t->tau[p]/(g*g*g*g)*sigma + aa;
@@ -187,14 +206,17 @@ static void answer(const struct work *w, size_t column, int i, int j, int k)
 	struct hawser__lmode_system *system = &t->rope->system[i];
 	size_t pair = (size_t)hawser__pair(j, k);
 	struct hawser__lexpand_part part = hawser__lexpand_part(t->rope, t->second + pair*t->width, i);
-	const struct hawser__lmode_given given = {w->source, (const double (*)[HAWSER__ENDS][2])w->lift};
+	const struct hawser__lmode_given given = {w->source, (const double (*)[HAWSER__ENDS][2])w->lift,
+	                                          w->off};
 
 	memset(w->source, 0, (size_t)system->strains*sizeof *w->source);
 	memset(w->load, 0, (size_t)system->size*sizeof *w->load);
 	memset(w->lift, 0, (size_t)system->segments*sizeof *w->lift);
+	memset(w->off, 0, (size_t)system->size*sizeof *w->off);
 	for (int s = 0; s < system->segments; s++)
 		add_segment(w, &system->segment[s], i, j, k);
 	add_ends(w, i, j, k);
+	add_hangers(w, i, j, k);
 	hawser__lmode_static_given(part.x, part.strain, system, w->load, &given);
 	fill_row(w->left + pair*w->width + column, w->right + pair*w->width + column, w, system, part.x,
 	         part.strain);
@@ -245,8 +267,9 @@ static enum hawser_status allocate(struct work *w, struct hawser_report *report)
 		w->right = hawser__numbers(pairs*w->width, 1);
 		w->source = hawser__numbers(most, 1);
 		w->load = hawser__numbers(most, 1);
+		w->off = hawser__numbers(most, 1);
 		w->lift = calloc(segments + 1, sizeof *w->lift);
-		starved = !w->left || !w->right || !w->source || !w->load || !w->lift;
+		starved = !w->left || !w->right || !w->source || !w->load || !w->lift || !w->off;
 	}
 	return starved ? hawser__no_memory(report, "line rom") : HAWSER_OK;
 }
@@ -274,6 +297,7 @@ enum hawser_status hawser__lexpand_follow(struct hawser__lexpand *t, struct haws
 	free(w.right);
 	free(w.source);
 	free(w.load);
+	free(w.off);
 	free(w.lift);
 	return status;
 }

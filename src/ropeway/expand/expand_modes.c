@@ -13,6 +13,9 @@
 /* Gauss quadrature with the nodes of a grid for twice the frequency integrates products of four
  * waves. */
 static const double wider = 2.0;
+/* Strain of hangers under the weight: of a shape its difference keeps ten digits, and 1e-6 is what it
+ * changes of a frequency at most. */
+static const double soft = 1e-6;
 
 /* Of a state and the shape that was made of it, whose sign may have been changed
  * (modes_label.c). */
@@ -70,7 +73,7 @@ enum hawser_status hawser__lexpand_modes_open(struct hawser__lexpand_modes *t,
 	status = hawser__lmode_settle(&o, lane, lanes, report);
 	t->search.n = o.n;
 	if (!status)
-		status = hawser__lmode_open(&t->rope, lane, lanes, &o, report);
+		status = hawser__lmode_open(&t->rope, lane, lanes, &o, soft, report);
 	if (status)
 		return status;
 	t->search.pairs = calloc((size_t)t->rope.systems + 1, sizeof *t->search.pairs);

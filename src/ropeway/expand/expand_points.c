@@ -44,6 +44,44 @@ static const struct hawser__lmode_segment *segment_of(const struct hawser__lmode
 	return NULL;
 }
 
+static const struct hawser__lmode_pendulum *pendulum_of(const struct hawser__lexpand *t, int hanger,
+                                                        int axis)
+{
+	const struct hawser__lexpand_hanger *own = &t->hanger[hanger];
+
+	return &t->rope->system[own->system[axis]].pendulum[own->pendulum[axis]];
+}
+
+static void find_hangers(struct hawser__lexpand *t)
+{
+	int *of = hawser__hold(&t->hold, (size_t)t->rope->masses + 1, sizeof *of);
+
+	for (int pass = 0; of && pass < 2; pass++)
+		for (int i = 0; i < t->rope->systems; i++)
+			for (int k = 0; k < t->rope->system[i].pendulums; k++) {
+				const struct hawser__lmode_pendulum *one = &t->rope->system[i].pendulum[k];
+				int axis = t->rope->system[i].plane == HAWSER_OUT_OF_PLANE ? 2 : !one->vertical;
+
+				if (pass == 0 && one->vertical)
+					of[one->carrier] = t->hangers++;
+				if (pass == 0)
+					continue;
+				t->hanger[of[one->carrier]].system[axis] = i;
+				t->hanger[of[one->carrier]].pendulum[axis] = k;
+			}
+}
+
+static void place_hanger(struct hawser__lexpand *t, int hanger)
+{
+	const struct hawser__lmode_pendulum *one = pendulum_of(t, hanger, 0);
+	int p = t->points - t->hangers + hanger;
+
+	t->stretch[p] = 1.0 + t->rope->soft;
+	t->weight[p] = one->length/t->stretch[p];
+	t->tau[p] = one->weight;
+	t->epsilon[p] = t->rope->soft/one->weight;
+}
+
 static enum hawser_status place_points(struct hawser__lexpand *t, struct hawser_report *report)
 {
 	const struct hawser__lmode *rope = t->rope;
@@ -58,9 +96,14 @@ static enum hawser_status place_points(struct hawser__lexpand *t, struct hawser_
 		t->first[i] = s && !s->arc ? t->points : -1;
 		t->points += s && !s->arc ? s->grid.points : 0;
 	}
+	t->hanger = hawser__hold(&t->hold, (size_t)rope->masses + 1, sizeof *t->hanger);
+	if (t->hanger)
+		find_hangers(t);
+	t->points += t->hangers;
 	t->weight = hawser__hold(&t->hold, (size_t)t->points, sizeof(double));
 	t->stretch = hawser__hold(&t->hold, (size_t)t->points, sizeof(double));
 	t->tau = hawser__hold(&t->hold, (size_t)t->points, sizeof(double));
+	t->epsilon = hawser__hold(&t->hold, (size_t)t->points, sizeof(double));
 	t->slope = hawser__hold(&t->hold, 3*(size_t)t->points*(size_t)t->n, sizeof(double));
 	if (t->hold.short_of_memory)
 		return hawser__no_memory(report, "line rom");
@@ -77,8 +120,11 @@ static enum hawser_status place_points(struct hawser__lexpand *t, struct hawser_
 			t->weight[t->first[i] + k] = s->grid.weight[k];
 			t->stretch[t->first[i] + k] = g;
 			t->tau[t->first[i] + k] = T/rope->force;
+			t->epsilon[t->first[i] + k] = rope->epsilon;
 		}
 	}
+	for (int i = 0; i < t->hangers; i++)
+		place_hanger(t, i);
 	return HAWSER_OK;
 }
 
@@ -102,6 +148,14 @@ static void fill_slopes(struct hawser__lexpand *t, int j)
 				a[2] = s->sb[k]*strain[k];
 			}
 		}
+	}
+	for (int i = 0; i < 3*t->hangers; i++) {
+		const struct hawser__lmode_pendulum *one = pendulum_of(t, i/3, i%3);
+		int p = t->points - t->hangers + i/3;
+
+		if (t->hanger[i/3].system[i%3] == t->shape[j].system)
+			slope[3*p + i%3] = (i%3 ? 1.0 : -1.0)/t->weight[p]*
+			                   hawser__lmode_stroke(one, t->shape[j].x, system);
 	}
 }
 
@@ -207,11 +261,6 @@ static enum hawser_status place_joint(struct hawser__lexpand *t, int lane, int p
 	enum hawser_status status = HAWSER_OK;
 	int system = -1, node;
 
-	if (joint.mass >= 0 && rope->lane[lane]->line->mass[joint.mass].hanger > 0.0)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "line rom", "mass %d hangs %g m below the "
-		                    "rope: the kinetic energy of a pendulum has terms of third order, which "
-		                    "these models do not have; set its hanger to 0", joint.mass + 1,
-		                    rope->lane[lane]->line->mass[joint.mass].hanger);
 	if (joint.sheave < 0)
 		return HAWSER_OK;
 	for (int end = 0; end < HAWSER__ENDS && !status; end++) {

@@ -221,7 +221,7 @@ enum hawser_status hawser_line_modes_solve(struct hawser_line_modes *modes,
 	status = hawser__lmode_settle(&o, lane, lanes, report);
 	t.n = o.n;
 	if (!status)
-		status = hawser__lmode_open(&rope, lane, lanes, &o, report);
+		status = hawser__lmode_open(&rope, lane, lanes, &o, 0.0, report);
 	if (!status) {
 		t.pairs = calloc((size_t)rope.systems + 1, sizeof *t.pairs);
 		t.choice = calloc((size_t)t.n, sizeof *t.choice);

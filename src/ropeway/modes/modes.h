@@ -53,11 +53,14 @@ struct hawser__lmode_segment {
 	int at, strain, row;  /* of its first value in states, of strains, in the equations */
 };
 
-/* A mass that hangs from a node or a border on a rod: one horizontal coordinate. */
+/* A mass that hangs from a node or a border on a rod: one horizontal coordinate; on a rod that
+ * stretches (rope->soft), a vertical one too. */
 struct hawser__lmode_pendulum {
 	int node, border;     /* the other is -1 */
-	double along[2];      /* horizontal displacement of the point per value of the node */
-	double mass, compliance; /* compliance: length over weight */
+	double along[2];      /* displacement of the point along it per value of the node */
+	double mass, compliance; /* compliance: length over weight; vertical: its part `soft` */
+	int vertical;
+	double length, weight; /* of the rod, under the weight */
 	int at;               /* in states */
 	int carrier;          /* index of the mass over all lanes */
 };
@@ -98,6 +101,8 @@ struct hawser__lmode {
 	int lanes, pieces, runs, masses;
 	struct hawser_line_modes_options options;
 	double length, force, epsilon, nu;
+	double soft;          /* strain of the hangers under the weight; 0: they are rigid. Those on sheaves
+	                       * do not swing then */
 	struct hawser__lmode_piece *piece; /* [pieces] */
 	struct hawser__lmode_system *system; /* [systems] */
 	int systems;
@@ -106,7 +111,7 @@ struct hawser__lmode {
 /* modes_plan.c: units and pieces, then systems without grids. */
 enum hawser_status hawser__lmode_open(struct hawser__lmode *rope,
                                      const struct hawser_line_statics *const *lane, int lanes,
-                                     const struct hawser_line_modes_options *options,
+                                     const struct hawser_line_modes_options *options, double soft,
                                      struct hawser_report *report);
 void hawser__lmode_clear(struct hawser__lmode *rope);
 void hawser__lmode_system_clear(struct hawser__lmode_system *system);
@@ -155,6 +160,7 @@ struct hawser__lmode_given {
 	const double *source;       /* [strains], in the scale of strains; strain is then that of the force
 	                             * minus the source; or NULL */
 	const double (*lift)[HAWSER__ENDS][2]; /* [segments][ends][component], or NULL */
+	const double *off;          /* [size] of pendulums, from where they hang; or NULL */
 };
 /* The same with these; of a system that does not circulate. */
 void hawser__lmode_static_given(double *x, double *strain, struct hawser__lmode_system *system,
@@ -167,6 +173,10 @@ double hawser__lmode_product(const double *load, const double *x,
 /* x'K y, of displacements with their strains: of one with itself, twice the potential energy. */
 double hawser__lmode_stiffness(const double *x, const double *strain, const double *y,
                                const double *other, const struct hawser__lmode_system *system);
+
+/* Displacement of a pendulum from where it hangs. */
+double hawser__lmode_stroke(const struct hawser__lmode_pendulum *one, const double *x,
+                            const struct hawser__lmode_system *system);
 
 /* Modes of a system. */
 struct hawser__lmode_pairs {

@@ -201,8 +201,8 @@ static void fill_masses(double *at, const struct hawser_line_modes *modes,
 		at[3*carrier + 2] = u[2];
 	}
 	for (int i = 0; i < system->pendulums; i++)
-		at[3*system->pendulum[i].carrier + (system->plane == HAWSER_IN_PLANE ? 0 : 2)] =
-			x[system->pendulum[i].at];
+		at[3*system->pendulum[i].carrier + (system->plane == HAWSER_OUT_OF_PLANE ? 2 :
+		                                    system->pendulum[i].vertical)] = x[system->pendulum[i].at];
 }
 
 static void fill_state(struct hawser_line_modes *modes, const struct hawser__lmode *rope,

@@ -145,21 +145,40 @@ static void axes_of(double x[2], double y[2], const struct hawser__lmode_draft *
 	}
 }
 
+/* Along one axis, on which the point moves by along[2] per value of the place. */
+static void add_pendulum(struct hawser__lmode_draft *t, struct place place,
+                         const struct hawser__lmode_pendulum *like, const double along[2], double soft)
+{
+	struct hawser__lmode_pendulum *to = &t->pendulum[t->pendulums++];
+
+	*to = *like;
+	to->node = place.kind == NODE ? place.index : -1;
+	to->border = place.kind == BORDER ? place.index : -1;
+	to->along[0] = along[0];
+	to->along[1] = along[1];
+	to->vertical = soft > 0.0;
+	to->compliance = like->length/like->weight*(soft > 0.0 ? soft/(1.0 + soft) : 1.0);
+}
+
 static void add_mass(struct hawser__lmode_draft *t, struct place place,
                      const struct hawser__lmode_joint *joint, int lane,
                      const struct hawser__lmode_piece *behind)
 {
 	const struct hawser_line *line = t->rope->lane[lane]->line;
 	const struct hawser_line_mass *mass = &line->mass[joint->mass];
-	double m = (mass->mass + mass->body)/unit_mass(t->rope), x[2], y[2];
-	int hangs = mass->hanger > 0.0 && mass->mass > 0.0 && line->g > 0.0;
+	double m = (mass->mass + mass->body)/unit_mass(t->rope), x[2], y[2], soft = t->rope->soft;
+	const struct hawser__lmode_pendulum like = {.mass = m,
+		.length = mass->hanger/t->rope->length,
+		.weight = (mass->mass*line->g + mass->hung)/t->rope->force,
+		.carrier = hawser__lmode_carrier(t->rope, lane, joint->mass)};
+	int hangs = like.length > 0.0 && like.weight > 0.0 && !(soft > 0.0 && joint->sheave >= 0);
 
 	if (place.kind == FIXED || !(m > 0.0))
 		return;
 	axes_of(x, y, t, joint, behind);
 	for (int i = 0; i < 2; i++)
 		for (int j = 0; j < 2; j++) {
-			double share = m*(y[i]*y[j] + (hangs ? 0.0 : x[i]*x[j]));
+			double share = m*((hangs && soft > 0.0 ? 0.0 : y[i]*y[j]) + (hangs ? 0.0 : x[i]*x[j]));
 
 			if (place.kind == NODE)
 				t->node[place.index].mass[i][j] += share;
@@ -167,11 +186,9 @@ static void add_mass(struct hawser__lmode_draft *t, struct place place,
 				t->border[place.index].mass += share;
 		}
 	if (hangs)
-		t->pendulum[t->pendulums++] = (struct hawser__lmode_pendulum){
-			.node = place.kind == NODE ? place.index : -1,
-			.border = place.kind == BORDER ? place.index : -1, .along = {x[0], x[1]}, .mass = m,
-			.compliance = mass->hanger/(mass->mass*line->g)*t->rope->force/t->rope->length,
-			.carrier = hawser__lmode_carrier(t->rope, lane, joint->mass)};
+		add_pendulum(t, place, &like, x, 0.0);
+	if (hangs && soft > 0.0 && t->plane == HAWSER_IN_PLANE)
+		add_pendulum(t, place, &like, y, soft);
 }
 
 /* Stiffness of what is carried at the joint itself. */
@@ -370,7 +387,7 @@ static enum hawser_status draft_plane(struct hawser__lmode *rope, enum hawser_pl
 	t.node = hawser__hold(&hold, pieces, sizeof *t.node);
 	t.node_chain = hawser__hold(&hold, pieces, sizeof *t.node_chain);
 	t.root = hawser__hold(&hold, 2*pieces + 2, sizeof *t.root);
-	t.pendulum = hawser__hold(&hold, pieces, sizeof *t.pendulum);
+	t.pendulum = hawser__hold(&hold, 2*pieces, sizeof *t.pendulum);
 	t.border = hawser__hold(&hold, (size_t)t.borders_most, sizeof *t.border);
 	if (hold.short_of_memory)
 		status = hawser__no_memory(report, "line modes");
@@ -423,14 +440,14 @@ static enum hawser_status check(const struct hawser__lmode *rope, struct hawser_
 
 enum hawser_status hawser__lmode_open(struct hawser__lmode *rope,
                                      const struct hawser_line_statics *const *lane, int lanes,
-                                     const struct hawser_line_modes_options *options,
+                                     const struct hawser_line_modes_options *options, double soft,
                                      struct hawser_report *report)
 {
 	const struct hawser_line *line = lane[0]->line;
 	double across = lane[0]->T_A*cos(lane[0]->angle_A);
 	enum hawser_status status;
 
-	*rope = (struct hawser__lmode){.lane = lane, .lanes = lanes, .options = *options};
+	*rope = (struct hawser__lmode){.lane = lane, .lanes = lanes, .options = *options, .soft = soft};
 	rope->length = fabs(line->B[0] - line->A[0]);
 	if (!(rope->length > 1e-3*lane[0]->length0))
 		rope->length = lane[0]->length0;

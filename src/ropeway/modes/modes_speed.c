@@ -172,7 +172,7 @@ enum hawser_status hawser_line_modes_running(struct hawser_line_modes *modes,
 	t.n = o.n;
 	t.resting.n = o.n + o.n/4 + MORE;
 	if (!status)
-		status = hawser__lmode_open(&rope, lane, lanes, &o, report);
+		status = hawser__lmode_open(&rope, lane, lanes, &o, 0.0, report);
 	if (!status) {
 		t.resting.pairs = calloc((size_t)rope.systems + 1, sizeof *t.resting.pairs);
 		t.pairs = calloc((size_t)rope.systems + 1, sizeof *t.pairs);

@@ -214,6 +214,8 @@ static void solve_loads(double *x, double *strain, struct hawser__lmode_system *
 		for (int d = 0; one->node >= 0 && d < t->node[one->node].dofs; d++)
 			at += one->along[d]*p.unknown[t->node[one->node].row + d];
 		x[one->at] = at + one->compliance*load[one->at];
+		if (given && given->off)
+			x[one->at] += given->off[one->at];
 	}
 }
 
@@ -289,8 +291,8 @@ double hawser__lmode_product(const double *load, const double *x, const struct h
 	return sum;
 }
 
-static double stroke_of(const struct hawser__lmode_pendulum *one, const double *x,
-                        const struct hawser__lmode_system *t)
+double hawser__lmode_stroke(const struct hawser__lmode_pendulum *one, const double *x,
+                            const struct hawser__lmode_system *t)
 {
 	double stroke = x[one->at];
 
@@ -324,7 +326,7 @@ double hawser__lmode_stiffness(const double *x, const double *strain, const doub
 	for (int i = 0; i < t->borders; i++)
 		sum += t->border[i].stiffness*x[t->border[i].at]*y[t->border[i].at];
 	for (int i = 0; i < t->pendulums; i++)
-		sum += stroke_of(&t->pendulum[i], x, t)*stroke_of(&t->pendulum[i], y, t)/
-		       t->pendulum[i].compliance;
+		sum += hawser__lmode_stroke(&t->pendulum[i], x, t)*
+		       hawser__lmode_stroke(&t->pendulum[i], y, t)/t->pendulum[i].compliance;
 	return sum;
 }

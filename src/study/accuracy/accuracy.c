@@ -210,8 +210,10 @@ static enum hawser_status compare(struct hawser_accuracy *a, struct hawser__mark
 enum hawser_status hawser__accuracy_attempt(struct hawser_accuracy *a, struct hawser__marks *marks,
                                             const struct hawser_scene *scene, int functions,
                                             const struct hawser_frf_options *options,
+                                            const struct hawser__orbits *known,
                                             struct hawser_report *report)
 {
+	const struct hawser__trace_watch watcher = {.known = known};
 	struct hawser_accuracy_try *this = &a->attempt[a->tries];
 	struct hawser_frf_options watched = a->traced = *options;
 	double start = hawser__wall_seconds();
@@ -226,7 +228,7 @@ enum hawser_status hawser__accuracy_attempt(struct hawser_accuracy *a, struct ha
 	a->full = functions > 0;
 	watched.progress = (struct hawser_progress){watch, (void *)options};
 	if (!status)
-		status = hawser_frf_trace(&a->frf, &a->rom, &watched, report);
+		status = hawser__frf_trace(&a->frf, &a->rom, &watched, &watcher, report);
 	if (!status)
 		status = compare(a, marks, options, report);
 	a->slack = !status && hawser__mostly_slack(&a->frf);
@@ -327,7 +329,7 @@ static enum hawser_status condensed(struct hawser_accuracy *a, struct hawser__ma
 
 	hawser__accuracy_first(&a->choice);
 	while (!status && a->tries < CONDENSED_TRIES) {
-		status = hawser__accuracy_attempt(a, marks, scene, 0, &frf, report);
+		status = hawser__accuracy_attempt(a, marks, scene, 0, &frf, NULL, report);
 		if (status || hawser__accuracy_cut(a))
 			break;
 		status = judge(a, marks, scene, report);

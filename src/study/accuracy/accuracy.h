@@ -5,6 +5,7 @@
 
 #include <hawser/accuracy.h>
 
+#include "response/branch/trace.h"
 #include "study/compare/distance.h"
 
 /* Smallest error that is claimed, relative to the accuracy: tolerances are chosen for it. */
@@ -35,11 +36,12 @@ void hawser__accuracy_first(struct hawser_choice *choice);
 
 /* Trace the next response and compute its distance from the previous one, which *marks describes;
  * *marks then describes the new one. functions = 0: a model of the modes that are kept now is
- * built; otherwise a->rom is the full-order model with that number of functions. Statuses of
- * hawser_frf_trace and hawser_rom_build. */
+ * built; otherwise a->rom is the full-order model with that number of functions. known: orbits of it,
+ * or NULL. Statuses of hawser_frf_trace and hawser_rom_build. */
 enum hawser_status hawser__accuracy_attempt(struct hawser_accuracy *a, struct hawser__marks *marks,
                                             const struct hawser_scene *scene, int functions,
                                             const struct hawser_frf_options *options,
+                                            const struct hawser__orbits *known,
                                             struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* Compute the candidates, the modes among which hawser_accuracy_choose chooses: at least `fewest`. */

@@ -9,14 +9,14 @@
  * to 14 functions, 1.5e-4 from 14 to 16). Therefore the estimated error is a multiple of the
  * difference.
  *
- * A draft tells which basis is good: a curve with long steps and without multipliers, a fifth of the
- * time of a response. Its folds, peaks and some points between them are its marks, and larger bases
- * are asked for the counterparts of these alone (carry.h), a tenth of the time of a draft: what the
- * curve is moved by there is its error. Of the first two bases that agree the smaller one is taken,
- * and its response traced. Where a counterpart is not found or is far away, the larger basis has a
- * draft of its own, with which the next ones are compared, and the two curves are compared as a whole
- * (curve.c). A resonance that the draft lacks has no marks; but it lies above the modes that each of
- * these bases holds.
+ * A draft tells which basis is good: a curve with long steps and without multipliers, a fifth of
+ * the time of a response. Its folds, peaks and some points between them are its marks, and larger
+ * bases are asked for the counterparts of these alone (carry.h), a tenth of the time of a draft:
+ * what the curve is moved by there is its error. Of the first two bases that agree the smaller one
+ * is taken, and its response traced, through the orbits of its draft. Where a counterpart is not
+ * found or is far away, the larger basis has a draft of its own, with which the next ones are
+ * compared, and the two curves are compared as a whole (curve.c). A resonance that the draft lacks
+ * has no marks; but it lies above the modes that each of these bases holds.
  *
  * Where the curve of a condensed model is near enough to the draft and its bases to each other, that
  * response is the answer, and the sum of the distances its error: an estimate of first order, which
@@ -56,6 +56,7 @@
 #define MARGIN 1.3      /* on the distance of two bases at the marks, and on that of a response whose
                          * error is wanted, by bench/practical.py: there are points between, and peaks
                          * are read there */
+#define LOCATING 0.2    /* of what can be borne, for the peaks of a draft; chosen */
 #define AT_LEAST 0.5    /* of what can be borne, for the response whatever the drafts took; chosen */
 #define PART 0.1        /* of the accuracy: error of a basis, and */
 #define EACH 6          /* fewest functions between attachments, where the error of a response is
@@ -171,15 +172,17 @@ static enum hawser_status compare_condensed(struct condensed *condensed,
                                             const struct hawser_accuracy *a,
                                             const struct hawser_rom *rom,
                                             const struct hawser_frf_options *settled,
-                                            struct hawser_report *report)
+                                            double bearable, struct hawser_report *report)
 {
 	struct hawser__marks found = {.count = 0};
+	struct hawser_frf_options located = *settled;
 	enum hawser_status status = HAWSER_OK;
 
 	condensed->off = INFINITY;
+	located.most_work = LOCATING*bearable;
 	if (!condensed->marks || hawser__accuracy_cut(a) || isfinite(a->until))
 		return HAWSER_OK;
-	status = hawser__marks_find(&found, &a->frf, rom, settled,
+	status = hawser__marks_find(&found, &a->frf, rom, &located,
 	                            HAWSER__LOCATED*enough_of(condensed, a), report);
 	if (!status)
 		status = hawser__marks_distance(&condensed->off, condensed->marks, &found, report);
@@ -250,11 +253,13 @@ static enum hawser_status choose(struct hawser__draft *chosen, double *moved, do
 		} else if (!status) {
 			status = hawser__draft_draw(&next, moved, &traced, chosen, a, options, frf, *work, report);
 			*work += next.work;
-			again = retry(status, &functions, frf, options);
+			again = !(options->bearable > 0.0 && *work >= options->bearable) &&
+			        retry(status, &functions, frf, options);
 			if (isfinite(a->until))
 				frf->to = a->until;
 			if (!status)
-				status = compare_condensed(condensed, a, &next.rom, frf, report);
+				status = compare_condensed(condensed, a, &next.rom, frf, options->bearable,
+				                           report);
 		}
 		if (again) {
 			status = HAWSER_OK;
@@ -272,6 +277,7 @@ static enum hawser_status choose(struct hawser__draft *chosen, double *moved, do
 		hawser__draft_clear(chosen);
 		*chosen = next;
 	}
+	hawser__traced_give(&traced, chosen);
 	hawser__traced_clear(&traced);
 	return status;
 }
@@ -280,8 +286,9 @@ static enum hawser_status choose(struct hawser__draft *chosen, double *moved, do
 static enum hawser_status follow(struct hawser_accuracy *a, struct hawser__marks *marks,
                                  const struct hawser_scene *scene,
                                  const struct hawser_accuracy_options *options,
-                                 const struct hawser_frf_options *settled, int functions,
-                                 double work, struct hawser_report *report)
+                                 const struct hawser_frf_options *settled,
+                                 const struct hawser__draft *chosen, double work,
+                                 struct hawser_report *report)
 {
 	struct hawser__draft_watch watch = {options, a, work, 0.0, options->expected, &a->rom, a->rom.n,
 	                                    .drafts = 0};
@@ -291,10 +298,12 @@ static enum hawser_status follow(struct hawser_accuracy *a, struct hawser__marks
 	frf.progress = (struct hawser_progress){hawser__draft_watch_trace, &watch};
 	if (options->partial)
 		frf.most_work = fmax(options->bearable - work, AT_LEAST*options->bearable);
-	status = hawser__accuracy_attempt(a, marks, scene, functions, &frf, report);
+	status = hawser__accuracy_attempt(a, marks, scene, chosen->functions, &frf,
+	                                  &chosen->orbits, report);
 	if (status == HAWSER_ERR_CONVERGENCE && options->frf.tolerance == 0.0 && frf.tolerance > FINEST) {
 		frf.tolerance = FINEST;
-		status = hawser__accuracy_attempt(a, marks, scene, functions, &frf, report);
+		status = hawser__accuracy_attempt(a, marks, scene, chosen->functions, &frf,
+	                                  &chosen->orbits, report);
 	}
 	a->traced.progress = options->frf.progress;
 	if (!status && a->frf.end == HAWSER_END_WORK) {
@@ -360,7 +369,7 @@ static enum hawser_status search(struct hawser_accuracy *a, struct hawser__marks
 		a->checked = checked;
 		return HAWSER_OK;
 	}
-	status = follow(a, marks, scene, options, &frf, chosen->functions, work, report);
+	status = follow(a, marks, scene, options, &frf, chosen, work, report);
 	if (!status) {
 		struct hawser_accuracy_try *this = &a->attempt[a->tries - 1];
 

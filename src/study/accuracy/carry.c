@@ -16,7 +16,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/grow.h"
 #include "core/report.h"
 #include "study/accuracy/carry.h"
 #include "response/orbit/balance.h"
@@ -25,89 +24,6 @@
 #define FAR 0.1    /* largest distance from an orbit to its counterpart, relative; chosen */
 #define PATIENCE 100.0 /* contraction that is borne, hardly a limit: in the metric of the orbit, what
                         * was at rest counts most, and the first steps may grow; FAR decides; chosen */
-
-static size_t length_of(const struct hawser__series *series, int n)
-{
-	return (2*(size_t)series->order + 1)*(size_t)n + 1;
-}
-
-static void clear(struct hawser__orbits *orbits)
-{
-	for (int i = 0; i < orbits->count; i++)
-		free(orbits->item[i].y);
-	orbits->count = 0;
-}
-
-void hawser__orbits_clear(struct hawser__orbits *orbits)
-{
-	clear(orbits);
-	free(orbits->item);
-	*orbits = (struct hawser__orbits){.n = 0};
-}
-
-/* --- to keep them --- */
-
-static int order_of(const struct hawser__station *station, int n, int size)
-{
-	int at = size - 2;
-
-	while (at >= n && station->y[at] == 0.0 && station->t[at] == 0.0)
-		at--;
-	return (at/n + 1)/2;
-}
-
-static enum hawser_status keep(struct hawser__orbits *orbits, const struct hawser__trace *trace,
-                               const struct hawser__station *station)
-{
-	int n = trace->orbit->n, size = trace->orbit->size;
-	struct hawser__series *series;
-	size_t length;
-
-	if (hawser__more(&orbits->item, orbits->count, sizeof *orbits->item))
-		return hawser__no_memory(trace->report, "frf");
-	series = &orbits->item[orbits->count];
-	*series = (struct hawser__series){.arc = station->arc, .order = order_of(station, n, size)};
-	length = length_of(series, n);
-	if (!(series->y = malloc(2*length*sizeof(double))))
-		return hawser__no_memory(trace->report, "frf");
-	orbits->n = n;
-	orbits->count++;
-	memcpy(series->y, station->y, length*sizeof(double));
-	memcpy(series->y + length, station->t, length*sizeof(double));
-	series->y[length - 1] = station->y[size - 1];
-	series->y[2*length - 1] = station->t[size - 1];
-	return HAWSER_OK;
-}
-
-static enum hawser_status step(void *context, struct hawser__trace *trace)
-{
-	struct hawser__orbits *orbits = context;
-	enum hawser_status status = HAWSER_OK;
-
-	if (strcmp(trace->frf->method, hawser__balance_method.about.name) != 0 ||
-	    hawser__rom_periods(trace->rom) > 1)
-		return HAWSER_OK;
-	if (trace->frf->points == 2) { /* also of a trace that begins again */
-		clear(orbits);
-		status = keep(orbits, trace, &trace->here);
-	}
-	return status ? status : keep(orbits, trace, &trace->next);
-}
-
-static void back(void *context)
-{
-	struct hawser__orbits *orbits = context;
-
-	if (orbits->count > 0)
-		free(orbits->item[--orbits->count].y);
-}
-
-struct hawser__trace_watch hawser__orbits_watch(struct hawser__orbits *orbits)
-{
-	return (struct hawser__trace_watch){.context = orbits, .step = step, .back = back};
-}
-
-/* --- and to find those of another model --- */
 
 /* y [size] of the second model; its other harmonics are 0. */
 static void take(const struct hawser__balance *balance, double *y, const double *from, int order,
@@ -191,7 +107,8 @@ enum hawser_status hawser__carry(struct hawser_frf *frf, int *lost, const struct
 		const struct hawser__series *from = &orbits->item[which[i]];
 
 		take(balance, station.y, from->y, from->order, map, orbits->n);
-		take(balance, station.t, from->y + length_of(from, orbits->n), from->order, map, orbits->n);
+		take(balance, station.t, from->y + hawser__series_length(from, orbits->n), from->order, map,
+		     orbits->n);
 		station.arc = from->arc;
 		hawser__balance_adopt(balance, station.y, from->order);
 		status = hawser__balance_arrange(balance, report);

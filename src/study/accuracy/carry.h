@@ -1,4 +1,4 @@
-/* study/accuracy/carry.h - the orbits of a curve, and the same orbits of another model: see carry.c.
+/* study/accuracy/carry.h - orbits of a curve as those of another model: see carry.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_STUDY_CARRY_H
 #define HAWSER_STUDY_CARRY_H
@@ -6,24 +6,6 @@
 #include <hawser/frf.h>
 
 #include "response/branch/trace.h"
-
-/* One orbit and the tangent of its curve. */
-struct hawser__series {
-	double arc;
-	int order; /* highest harmonic of either */
-	double *y; /* [2][(2 order + 1) n + 1] both, by harmonics as of harmonic balance, then Omega */
-};
-
-/* Those of the points of a curve, in their order. */
-struct hawser__orbits {
-	int n, count;
-	struct hawser__series *item;
-};
-
-/* The watch of a trace that fills *orbits, which is all zero; none is kept of another method than
- * harmonic balance, and of motions of several periods. Release with hawser__orbits_clear. */
-struct hawser__trace_watch hawser__orbits_watch(struct hawser__orbits *orbits);
-void hawser__orbits_clear(struct hawser__orbits *orbits);
 
 /* The orbits which[count] of another model, `rom`, which moves by map [rom->n][orbits->n] as that of
  * the orbits does: each is the point nearest to that orbit on the curve of `rom`, in the plane normal

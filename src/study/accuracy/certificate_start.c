@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "study/accuracy/certificate.h"
+#include "study/accuracy/motions.h"
 
 enum { PHASES = HAWSER__CERTIFIED_PHASES, WIDTH = HAWSER__CERTIFIED_WIDTH };
 static const double faint = 3e-5;  /* part of a motion by the harmonics that are left out; chosen */
@@ -34,11 +35,17 @@ enum hawser_status hawser__certifying_lift(struct hawser__certifying *w, const d
 {
 	double period = 2.0*M_PI/omega;
 	const struct hawser_integrate_options options = {.omega = omega, .until = period,
-		.every = period/PHASES, .rtol = 1e-8, .atol = 1e-12, .initial = state};
+		.every = period/PHASES, .rtol = 1e-8, .atol = 1e-12, .initial = state,
+		.max_steps = hawser__steps_of_period(w->rom, omega)};
 	size_t n = (size_t)w->rom->n;
 	struct hawser_trajectory run;
 	enum hawser_status status = hawser_integrate(&run, w->rom, &options, report);
 
+	if (hawser__escapes(status)) { /* from rest no landmark is found */
+		memset(w->series, 0, WIDTH*(size_t)w->both.source.modal.mesh.unknowns*sizeof *w->series);
+		hawser_trajectory_clear(&run);
+		return HAWSER_OK;
+	}
 	for (size_t t = 0; !status && t < PHASES; t++) {
 		const double *own = run.state + 2*t*n;
 		int to = w->both.source.n;

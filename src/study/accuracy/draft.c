@@ -23,6 +23,7 @@
 #define TURNED 100      /* points without an advance, */
 #define IN_VAIN 0.05    /* and work, of what can be borne, after which a curve may be said to wander;
                          * chosen */
+#define BEGINNING 0.25  /* of what can be borne, for the first orbit of a draft; chosen */
 #define FIRST_POINTS 24 /* of a trace, before anything is foreseen; chosen */
 
 void hawser__traced_clear(struct hawser__traced *traced)
@@ -33,9 +34,18 @@ void hawser__traced_clear(struct hawser__traced *traced)
 	*traced = (struct hawser__traced){.functions = 0};
 }
 
+void hawser__traced_give(struct hawser__traced *traced, struct hawser__draft *chosen)
+{
+	if (traced->functions != chosen->functions)
+		return;
+	chosen->orbits = traced->orbits;
+	traced->orbits = (struct hawser__orbits){.n = 0};
+}
+
 void hawser__draft_clear(struct hawser__draft *draft)
 {
 	hawser_rom_clear(&draft->rom);
+	hawser__orbits_clear(&draft->orbits);
 	hawser__curve_clear(&draft->curve);
 	*draft = (struct hawser__draft){.functions = 0};
 }
@@ -184,6 +194,7 @@ static enum hawser_status draw(struct hawser__draft *draft, struct hawser__trace
 
 	*traced = (struct hawser__traced){.functions = 0};
 	keep = hawser__orbits_watch(&traced->orbits);
+	keep.first = BEGINNING*options->bearable;
 	frf.unjudged = 2;
 	frf.skip_events = 1;
 	frf.samples = HAWSER_NONE;
@@ -197,7 +208,7 @@ static enum hawser_status draw(struct hawser__draft *draft, struct hawser__trace
 	else if (status && report)
 		*report = why;
 	draft->points = a->frf.points;
-	draft->work = hawser_orbit_work(&a->frf.cost, &draft->rom);
+	draft->work = a->frf.points > 0 ? hawser_orbit_work(&a->frf.cost, &draft->rom) : keep.first;
 	a->slack = !status && !a->costly && hawser__mostly_slack(&a->frf);
 	if (!status)
 		status = hawser__curve_copy(&traced->curve, &a->frf, report);
@@ -248,7 +259,7 @@ enum hawser_status hawser__draft_carry(struct hawser__draft *draft, double *away
 /* The same basis with a draft of its own, in place of the last one, with which it is compared. */
 enum hawser_status hawser__draft_draw(struct hawser__draft *next, double *moved,
                                       struct hawser__traced *traced,
-                                      const struct hawser__draft *chosen, struct hawser_accuracy *a,
+                                      struct hawser__draft *chosen, struct hawser_accuracy *a,
                                       const struct hawser_accuracy_options *options,
                                       const struct hawser_frf_options *settled, double before,
                                       struct hawser_report *report)
@@ -267,6 +278,7 @@ enum hawser_status hawser__draft_draw(struct hawser__draft *next, double *moved,
 	    traced->end == last.end)
 		status = hawser__curve_distance(moved, &last.curve, &traced->curve, report);
 	*moved = fmax(*moved, UNSEEN*a->asked);
+	hawser__traced_give(&last, chosen);
 	hawser__traced_clear(&last);
 	return status;
 }

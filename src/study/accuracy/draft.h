@@ -13,10 +13,11 @@
 #define HAWSER__MORE_POINTS 1.2  /* of a response, over those of its draft or of the modes; chosen */
 
 /* The draft of one basis: its curve; or, as long as they are near it, the counterparts of marks of the
- * curve of a smaller basis. */
+ * curve of a smaller basis. The orbits are those of its curve, when the search has left it. */
 struct hawser__draft {
 	struct hawser_rom rom;
 	struct hawser__drawn_curve curve;
+	struct hawser__orbits orbits;
 	int functions, points;
 	double work;
 };
@@ -45,6 +46,9 @@ struct hawser__draft_watch {
 	int turned;    /* and points */
 };
 
+/* The orbits of the last curve become those of *chosen if it is that one's. */
+void hawser__traced_give(struct hawser__traced *traced, struct hawser__draft *chosen);
+
 void hawser__traced_clear(struct hawser__traced *traced);
 
 void hawser__draft_clear(struct hawser__draft *draft);
@@ -70,10 +74,11 @@ enum hawser_status hawser__draft_carry(struct hawser__draft *draft, double *away
                                        const struct hawser_frf_options *settled,
                                        struct hawser_report *report);
 
-/* The same basis with a draft of its own, in place of the last one, with which it is compared. */
+/* The same basis with a draft of its own, in place of the last one, with which it is compared, and
+ * the orbits of which become those of *chosen if they are. */
 enum hawser_status hawser__draft_draw(struct hawser__draft *next, double *moved,
                                       struct hawser__traced *traced,
-                                      const struct hawser__draft *chosen, struct hawser_accuracy *a,
+                                      struct hawser__draft *chosen, struct hawser_accuracy *a,
                                       const struct hawser_accuracy_options *options,
                                       const struct hawser_frf_options *settled, double before,
                                       struct hawser_report *report);

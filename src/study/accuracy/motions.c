@@ -11,8 +11,9 @@
 #include "hawser/integrate.h"
 #include "study/accuracy/motions.h"
 
-enum { rows = 48 };    /* samples per period: resolves more than the harmonics that choose.h
+enum { rows = 48,      /* samples per period: resolves more than the harmonics that choose.h
                         * examines; chosen */
+       OF_PERIOD = 1000, OF_OSCILLATION = 20 }; /* steps of a period, and of an oscillation; chosen */
 
 int hawser__nearest_point(const struct hawser_frf *frf, double arc)
 {
@@ -22,6 +23,15 @@ int hawser__nearest_point(const struct hawser_frf *frf, double arc)
 		if (fabs(frf->point[i].arc - arc) < fabs(frf->point[best].arc - arc))
 			best = i;
 	return best;
+}
+
+long hawser__steps_of_period(const struct hawser_rom *rom, double omega)
+{
+	double most = 0.0;
+
+	for (int j = 0; j < rom->n; j++)
+		most = fmax(most, rom->K[j*(rom->n + 1)]);
+	return OF_PERIOD + OF_OSCILLATION*(long)ceil(sqrt(most)/omega);
 }
 
 /* u of the modes that the model keeps, at its state. */
@@ -44,12 +54,18 @@ enum hawser_status hawser__weigh_motion(struct hawser_choice *choice, const stru
 	struct hawser_integrate_options options = {
 		.omega = omega, .begin = start->time, .until = start->time + period,
 		.every = period/rows, .rtol = 1e-7, .atol = 1e-12, .initial = start->state,
+		.max_steps = hawser__steps_of_period(rom, omega),
 	};
 	size_t n = (size_t)rom->n, kept = (size_t)(rom->n - rom->inertia.shapes);
 	struct hawser__orbit_of orbit = {.model = rom};
 	struct hawser_trajectory run;
 	enum hawser_status status = hawser_integrate(&run, rom, &options, report);
 
+	if (hawser__escapes(status)) {
+		choice->followed = 1.0; /* the model does not hold the motion */
+		hawser_trajectory_clear(&run);
+		return HAWSER_OK;
+	}
 	u = malloc((size_t)rows*kept*sizeof *u);
 	state = malloc((size_t)rows*n*sizeof *state);
 	if (!status && (!u || !state))

@@ -36,7 +36,8 @@ struct job {
 	const struct hawser_frf_options *options;
 	const struct hawser__sharpening *how;
 	double length; /* arclength of the present piece at which to stop */
-	int stopped;   /* 1: stopped by the caller */
+	double work;   /* of all pieces, s; at most options->most_work, if above 0 */
+	int stopped;   /* 1: stopped by the caller, or no work is left */
 };
 
 /* A piece of a branch, from point `first` to point `last`. */
@@ -90,6 +91,7 @@ static enum hawser_status trace(struct hawser_frf *piece, struct job *job,
 	struct hawser_frf_options again = *job->options;
 	double range[2];
 	int rising = rises(frf, window->first);
+	enum hawser_status status;
 
 	range_of(range, frf, window);
 	again.method = method;
@@ -103,7 +105,10 @@ static enum hawser_status trace(struct hawser_frf *piece, struct job *job,
 	again.progress = (struct hawser_progress){watch, job};
 	/* shorter steps change the arclength, since chords are shorter than arcs */
 	job->length = 1.1*(frf->point[window->last].arc - first->arc);
-	return hawser_frf_trace(piece, job->rom, &again, NULL);
+	status = hawser_frf_trace(piece, job->rom, &again, NULL);
+	job->work += hawser_orbit_work(&piece->cost, job->rom);
+	job->stopped |= again.most_work > 0.0 && job->work > again.most_work;
+	return status;
 }
 
 /* Locate one peak on a piece that begins `arc` before it; if it is not accurate enough, trace a
@@ -176,7 +181,7 @@ enum hawser_status hawser__study_sharpen(struct hawser_study_curve *curve,
                                          const struct hawser__sharpening *how,
                                          struct hawser_report *report)
 {
-	struct job job = {curve, rom, options, how, 0.0, 0};
+	struct job job = {curve, rom, options, how, 0.0, 0.0, 0};
 	struct window window;
 	int points = curve->frf.points;
 	char *near = calloc((size_t)points + 1, 1);

@@ -7,7 +7,7 @@
  * Modes are followed from one anchor to the next. A step is halved until each coordinate overlaps with
  * one mode by more than SURE, so that modes that cross keep their coordinates, while those that veer
  * exchange their shapes continuously. Anchors are kept, and the order of the modes at a value depends
- * on the nearest anchor only. The first model stays to the end.
+ * on the nearest anchor only.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -20,14 +20,14 @@
 
 #include "core/grow.h"
 #include "core/report.h"
-#include "response/family/smooth.h"
+#include "response/family/keep.h"
 #include "rom/energy/kernel.h"
 
 #define SURE 0.75  /* least overlap by which a mode is recognised: its square is above a half; chosen */
 #define LEAST 1e-7 /* least step, relative to the range, that is halved; below it the larger overlap
                     * decides; chosen */
 #define EXACT 1e-11 /* tolerance of modes, so that models are smooth functions of the parameter */
-enum { MODELS = 11, PLACES = 96, MORE = 6 };
+enum { PLACES = 96, MORE = 6 };
 
 struct anchor {
 	double p[2];
@@ -38,17 +38,10 @@ struct scene_family {
 	const struct hawser_scene *scene;
 	const char *key[2]; /* the second one may be NULL */
 	double extent[2];   /* of the ranges */
-	struct hawser__model_maker maker;   /* of models between others, where there is one key */
-	struct hawser__smooth smooth;
+	struct hawser__keep keep;           /* of models between others, where there is one key */
 	int n;
 	struct anchor *anchor; /* [anchors] in no order */
 	int anchors;
-	struct kept {
-		double p[2];
-		long used;
-		struct hawser_rom rom;
-	} kept[MODELS];
-	long now;
 	double *samples; /* [1 + modes][PLACES][3] shapes that are compared */
 };
 
@@ -278,9 +271,10 @@ static enum hawser_status modes_at(struct hawser_modes *modes, struct scene_fami
 	}
 }
 
-static enum hawser_status make_model(struct scene_family *family, struct hawser_rom *rom,
-                                     const double p[2], struct hawser_report *report)
+static enum hawser_status make_model(void *context, struct hawser_rom *rom, const double p[2],
+                                     struct hawser_report *report)
 {
+	struct scene_family *family = context;
 	struct hawser_modes modes;
 	struct hawser_scene scene;
 	enum hawser_status status = scene_at(&scene, family, p, report);
@@ -293,42 +287,12 @@ static enum hawser_status make_model(struct scene_family *family, struct hawser_
 	return status;
 }
 
-static enum hawser_status make_one(void *context, struct hawser_rom *rom, double p,
-                                   struct hawser_report *report)
-{
-	return make_model(context, rom, (double[2]){p, 0.0}, report);
-}
-
 static enum hawser_status model_of_two(void *context, const struct hawser_rom **rom,
                                        const double p[2], struct hawser_report *report)
 {
 	struct scene_family *family = context;
-	struct kept *kept = &family->kept[family->kept[0].used > 0];
-	enum hawser_status status = HAWSER_OK;
 
-	for (int i = 0; i < MODELS; i++) {
-		if (family->kept[i].used > 0 && family->kept[i].p[0] == p[0] &&
-		    family->kept[i].p[1] == p[1]) {
-			family->kept[i].used = ++family->now;
-			*rom = &family->kept[i].rom;
-			return HAWSER_OK;
-		}
-		if (i > 0 && family->kept[i].used < kept->used)
-			kept = &family->kept[i];
-	}
-	*rom = NULL;
-	if (family->maker.make)
-		status = hawser__smooth_model(&family->smooth, rom, &family->maker, p[0], report);
-	if (status || *rom)
-		return status;
-	hawser_rom_clear(&kept->rom);
-	kept->used = 0;
-	if ((status = make_model(family, &kept->rom, p, report)))
-		return status;
-	memcpy(kept->p, p, sizeof kept->p);
-	kept->used = ++family->now;
-	*rom = &kept->rom;
-	return HAWSER_OK;
+	return hawser__keep_model(&family->keep, rom, p, report);
 }
 
 static enum hawser_status model(void *context, const struct hawser_rom **rom, double p,
@@ -341,12 +305,10 @@ static void end(void *context)
 {
 	struct scene_family *family = context;
 
-	for (int i = 0; family && i < MODELS; i++)
-		hawser_rom_clear(&family->kept[i].rom);
 	for (int i = 0; family && i < family->anchors; i++)
 		hawser_modes_clear(&family->anchor[i].modes);
 	if (family) {
-		hawser__smooth_clear(&family->smooth);
+		hawser__keep_clear(&family->keep);
 		free(family->anchor);
 		free(family->samples);
 	}
@@ -403,6 +365,7 @@ static enum hawser_status make(struct scene_family **made, const struct hawser_s
 	*made = family;
 	*family = (struct scene_family){.scene = scene, .key = {key[0], key[1]},
 		.extent = {extent[0] > 0.0 ? extent[0] : 1.0, extent[1] > 0.0 ? extent[1] : 1.0},
+		.keep = {.make = make_model, .context = family},
 		.n = scene->model.modes};
 	family->samples = calloc((size_t)(2*family->n + MORE + 1)*3*PLACES, sizeof(double));
 	return family->samples ? begin(family, at, report) : hawser__no_memory(report, "frf");
@@ -417,8 +380,10 @@ enum hawser_status hawser_scene_family_open(struct hawser_rom_family *opened,
 	enum hawser_status status = make(&family, scene, (const char *[2]){key, NULL},
 	                                 (double[2]){fabs(to - from), 1.0}, (double[2]){at, 0.0}, report);
 
-	if (!status && to > from)
-		family->maker = (struct hawser__model_maker){make_one, family, from, to};
+	if (!status) {
+		family->keep.from = from;
+		family->keep.to = to;
+	}
 	*opened = (struct hawser_rom_family){omega, model, family};
 	if (status)
 		hawser_scene_family_close(opened);

@@ -277,7 +277,7 @@ enum hawser_status hawser_map_cable_open(struct hawser_map_field *field,
 	*field = (struct hawser_map_field){.name = source->quantity, .context = cable,
 		.identity = cable->identity, .open = hawser__map_worker_open,
 		.close = hawser__map_worker_close,
-		.prepare = hawser__structure_prepare, .point = hawser__map_worker_point};
+		.prepare = hawser__map_prepare, .point = hawser__map_worker_point};
 	if (status) {
 		hawser_map_cable_close(field);
 		return status;
@@ -307,6 +307,7 @@ void hawser_map_cable_close(struct hawser_map_field *field)
 	for (size_t c = 0; c < cable->count; c++)
 		hawser__structure_clear(&cable->kept[c]);
 	free(cable->kept);
+	hawser__map_guides_free(cable->guides);
 	free(cable->identity);
 	free(cable);
 	*field = (struct hawser_map_field){.name = NULL};

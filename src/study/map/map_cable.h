@@ -3,6 +3,7 @@
 #ifndef HAWSER_STUDY_MAP_CABLE_H
 #define HAWSER_STUDY_MAP_CABLE_H
 
+#include "response/orbit/start.h"
 #include "study/map/map_quantity.h"
 
 /* The first stage of the computation that a parameter affects, the last stage first. */
@@ -39,6 +40,7 @@ struct hawser__map_cable {
 	size_t count, room;
 	char *identity;
 	struct hawser_map_condensed condensed;
+	struct hawser__map_guides *guides; /* from which responses start, or NULL */
 };
 
 /* map_point.c: the functions open, close and point of the field. */
@@ -91,9 +93,19 @@ void hawser__structure_clear(struct hawser__structure *structure);
 /* The stored structure for this value of the parameter, or NULL. */
 struct hawser__structure *hawser__structure_find(const struct hawser__map_cable *cable,
                                                  double value);
-/* hawser_map_field.prepare: compute the structures that the points need. */
+/* Compute the structures that the points need. */
 enum hawser_status hawser__structure_prepare(void *context, const double *x, const double *y,
                                              int count, int threads, struct hawser_report *report);
+
+/* map_guide.c. _prepare: hawser_map_field.prepare. _guide: the orbits from which the response at a
+ * point starts, which _prepare has computed; or NULL. */
+enum hawser_status hawser__map_prepare(void *context, const double *x, const double *y, int count,
+                                       int threads, struct hawser_report *report);
+const struct hawser__way *hawser__map_guide(const struct hawser__map_cable *cable, double x, double y);
+void hawser__map_guides_free(struct hawser__map_guides *guides);
+/* The orbits that the response at x, y passes on its way from rest, none where there is no model. */
+enum hawser_status hawser__map_worker_way(void *worker, struct hawser__way *way,
+                                          const struct hawser__way *guide, double x, double y);
 
 /* _room: the workspace of a map's worker, with the multipliers of its last point. _refine:
  * multiplies the number of steps per period, from the next point on. */

@@ -249,8 +249,8 @@ static enum hawser_status respond(const struct hawser_rom **rom, double omega, s
 }
 
 /* The model at a point and the frequency, valid until the next point of the worker. *steady: 1: the
- * structure failed, 2: the response. */
-static enum hawser_status model_at(const struct hawser_rom **rom, double *omega, int *steady,
+ * structure failed. */
+static enum hawser_status of_point(const struct hawser_rom **rom, double *omega, int *steady,
                                    struct worker *worker, const double at[2],
                                    struct hawser_report *report)
 {
@@ -282,13 +282,36 @@ static enum hawser_status model_at(const struct hawser_rom **rom, double *omega,
 		if (!status)
 			status = of_structure(rom, worker, structure, at, report);
 	}
-	if (!status)
-		status = apply(rom, omega, worker, at, report);
+	return status ? status : apply(rom, omega, worker, at, report);
+}
+
+/* The same; of what moves, the model of motions about its response. *steady: 2: the response failed. */
+static enum hawser_status model_at(const struct hawser_rom **rom, double *omega, int *steady,
+                                   struct worker *worker, const double at[2],
+                                   struct hawser_report *report)
+{
+	enum hawser_status status = of_point(rom, omega, steady, worker, at, report);
+
 	if (status)
 		return status;
 	status = respond(rom, *omega, worker, report);
 	*steady = status ? 2 : 0;
 	return status;
+}
+
+enum hawser_status hawser__map_worker_way(void *context, struct hawser__way *way,
+                                          const struct hawser__way *guide, double x, double y)
+{
+	struct worker *worker = context;
+	const struct hawser_rom *rom = NULL;
+	const double at[2] = {x, y};
+	double omega;
+	int steady;
+	enum hawser_status status = of_point(&rom, &omega, &steady, worker, at, NULL);
+
+	if (!status && omega > 0.0 && hawser_rom_loaded(rom))
+		status = hawser__about_way(way, guide, rom, omega*rom->time, NULL);
+	return status == HAWSER_ERR_MEMORY ? status : HAWSER_OK;
 }
 
 enum hawser_status hawser__map_worker_model(void *context, const struct hawser_rom **rom,
@@ -299,6 +322,7 @@ enum hawser_status hawser__map_worker_model(void *context, const struct hawser_r
 	const double at[2] = {x, y};
 
 	worker->about.tolerance = 0.0;
+	worker->about.guide = NULL;
 	return model_at(rom, omega, steady, worker, at, report);
 }
 
@@ -366,6 +390,7 @@ enum hawser_status hawser__map_worker_point(void *context, struct hawser_map_sam
 	*sample = (struct hawser_map_sample){0.0, 0, HAWSER_MAP_OK};
 	for (int k = 0; marks && k < worker->cable->marks; k++)
 		marks[k] = 0.0;
+	worker->about.guide = hawser__map_guide(worker->cable, x, y);
 	worker->about.tolerance = worker->room.finer ? 0.0 : asked > 0.0 ? asked : ORBIT;
 	status = model_at(&rom, &omega, &steady, worker, at, report);
 	if (!status)

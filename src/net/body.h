@@ -1,0 +1,40 @@
+/* net/body.h - rigid bodies: nodes of a mesh that move together.
+ *
+ * A body holds its nodes, so that all else sees supports. What is left is the place of the body, by
+ * at most six motions: three displacements and three turns, of which a hinge leaves the turns and an
+ * axis one of them.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_NET_BODY_H
+#define HAWSER_NET_BODY_H
+
+#include "net/net.h"
+
+/* Points of its mass, with its moments of inertia: two on each axis. */
+enum { HAWSER__BODY_POINTS = 6, HAWSER__BODY_MOTIONS = 6 };
+
+/* The points, from this node on. */
+void hawser__bodies_open(struct hawser__mesh *mesh, const struct hawser_net *net, int first);
+/* The motions that supports leave to a body, as columns of `motion` (displacement, turn), about a
+ * place; returns their number. Of nodes in `free` [nodes of the net] (or NULL) the support is gone. */
+int hawser__body_motions(double motion[6][6], double about[3], const struct hawser_net *net,
+                         const struct hawser_net_body *body, const unsigned char *free);
+/* Fail if there are bodies, which `what` does not know. */
+enum hawser_status hawser__bodies_none(const struct hawser_net *net, const char *what,
+                                       struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* statics/stiffness.c: of the bodies in the equilibrium of the lines at mesh->q with the tensions T:
+ * force [6 bodies] of the outside that holds each about its place about [bodies], and its derivatives
+ * K [6 bodies][6 bodies] by their motions. scale [bodies]: N, sum of the forces of its nodes. */
+enum hawser_status hawser__bodies_tangent(double *K, double *force, double *scale,
+                                          struct hawser__mesh *mesh, double *T,
+                                          const struct hawser_net *net, const double (*about)[3],
+                                          struct hawser_report *report) HAWSER_MUST_CHECK;
+/* statics/seat.c: the net with its bodies in their equilibrium, the largest force that is not
+ * balanced, N, in *rest. To be released by hawser__bodies_unseat, also after a failure. */
+enum hawser_status hawser__bodies_seat(struct hawser_net *seated, double *rest,
+                                       const struct hawser_net *net, struct hawser_report *report)
+	HAWSER_MUST_CHECK;
+void hawser__bodies_unseat(struct hawser_net *seated, const struct hawser_net *net);
+
+#endif

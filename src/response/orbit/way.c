@@ -1,0 +1,250 @@
+/* response/orbit/way.c - the orbits that a response passes as its load is raised from rest, and the
+ * curve over the load where that does not lead on.
+ *
+ *    t    direction of the curve, of length 1 relative to the orbit and to the load: by the metric of
+ *         branches, small components would make the steps short
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <cblas.h>
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <hawser/family.h>
+
+#include "core/grow.h"
+#include "core/report.h"
+#include "response/orbit/start.h"
+
+#define ARC 0.3         /* first and largest step along the curve over the load, relative to orbit and
+                         * load, and */
+#define LEAST_ARC 1e-3  /* the least one */
+#define STRAY 0.3       /* largest distance of an orbit from the predicted one, relative to the step,
+                         * and */
+#define BEND 0.1        /* that for which the next step is meant */
+#define DIP 0.06        /* a fold after which the load falls by less is passed, relative to the load */
+
+int hawser__way_add(struct hawser__way *way, double load, const double *y, int count)
+{
+	struct hawser__passed passed = {.load = load, .length = count};
+
+	while (passed.length > 0 && y[passed.length - 1] == 0.0)
+		passed.length--;
+	passed.y = malloc(((size_t)passed.length + 1)*sizeof *passed.y);
+	if (!passed.y || hawser__more(&way->passed, way->count, sizeof *way->passed)) {
+		free(passed.y);
+		return -1;
+	}
+	memcpy(passed.y, y, (size_t)passed.length*sizeof *y);
+	way->passed[way->count++] = passed;
+	return 0;
+}
+
+void hawser__way_predict(double *y, const struct hawser__way *way, int next, int here,
+                         const double *from, int count)
+{
+	for (int i = 0; i < count; i++) {
+		y[i] = i < way->passed[next].length ? way->passed[next].y[i] : 0.0;
+		if (here >= 0)
+			y[i] += from[i] - (i < way->passed[here].length ? way->passed[here].y[i] : 0.0);
+	}
+}
+
+void hawser__way_drop(struct hawser__way *way)
+{
+	free(way->passed[--way->count].y);
+}
+
+void hawser__way_clear(struct hawser__way *way)
+{
+	for (int i = 0; i < way->count; i++)
+		free(way->passed[i].y);
+	free(way->passed);
+	*way = (struct hawser__way){.count = 0};
+}
+
+double hawser__orbit_distance(const double *y, const double *from, int count)
+{
+	double off = 0.0, all = 0.0;
+
+	for (int i = 0; i < count; i++) {
+		off += pow(y[i] - from[i], 2);
+		all += from[i]*from[i];
+	}
+	return sqrt(off/fmax(all, DBL_MIN));
+}
+
+enum hawser_status hawser__climb_open(struct hawser__climb *climb, const struct hawser__orbit *orbit,
+                                      double step, struct hawser_report *report)
+{
+	size_t size = (size_t)orbit->size;
+
+	*climb = (struct hawser__climb){.good = calloc(size, sizeof(double)),
+		.last = calloc(size, sizeof(double)), .guess = calloc(size, sizeof(double)),
+		.t = calloc(size, sizeof(double)), .row = calloc(size, sizeof(double)),
+		.step = step, .growth = 1.5};
+	if (!climb->good || !climb->guess || !climb->last || !climb->t || !climb->row)
+		return hawser__no_memory(report, "frf");
+	return hawser__load_open(&climb->weak, orbit->rom, report);
+}
+
+void hawser__climb_close(struct hawser__climb *climb)
+{
+	hawser__load_clear(&climb->weak);
+	free(climb->row);
+	free(climb->t);
+	free(climb->last);
+	free(climb->guess);
+	free(climb->good);
+}
+
+int hawser__climb_pass(struct hawser__climb *climb, const double *y, double load,
+                       const struct hawser__orbit *orbit, const struct hawser__raised *raised)
+{
+	double *other = climb->last;
+
+	climb->last = climb->good;
+	climb->good = other;
+	climb->last_load = climb->load;
+	memcpy(climb->good, y, (size_t)orbit->size*sizeof *y);
+	climb->load = load;
+	if (load <= climb->peak)
+		return 0;
+	climb->peak = load;
+	return raised->way && hawser__way_add(raised->way, load, y, orbit->size - 1) ? 3 : 0;
+}
+
+/* t of length 1, relative to the orbit and the load, and its dual. */
+static void direct(struct hawser__climb *climb, int count)
+{
+	double size = cblas_dnrm2(count, climb->good, 1), *t = climb->t, length;
+
+	length = hypot(cblas_dnrm2(count, t, 1)/size, t[count]/climb->load);
+	cblas_dscal(count + 1, 1.0/length, t, 1);
+	for (int i = 0; i < count; i++)
+		climb->row[i] = t[i]/(size*size);
+	climb->row[count] = t[count]/(climb->load*climb->load);
+}
+
+/* The direction at the last orbit in which the load rises. Not 0: there is none. */
+static int begin_arc(struct hawser__climb *climb, struct hawser__orbit *orbit)
+{
+	int count = orbit->size - 1;
+
+	climb->good[count] = climb->load;
+	memset(climb->row, 0, (size_t)orbit->size*sizeof *climb->row);
+	orbit->ops->metric(orbit, climb->good);
+	climb->row[count] = orbit->W;
+	if (!isfinite(orbit->ops->defects(orbit, climb->good, 1)) || orbit->ops->factor(orbit, climb->row))
+		return 1;
+	hawser__orbit_tangent(orbit, climb->t);
+	direct(climb, count);
+	return 0;
+}
+
+/* Whether the last orbit is behind a fold: where the load rises, it comes nearer to the one before. */
+static int behind(const struct hawser__climb *climb, int count)
+{
+	const double *t = climb->t;
+
+	return climb->last_load > 0.0 &&
+	       cblas_ddot(count, t, 1, climb->good, 1) < cblas_ddot(count, t, 1, climb->last, 1);
+}
+
+static void step_back(struct hawser__climb *climb, const struct hawser__raised *raised)
+{
+	double *other = climb->good;
+
+	climb->good = climb->last;
+	climb->last = other;
+	climb->load = climb->peak = climb->last_load;
+	climb->last_load = 0.0;
+	if (raised->way)
+		hawser__way_drop(raised->way);
+}
+
+/* Correct y in the plane of the row; returns what correct_at does. */
+static int correct_arc(double *y, struct hawser__climb *climb, struct hawser__orbit *orbit,
+                       struct hawser__correction *correction, double omega,
+                       struct hawser_report *report)
+{
+	for (int again = 1; again;) {
+		enum hawser_status status;
+
+		orbit->ops->metric(orbit, y);
+		if (hawser__orbit_correct(orbit, y, correction, climb->row, HAWSER__ON_THE_WAY) ||
+		    !(y[orbit->size - 1] > 0.0))
+			return 1;
+		status = orbit->ops->refine(orbit, &again, HAWSER__ON_THE_WAY, omega, report);
+		if (status)
+			return status == HAWSER_ERR_MEMORY ? 3 : 2;
+	}
+	return 0;
+}
+
+/* See start.h; the parameter of the orbit is the load. */
+static int follow_arc(double *y, struct hawser__climb *climb, struct hawser__orbit *orbit,
+                      struct hawser__correction *correction, double omega,
+                      const struct hawser__raised *raised, struct hawser_report *report)
+{
+	int count = orbit->size - 1, failed = begin_arc(climb, orbit);
+	double step = ARC;
+
+	if (!failed && behind(climb, count)) {
+		step_back(climb, raised);
+		failed = begin_arc(climb, orbit);
+	}
+	if (!failed && climb->load == 1.0) {
+		memcpy(y, climb->good, (size_t)count*sizeof *y);
+		return 0;
+	}
+	while (!failed && step > LEAST_ARC && climb->load > (1.0 - DIP)*climb->peak) {
+		double off, before = climb->load;
+
+		for (int i = 0; i <= count; i++)
+			y[i] = climb->guess[i] = climb->good[i] + step*climb->t[i];
+		failed = correct_arc(y, climb, orbit, correction, omega, report);
+		off = failed ? INFINITY : hawser__orbit_distance(y, climb->guess, count)/step;
+		if (failed > 1)
+			return failed;
+		if (!failed)
+			hawser__orbit_tangent(orbit, climb->guess);
+		failed = 0;
+		if (off > STRAY || (y[count] >= 1.0 && climb->guess[count] < 0.0)) {
+			step *= 0.5;
+			continue;
+		}
+		if (y[count] >= 1.0) {
+			double part = (1.0 - before)/(y[count] - before);
+
+			for (int i = 0; i < count; i++)
+				y[i] = climb->good[i] + (y[i] - climb->good[i])*part;
+			return 0;
+		}
+		memcpy(climb->t, climb->guess, (size_t)orbit->size*sizeof *y);
+		failed = hawser__climb_pass(climb, y, y[count], orbit, raised);
+		direct(climb, count);
+		step = fmin(ARC, step*fmin(2.0, sqrt(BEND/fmax(off, DBL_EPSILON))));
+	}
+	return failed ? failed : 1;
+}
+
+int hawser__climb_arc(double *y, struct hawser__climb *climb, struct hawser__orbit *orbit,
+                      struct hawser__correction *correction, double omega,
+                      const struct hawser__raised *raised, struct hawser_report *report)
+{
+	const struct hawser_rom *rom = climb->weak.full;
+	struct hawser_rom_family loads;
+	int failed;
+
+	if (hawser_factor_open(&loads, rom, HAWSER_FACTOR_LOAD, omega/rom->time, report))
+		return 3;
+	orbit->family = &loads;
+	failed = follow_arc(y, climb, orbit, correction, omega, raised, report);
+	orbit->family = NULL;
+	hawser_factor_close(&loads);
+	return failed;
+}

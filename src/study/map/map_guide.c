@@ -1,0 +1,201 @@
+/* study/map/map_guide.c - responses of a map start from those of near places.
+ *
+ * The response of a point is the one that grows out of rest as its load is raised. On the way there it
+ * passes orbits (response/orbit/start.h) that differ little from those of a near point, from which
+ * they are corrected in a few steps: the loads on the way remain, so that what is found is what is
+ * found from rest. Ways are computed at the places of a lattice over the ranges of the map, first
+ * coarse ones, then finer ones from these:
+ *
+ *    place   indices (i, j), 0 to PLACES, of the finest lattice
+ *    level   0: every SPACING-th index; the next one has half the distance
+ *
+ * A place needs only places of lower levels, and is the same whatever else is computed, so that values
+ * depend on x and y alone. Only what a point needs is computed, before its points.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "core/report.h"
+#include "core/share.h"
+#include "study/map/map_cable.h"
+
+enum { PLACES = 96, SPACING = 8, ACROSS = PLACES + 1 };
+/* Least distance of indices along a parameter of which each value takes statics and modes; chosen */
+enum { STRUCTURES = 4 };
+
+struct hawser__map_guides {
+	struct hawser__way way[ACROSS*ACROSS];
+	unsigned char known[ACROSS*ACROSS], wanted[ACROSS*ACROSS];
+};
+
+static int least_step(const struct hawser__map_cable *cable, int k)
+{
+	return cable->reach[k] == HAWSER__REACH_STRUCTURE ? STRUCTURES : 1;
+}
+
+static double value_at(const struct hawser__map_cable *cable, int k, int index)
+{
+	const struct hawser_map_source *source = &cable->source;
+
+	return index == PLACES ? source->to[k]
+	                       : source->from[k] + (source->to[k] - source->from[k])*index/PLACES;
+}
+
+/* The nearest index, a multiple of `spacing`; ends that are no range have 0. */
+static int index_of(const struct hawser__map_cable *cable, int k, double value, int spacing)
+{
+	const struct hawser_map_source *source = &cable->source;
+	double at = (value - source->from[k])/(source->to[k] - source->from[k])*(PLACES/spacing);
+
+	return at > 0.0 ? spacing*(int)fmin(PLACES/spacing, floor(at + 0.5)) : 0;
+}
+
+/* Distance of the places of the level of (i, j). */
+static int step_of(const struct hawser__map_cable *cable, int i, int j)
+{
+	int spacing = SPACING;
+
+	while (i%spacing || j%(spacing > least_step(cable, 1) ? spacing : least_step(cable, 1)))
+		spacing /= 2;
+	return spacing;
+}
+
+/* The place from which (i, j) starts; -1: from rest. */
+static int parent(const struct hawser__map_cable *cable, int place)
+{
+	int i = place%ACROSS, j = place/ACROSS, spacing = 2*step_of(cable, i, j);
+
+	return spacing > SPACING ? -1 : j/spacing*spacing*ACROSS + i/spacing*spacing;
+}
+
+static int place_of(const struct hawser__map_cable *cable, double x, double y)
+{
+	return index_of(cable, 1, y, least_step(cable, 1))*ACROSS +
+	       index_of(cable, 0, x, least_step(cable, 0));
+}
+
+const struct hawser__way *hawser__map_guide(const struct hawser__map_cable *cable, double x, double y)
+{
+	int place;
+
+	if (!cable->guides)
+		return NULL;
+	place = place_of(cable, x, y);
+	return cable->guides->known[place] ? &cable->guides->way[place] : NULL;
+}
+
+/* List the places that the points need and that are not known. */
+static int want(int *place, struct hawser__map_cable *cable, const double *x, const double *y,
+                int count)
+{
+	struct hawser__map_guides *guides = cable->guides;
+	int found = 0;
+
+	for (int p = 0; p < count; p++)
+		for (int at = place_of(cable, x[p], y[p]); at >= 0; at = parent(cable, at)) {
+			if (guides->known[at] || guides->wanted[at])
+				break;
+			guides->wanted[at] = 1;
+			place[found++] = at;
+		}
+	return found;
+}
+
+struct guiding {
+	struct hawser__map_cable *cable;
+	const int *place;   /* [count] of one level */
+	void **worker;      /* [threads] */
+	enum hawser_status *status; /* [threads] */
+};
+
+static void guide(void *context, long item, int worker)
+{
+	const struct guiding *g = context;
+	struct hawser__map_guides *guides = g->cable->guides;
+	int place = g->place[item], from = parent(g->cable, place);
+	enum hawser_status status =
+		hawser__map_worker_way(g->worker[worker], &guides->way[place],
+		                       from < 0 ? NULL : &guides->way[from],
+		                       value_at(g->cable, 0, place%ACROSS),
+		                       value_at(g->cable, 1, place/ACROSS));
+
+	guides->known[place] = 1;
+	if (status)
+		g->status[worker] = status;
+}
+
+/* The places [count], level by level. */
+static enum hawser_status guide_all(struct hawser__map_cable *cable, const int *place, int count,
+                                    int threads, struct hawser_report *report)
+{
+	int *level = malloc((size_t)count*sizeof *level + 1);
+	struct guiding g = {cable, level, calloc((size_t)threads, sizeof *g.worker),
+	                    calloc((size_t)threads, sizeof *g.status)};
+	enum hawser_status status = level && g.worker && g.status ? HAWSER_OK
+	                                                          : hawser__no_memory(report, "map");
+
+	for (int t = 0; t < threads && !status; t++)
+		status = hawser__map_worker_open(&g.worker[t], cable, report);
+	for (int spacing = SPACING; spacing > 0 && !status; spacing /= 2) {
+		int here = 0;
+
+		for (int p = 0; p < count; p++)
+			if (step_of(cable, place[p]%ACROSS, place[p]/ACROSS) == spacing)
+				level[here++] = place[p];
+		hawser__share(here, threads, guide, &g);
+		for (int t = 0; t < threads; t++)
+			status = g.status[t] ? g.status[t] : status;
+	}
+	for (int t = 0; t < threads && g.worker; t++)
+		hawser__map_worker_close(g.worker[t]);
+	free(g.status);
+	free(g.worker);
+	free(level);
+	return status;
+}
+
+/* hawser_map_field.prepare: the structures of the points and of their guides, and these. */
+enum hawser_status hawser__map_prepare(void *context, const double *x, const double *y, int count,
+                                       int threads, struct hawser_report *report)
+{
+	struct hawser__map_cable *cable = context;
+	enum hawser_status status = HAWSER_OK;
+	int *place, found, all;
+	double *at;
+
+	if (!cable->moves || cable->varies == 2 || cable->models)
+		return hawser__structure_prepare(context, x, y, count, threads, report);
+	if (!cable->guides)
+		cable->guides = calloc(1, sizeof *cable->guides);
+	place = malloc(ACROSS*ACROSS*sizeof *place);
+	if (!cable->guides || !place) {
+		free(place);
+		return hawser__no_memory(report, "map");
+	}
+	found = want(place, cable, x, y, count);
+	all = count + found;
+	at = malloc(2*(size_t)all*sizeof *at);
+	if (!at)
+		status = hawser__no_memory(report, "map");
+	for (int p = 0; p < all && !status; p++) {
+		at[p] = p < count ? x[p] : value_at(cable, 0, place[p - count]%ACROSS);
+		at[all + p] = p < count ? y[p] : value_at(cable, 1, place[p - count]/ACROSS);
+	}
+	if (!status)
+		status = hawser__structure_prepare(cable, at, at + all, all, threads, report);
+	if (!status)
+		status = guide_all(cable, place, found, threads, report);
+	free(at);
+	free(place);
+	return status;
+}
+
+void hawser__map_guides_free(struct hawser__map_guides *guides)
+{
+	for (int place = 0; guides && place < ACROSS*ACROSS; place++)
+		hawser__way_clear(&guides->way[place]);
+	free(guides);
+}
