@@ -121,7 +121,7 @@ static const char *misplaced(const char *shown)
 {
 	if ((*shown == 'e' || *shown == 'E') && strspn(shown + 1, "+-0123456789"))
 		return "has a blank before its exponent: write 1.5e8";
-	if (*shown && strchr(",'_0123456789", *shown))
+	if (*shown && strchr(",'_0123456789", *shown) && shown[strspn(shown, "0123456789")] != '/')
 		return "has something between its digits: a number has a decimal point, and nothing that "
 		       "separates thousands";
 	return NULL;
