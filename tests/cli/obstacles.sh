@@ -166,7 +166,7 @@ denies "a key that is none" 1 "\-\-over obstacles.s0.circle.radus, at 1 m: unkno
 denies "a contact that is none" 1 "must be one of slip, stick" modes "$sheave" --contact roll
 denies "stick without friction" 1 "has no friction, so that the rope does not stick to it" modes "$sheave" --set obstacles.s0.friction=0 --contact stick
 denies "an option of ropeways" 1 "\-\-case is for ropeways" modes "$sheave" --case full
-denies "an option of spans" 1 "is for spans, and .* is a span over obstacles" modes "$sheave" --damped
+denies "an option of spans" 1 "is for spans and nets, and .* is a span over obstacles" modes "$sheave" --damped
 for command in "frf" "rom" "integrate" "plan" "irvine" "campbell" "compare modes"; do
 	denies "$command" 1 "b-table-3.5.yaml is a span over obstacles, which hawser .* does not take; these commands do: statics, modes" $command "$sheave"
 done

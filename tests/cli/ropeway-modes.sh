@@ -95,7 +95,7 @@ try "the picture of a rope that runs" grep -q 'a quarter period later' runs.svg
 denies "stick, and a rope that runs" 1 "contact.modes is stick, but the rope runs at 4 m/s (ropeway.top.drive.speed)" modes \
 	"$bouquet" --contact stick
 denies "an unknown contact" 1 "must be one of slip, stick, roll" modes "$bouquet" --contact stik
-denies "an option of spans" 1 "\-\-damped is for spans, and .* is a ropeway" modes "$small" --damped
+denies "an option of spans" 1 "\-\-damped is for spans and nets, and .* is a ropeway" modes "$small" --damped
 denies "an option of nets" 1 "\-\-vtk is for nets, and .* is a ropeway" modes "$small" --vtk a.vtk
 denies "an option of ropeways" 1 "\-\-contact is for nets, spans over obstacles and ropeways, and .* is a span" modes "$chairlift" --contact slip
 denies "too many modes" 1 "ask for 1 to 500" modes "$small" -n 1000

@@ -117,7 +117,8 @@ static int is_left_out(const struct hawser__tree_key *row)
 		"rod.loads[].to", "rod.loads[].moment", "ropeway.ropeway.bottom.tension.", "net.cables[].t",
 		"net.cables[].f", "net.cables[].s",
 		"ropeway.ropeway.cases[]", "obstacles.tension.", "net.loads.*", "winch.times", "winch.speeds",
-		"winch.lengths", "net.passing[]", "net.absorbers[]", "net.masses.*."};
+		"winch.lengths", "net.passing[]", "net.absorbers[]", "net.masses.*.", "net.bodies.*.",
+		"net.wind", "net.cables[].wind"}; /* the scene is in water */
 	size_t i = 0;
 
 	while (i < sizeof part/sizeof *part && !strstr(row->path, part[i]))
