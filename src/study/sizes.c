@@ -53,6 +53,7 @@
 #include <hawser/net_waves.h>
 #include <hawser/normal_form.h>
 #include <hawser/orbit.h>
+#include <hawser/scene_family.h>
 #include <hawser/plan.h>
 #include <hawser/plausible.h>
 #include <hawser/primary.h>
@@ -132,6 +133,7 @@ static const struct row {
 	ROW(hawser_damped_event),
 	ROW(hawser_damped_mode),
 	ROW(hawser_damped_options),
+	ROW(hawser_damped_source),
 	ROW(hawser_damped_sweep),
 	ROW(hawser_damped_sweep_options),
 	ROW(hawser_decay),
@@ -272,6 +274,7 @@ static const struct row {
 	ROW(hawser_net_load),
 	ROW(hawser_net_winch),
 	ROW(hawser_net_absorber),
+	ROW(hawser_net_at),
 	ROW(hawser_net_wound),
 	ROW(hawser_net_member),
 	ROW(hawser_net_method),
