@@ -128,7 +128,8 @@ enum hawser_status hawser_modes_solve(struct hawser_modes *modes,
 int hawser_modes_near(const struct hawser_modes *modes, int j);
 
 /* Where the scene gives no number of modes, scene->model.modes becomes larger by those of the cluster
- * that it cuts; it stays where they cannot be computed. */
+ * that it cuts; it stays where they cannot be computed. With model.modes: auto and a wind, but no load,
+ * it becomes the number of lowest modes with all that grow up to twice the speed of the wind. */
 void hawser_modes_settle(struct hawser_scene *scene, const struct hawser_statics *statics);
 
 /* All Galerkin modes of a basis with in_plane functions per component in the plane and out_of_plane

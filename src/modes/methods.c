@@ -10,6 +10,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <hawser/damped.h>
+
 #include "core/report.h"
 #include "modes/analytic.h"
 #include "modes/bending/bending.h"
@@ -265,16 +267,46 @@ int hawser_modes_near(const struct hawser_modes *modes, int j)
 	return mode[0].omega - mode[-1].omega <= HAWSER_CLUSTER*mode[0].omega;
 }
 
-enum { AFTER = 3 }; /* modes beyond those of the scene among which a cluster ends; chosen */
+/* Modes beyond those of the scene among which a cluster ends; those that may grow in a wind, the fewest
+ * that are kept then, and speeds; chosen. */
+enum { AFTER = 3, LOOKED = 20, USUAL = 4, SPEEDS = 4 };
+
+/* The least number of lowest modes with all of the first LOOKED that grow in the wind, at parts of its
+ * speed up to twice as much, as plan looks; 0: it is not the wind that decides. */
+static int galloping(const struct hawser_scene *scene, const struct hawser_statics *statics)
+{
+	const struct hawser_damped_options options = {.n = LOOKED};
+	struct hawser_scene at = *scene; /* a copy that is not cleared */
+	int count = USUAL;
+
+	if (scene->load.present || scene->loads > 0 || !scene->wind.present)
+		return 0;
+	for (int i = 1; i <= SPEEDS; i++) {
+		struct hawser_damped damped;
+
+		at.wind.speed = 2.0*i/SPEEDS*scene->wind.speed;
+		if (hawser_damped_solve(&damped, statics, &at, &options, NULL))
+			return 0;
+		for (int k = count; k < damped.n; k++)
+			count = damped.mode[k].re > 0.0 ? k + 1 : count;
+		hawser_damped_clear(&damped);
+	}
+	return count;
+}
 
 void hawser_modes_settle(struct hawser_scene *scene, const struct hawser_statics *statics)
 {
-	struct hawser_modes_options options = {.n = scene->model.modes + AFTER,
-	                                       .basis = scene->model.basis};
+	struct hawser_modes_options options = {.basis = scene->model.basis};
 	struct hawser_modes modes;
 
-	if (scene->beam.form || hawser_scene_written(scene, "model.modes") ||
-	    hawser_modes_solve(&modes, statics, &options, NULL))
+	if (scene->beam.form)
+		return;
+	if (scene->model.modes == HAWSER_MODES_AUTO)
+		scene->model.modes = galloping(scene, statics);
+	else if (hawser_scene_written(scene, "model.modes"))
+		return;
+	options.n = scene->model.modes + AFTER;
+	if (scene->model.modes == HAWSER_MODES_AUTO || hawser_modes_solve(&modes, statics, &options, NULL))
 		return;
 	for (int j = scene->model.modes; j < modes.n && hawser_modes_near(&modes, j); j++)
 		scene->model.modes = j + 1;

@@ -230,7 +230,8 @@
 	    "name for messages and --set loads.NAME.KEY") \
 	TO##_INTEGER_OR("span.model.modes", "auto", 1, 1000, SPAN_AT(model.modes), "5", \
 	    "number of modes kept, the lowest of both planes together; auto chooses the modes that " \
-	    "the accuracy requires") \
+	    "the accuracy requires; in a wind without a load, those up to the last that grows up to " \
+	    "twice its speed") \
 	TO##_NUMBER("span.model.accuracy", OPTIONAL, "1", OPEN_UNIT, SPAN_AT(model.accuracy), "0.005", \
 	    "with modes: auto, required relative error of the folds (Omega) and peaks (Omega, " \
 	    "amplitude) of displacement components with at least half of the largest amplitude; see " \

@@ -53,6 +53,7 @@
 #include <hawser/net_waves.h>
 #include <hawser/normal_form.h>
 #include <hawser/orbit.h>
+#include <hawser/scene_family.h>
 #include <hawser/plan.h>
 #include <hawser/plausible.h>
 #include <hawser/primary.h>
@@ -132,6 +133,7 @@ static const struct row {
 	ROW(hawser_damped_event),
 	ROW(hawser_damped_mode),
 	ROW(hawser_damped_options),
+	ROW(hawser_damped_source),
 	ROW(hawser_damped_sweep),
 	ROW(hawser_damped_sweep_options),
 	ROW(hawser_decay),
@@ -264,6 +266,7 @@ static const struct row {
 	ROW(hawser_motions_options),
 	ROW(hawser_motions_run),
 	ROW(hawser_net),
+	ROW(hawser_net_at),
 	ROW(hawser_net_cable),
 	ROW(hawser_net_contact),
 	ROW(hawser_net_contact_given),

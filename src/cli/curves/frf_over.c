@@ -62,6 +62,47 @@ static enum hawser_status open_family(struct cli_over *over, struct cli_model *m
 	                                isnan(over->at) ? over->from : over->at, over->omega, report);
 }
 
+static int any(const double *value, size_t count)
+{
+	for (size_t i = 0; value && i < count; i++)
+		if (value[i] != 0.0)
+			return 1;
+	return 0;
+}
+
+/* Whether a harmonic of the frequency acts at all. */
+static int is_driven(const struct hawser_rom *rom)
+{
+	size_t n = (size_t)rom->n;
+
+	for (int i = 0; i < rom->harmonics; i++) {
+		const struct hawser_harmonic *h = &rom->harmonic[i];
+
+		if (h->k > 0 && (h->quads || h->terms || any(h->f, n) || any(h->D, n*n) || any(h->K, n*n) ||
+		                 any(h->answer, 8*(size_t)rom->shapes.points)))
+			return 1;
+	}
+	return rom->harmonics == 0;
+}
+
+/* Harmonics that are 0 over the whole range make no motion of their frequency: a model moves by itself
+ * then, and its Hopf points would be sought among the multipliers of a period that is not its own. */
+static enum hawser_status check_driven(const struct cli_over *over, struct hawser_report *report)
+{
+	const double end[2] = {over->from, over->to};
+
+	for (int i = 0; i < 2; i++) {
+		const struct hawser_rom *rom;
+
+		if (over->family.model(over->family.context, &rom, end[i], NULL) || is_driven(rom) ||
+		    hawser_rom_autonomous(rom))
+			return HAWSER_OK;
+	}
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf", "--over %s: the load is 0 at both ends of "
+	                    "the range, so that nothing has the frequency --Omega: leave the load and "
+	                    "--Omega out, and equilibria are followed", over->axis.key);
+}
+
 enum hawser_status cli_over_open(struct cli_over *over, const char *text, const char *frequency,
                                  struct cli_model *model, struct hawser_report *report)
 {
@@ -90,7 +131,7 @@ enum hawser_status cli_over_open(struct cli_over *over, const char *text, const 
 	over->to = over->axis.backwards ? over->axis.from : over->axis.to;
 	status = open_family(over, model, report);
 	over->open = !status;
-	return status;
+	return status || !(over->omega > 0.0) ? status : check_driven(over, report);
 }
 
 enum hawser_status cli_over_check(const struct cli_over *over, int goes_on,

@@ -46,8 +46,11 @@ static enum hawser_status settle(struct hawser__trace *trace, struct hawser_repo
 	return hawser__cycle_settle(x, &options->omega, rom, report);
 }
 
-/* Balance of large models, or where it is asked for. Equations of first order are stiff by their
- * relaxation alone, and only shooting has a row for rotations of the model. */
+enum { MANY = 200 }; /* terms; those of a wind on 6 modes are more; chosen */
+
+/* Balance of large models, or where it is asked for: where modes are quick against the range, or there
+ * are many terms, as of a wind, whose sums make shooting take twice as long. Equations of first order
+ * are stiff by their relaxation alone, and only shooting has a row for rotations of the model. */
 static enum hawser_status cycle_method(const struct hawser__orbit_method **method,
                                        const struct hawser_rom *rom,
                                        const struct hawser_frf_options *options,
@@ -55,7 +58,7 @@ static enum hawser_status cycle_method(const struct hawser__orbit_method **metho
 {
 	int asked = options->method && strcmp(options->method, "balance") == 0, turns = 0;
 	int suits = !options->method && !rom->first && !rom->plug && !rom->drag &&
-	            hawser__balance_method.suits(rom, options);
+	            (rom->terms > MANY || hawser__balance_method.suits(rom, options));
 	double *turn = malloc((size_t)rom->n*(size_t)rom->n*sizeof *turn);
 	enum hawser_status status = turn ? HAWSER_OK : hawser__no_memory(report, "frf");
 

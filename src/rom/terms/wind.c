@@ -21,8 +21,8 @@
 #include "modes/complex/wind.h"
 #include "rom/terms/wind.h"
 
-/* Coordinates with terms: those of 30 are 160000. */
-enum { MOST = 30 };
+/* Coordinates with terms: those of 60 are 2.4 million. */
+enum { MOST = 60 };
 /* Terms below this part of the largest of their order are zero but for round-off. */
 static const double nothing = 1e-13;
 
