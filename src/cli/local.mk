@@ -150,6 +150,7 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/motion/events_net.c \
 	%D%/motion/events_net.h \
 	%D%/motion/film_net.c \
+	%D%/motion/warnings_net.c \
 	%D%/motion/film_net.h \
 	%D%/model/exact.c \
 	%D%/model/exact.h \

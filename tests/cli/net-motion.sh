@@ -138,4 +138,18 @@ try "  with the surface" grep -q 'surface of the water' current.svg
 works "  and in motion" integrate current.yaml --set cables.c.elements=20 --until 2 --every 1 --animate current.gif --frames 2 -q \
 	--set water.depth=200 --set 'water.waves={height: 4 m, period: 9 s}'
 
+# a line that snaps in waves without damping along it: the tensions are not to be believed
+cat >snaps.yaml <<'END'
+kind: net
+water: {density: 1025, depth: 150, waves: {height: 8, period: 9}}
+nodes: {A: [0, -150, 0], B: [90, -120, 0]}
+supports: {A: fixed, B: {motion: {y: {amplitude: 3, Omega: 1.5}}}}
+cables: [{name: c, from: A, to: B, EA: 700 MN, rho: 95, length0: 105, diameter: 0.25, drag: {normal: 1.1}, elements: 12}]
+obstacles: [{plane: {point: [0, -150], normal: [0, 1]}, stiffness: 300 kPa/m}]
+END
+"$HAWSER" integrate snaps.yaml --until 5 --every 1 --set dynamics.step=0.02 --tsv snaps.tsv 2>snaps.err
+try "waves along a cable without damping are warned of" grep -q 'slack and taut .* give damping.axial' snaps.err
+"$HAWSER" integrate snaps.yaml --until 5 --every 1 --set dynamics.step=0.02 --set 'damping={axial: 0.01}' --tsv snaps.tsv 2>snaps.err
+try "  not with damping" sh -c '! grep -q "slack and taut" snaps.err'
+
 done_testing

@@ -320,10 +320,41 @@ static void on_lines(void)
 	hawser_net_clear(&net);
 }
 
+/* A float at a node where no cable ends, on a line from the bed, in still water and after a push. */
+static void floats(void)
+{
+	static const char text[] =
+		"kind: net\nwater: {density: 1025}\nnodes: {A: [0, -30, 0], f: [0.3, -10, 0], "
+		"b: [0, -7, 0.4]}\n"
+		"cables: [{name: c, from: A, to: f, EA: 1e6, rho: 2, length0: 20, "
+		"diameter: 0.02, elements: 4}]\n"
+		"supports: {A: fixed}\nbuoys: {b: {volume: 3, CdA: 1, added_mass: 0.5}}\n"
+		"obstacles: [{plane: {point: [0, -30], normal: [0, 1]}, stiffness: 1e6, friction: 0.5}]\n"
+		"bodies: {R: {nodes: [f, b], mass: 1200, centre: [0, -7, 0.4], inertia: [300, 300, 300]}}\n";
+	struct hawser_net net = {0};
+	struct hawser_net_statics st = {0};
+	struct hawser_report report = {0};
+	double x[3] = {NAN, NAN, NAN};
+
+	if (opened(&net, text, NULL) &&
+	    ok(!hawser_net_solve(&st, &net, NULL, &report), "a float: %s", report.message)) {
+		close_to(st.member[0].T_to, 9.81*(3.0*1025.0 - 1200.0), 1e-9, "its pull, N");
+		ok(fabs(st.x[2][0]) + fabs(st.x[2][2]) < 1e-6 && st.x[2][1] > st.x[1][1],
+		   "it is above its line");
+	}
+	hawser_net_statics_clear(&st);
+	hawser_net_clear(&net);
+	if (opened(&net, text, "loads={b: {force: [900, 0, 400], harmonic: {Omega: 1.3}}}"))
+		moved(x, &net, 2, 3.0, 0.05);
+	ok(fabs(x[0]) > 1e-3, "it moves: x = %g m", x[0]);
+	hawser_net_clear(&net);
+}
+
 CASE(reference_net_body)
 {
 	rods();
 	tops();
 	on_lines();
+	floats();
 	return done_testing();
 }

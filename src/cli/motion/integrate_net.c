@@ -438,26 +438,6 @@ static enum hawser_status solve(struct result *result, struct hawser_report *rep
 	return status;
 }
 
-/* The error of fronts, if it is more than a tenth of the way of the probes; returns 0 if it is not. */
-static int shock_warning(char *text, const struct hawser_net_motion *motion)
-{
-	double most = 0.0;
-
-	for (int i = 0; i < motion->rows*motion->probes; i++)
-		for (int k = 0; k < 3; k++)
-			most = fmax(most, fabs(motion->x[i][k] - motion->x[i%motion->probes][k]));
-	if (!(motion->shock > 0.1*most))
-		return 0;
-	if (motion->front_axial > 0.0)
-		snprintf(text, CLI_WARNING_SIZE, "positions are wrong by up to %.2g m, as elements are too "
-		         "long for fronts behind which the cable is slack: give more elements", motion->shock);
-	else
-		snprintf(text, CLI_WARNING_SIZE, "positions are wrong by up to %.2g m, as axial waves that "
-		         "make the cable slack have no damping: give damping.axial, such as %.3g s, the time "
-		         "in which a wave passes an element", motion->shock, motion->shock_axial);
-	return 1;
-}
-
 enum hawser_status cli_integrate_net(const void *context, struct hawser_report *report)
 {
 	const struct cli_integrate_net *settings = context;
@@ -475,8 +455,7 @@ enum hawser_status cli_integrate_net(const void *context, struct hawser_report *
 		cli_mesh_warning(text, &result->mesh);
 		if (*text)
 			cli_warn(text);
-		if (shock_warning(text, &result->motion))
-			cli_warn(text);
+		cli_motion_warnings(&result->mesh.net, &result->motion);
 		gather(result);
 	}
 	if (!status && settings->state)

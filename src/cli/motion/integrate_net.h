@@ -5,6 +5,8 @@
 
 #include <hawser/net.h>
 
+#include <hawser/net_motion.h>
+
 #include "cli/frame/kinds.h"
 #include "cli/frame/view.h"
 
@@ -51,4 +53,8 @@ extern const struct hawser__field cli_net_motion_field[], cli_rod_motion_field[]
 enum hawser_status cli_integrate_times(double *until, double *every, double *step,
                                        const struct cli_integrate_net *settings, const char *kind,
                                        struct hawser_report *report);
+
+/* warnings_net.c: what is warned of after a motion. */
+void cli_motion_warnings(const struct hawser_net *net, const struct hawser_net_motion *motion);
+
 #endif

@@ -148,6 +148,49 @@ static enum hawser_status read_type(struct cli_mooring *mooring, const struct wo
 	return HAWSER_OK;
 }
 
+/* One number, or three with | between them; `one`: what one number is of. */
+static enum hawser_status three(double value[3], int one, const struct cli_mooring *mooring,
+                                const char *word, struct hawser_report *report)
+{
+	char part[3][40];
+	int count = sscanf(word, "%39[^|]|%39[^|]|%39[^|]", part[0], part[1], part[2]);
+
+	for (int k = 0; k < 3; k++)
+		if ((count != 1 && count != 3) || !number(&value[k], part[count == 3 ? k : 0]))
+			return wrong(report, mooring, "'%s': a number is needed, or three with | between them",
+			             word);
+	for (int k = 0; k < 3 && count == 1; k++)
+		value[k] = one < 0 || one == k ? value[k] : 0.0;
+	return HAWSER_OK;
+}
+
+/* What a body that moves has besides its place. */
+static enum hawser_status read_mass(struct cli_mooring_body *body, struct cli_mooring *mooring,
+                                    const struct words *words, struct hawser_report *report)
+{
+	double area[3], added[3];
+	enum hawser_status status = numbers(&body->mass, 1, mooring, words, 8, report);
+
+	if (!status)
+		status = three(body->centre, 2, mooring, words->word[9], report);
+	if (!status)
+		status = three(body->inertia, -1, mooring, words->word[10], report);
+	if (!status)
+		status = numbers(&body->volume, 1, mooring, words, 11, report);
+	if (!status)
+		status = three(area, -1, mooring, words->word[12], report);
+	if (!status)
+		status = three(added, -1, mooring, words->word[13], report);
+	if (status)
+		return status;
+	body->moves = body->mass > 0.0;
+	body->CdA = area[0];
+	body->added = added[0];
+	left_out(mooring, "of body %d, the form of what displaces water: it is a sphere at its place, with "
+	         "the drag and the added mass along the first axis", body->id);
+	return HAWSER_OK;
+}
+
 static enum hawser_status read_body(struct cli_mooring *mooring, const struct words *words,
                                     struct hawser_report *report)
 {
@@ -164,7 +207,11 @@ static enum hawser_status read_body(struct cli_mooring *mooring, const struct wo
 	if (angle[0] != 0.0 || angle[1] != 0.0 || angle[2] != 0.0)
 		return wrong(report, mooring, "body %d is turned: give the places of its points as they are, "
 		             "and angles of 0", body.id);
-	if (strcasecmp(words->word[1], "fixed") != 0)
+	if (!strcasecmp(words->word[1], "free") && words->count > 13)
+		status = read_mass(&body, mooring, words, report);
+	if (status)
+		return status;
+	if (!body.moves && strcasecmp(words->word[1], "fixed") != 0)
 		left_out(mooring, "the motion of body %d: its points are supports where they are, to which "
 		         "supports.*.motion can be given", body.id);
 	if (hawser__more(&mooring->body, mooring->bodies, sizeof *mooring->body))
@@ -192,7 +239,8 @@ static enum hawser_status attach(struct cli_mooring_point *point, const struct c
 		if (mooring->body[i].id == atoi(word + 4)) {
 			for (int k = 0; k < 3; k++)
 				point->x[k] += mooring->body[i].x[k];
-			point->held = 1;
+			point->held = !mooring->body[i].moves;
+			point->body = mooring->body[i].moves ? i + 1 : 0;
 			return HAWSER_OK;
 		}
 	return wrong(report, mooring, "point %d is attached to '%s', which is not one of fixed, coupled, "

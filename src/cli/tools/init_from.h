@@ -23,11 +23,12 @@ struct cli_mooring_type {
 	double added_normal, added_tangential;
 };
 struct cli_mooring_body {
-	int id;
-	double x[3];
+	int id, moves;        /* moves: 1: a rigid body; 0: its points are supports */
+	double x[3], mass, centre[3], inertia[3]; /* centre: from x; inertia about it */
+	double volume, CdA, added; /* of a sphere at x */
 };
 struct cli_mooring_point {
-	int id, held;
+	int id, held, body;   /* body: 1 + index; 0: none */
 	double x[3], mass, volume, CdA, added;
 };
 struct cli_mooring_line {

@@ -16,6 +16,10 @@ static void nodes(FILE *stream, const struct cli_mooring *mooring)
 		fprintf(stream, "  P%d: [%.12g, %.12g, %.12g]\n", point->id, point->x[0], point->x[2],
 		        0.0 - point->x[1]);
 	}
+	for (int i = 0; i < mooring->bodies; i++)
+		if (mooring->body[i].moves)
+			fprintf(stream, "  B%d: [%.12g, %.12g, %.12g]\n", mooring->body[i].id,
+			        mooring->body[i].x[0], mooring->body[i].x[2], 0.0 - mooring->body[i].x[1]);
 	fprintf(stream, "supports:\n");
 	for (int i = 0; i < mooring->points; i++)
 		if (mooring->point[i].held)
@@ -37,6 +41,39 @@ static void buoys(FILE *stream, const struct cli_mooring *mooring)
 		first = 0;
 		fprintf(stream, "  P%d: {mass: %.12g, volume: %.12g, CdA: %.12g, added_mass: %.12g}\n",
 		        point->id, point->mass, point->volume, point->CdA, point->added);
+	}
+	for (int i = 0; i < mooring->bodies; i++) {
+		const struct cli_mooring_body *body = &mooring->body[i];
+
+		if (body->moves)
+			fprintf(stream, "%s  B%d: {volume: %.12g, CdA: %.12g, added_mass: %.12g}\n",
+			        first ? "buoys:                    # m^3, m^2\n" : "", body->id, body->volume,
+			        body->CdA, body->added);
+		first = first && !body->moves;
+	}
+}
+
+/* Turned about x as the axes are, their moments of inertia are those about x, z and y. */
+static void bodies(FILE *stream, const struct cli_mooring *mooring)
+{
+	int first = 1;
+
+	for (int i = 0; i < mooring->bodies; i++) {
+		const struct cli_mooring_body *body = &mooring->body[i];
+		const double *J = body->inertia;
+
+		if (!body->moves)
+			continue;
+		fprintf(stream, "%s  body%d:\n    nodes: [B%d", first ? "bodies:\n" : "", body->id, body->id);
+		first = 0;
+		for (int p = 0; p < mooring->points; p++)
+			if (mooring->point[p].body == i + 1)
+				fprintf(stream, ", P%d", mooring->point[p].id);
+		fprintf(stream, "]\n    mass: %.12g\n    centre: [%.12g, %.12g, %.12g]\n", body->mass,
+		        body->x[0] + body->centre[0], body->x[2] + body->centre[2],
+		        0.0 - body->x[1] - body->centre[1]);
+		if (J[0] + J[1] + J[2] > 0.0)
+			fprintf(stream, "    inertia: [%.12g, %.12g, %.12g]\n", J[0], J[2], J[1]);
 	}
 }
 
@@ -99,6 +136,7 @@ void cli_mooring_write(FILE *stream, const struct cli_mooring *mooring)
 	nodes(stream, mooring);
 	buoys(stream, mooring);
 	cables(stream, mooring);
+	bodies(stream, mooring);
 	failures(stream, mooring);
 	if (!deep)
 		return;

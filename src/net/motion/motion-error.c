@@ -58,7 +58,7 @@ static double transit(const struct hawser_net *net)
 	for (int c = 0; c < net->cables; c++) {
 		const struct hawser_net_cable *cable = &net->cable[c];
 
-		if (cable->given == HAWSER_NET_LENGTH0)
+		if (cable->given == HAWSER_NET_LENGTH0 && !cable->rod)
 			most = fmax(most, cable->value/cable->elements*sqrt(cable->rho/cable->EA));
 	}
 	return most;

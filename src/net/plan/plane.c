@@ -59,6 +59,9 @@ int hawser__net_still(double *place, const struct hawser_net *net, int k,
 		if (node->x[k] != *place)
 			return 0;
 	}
+	for (int i = 0; i < net->bodies; i++) /* whose weight turns it */
+		if (net->body[i].mass > 0.0 && net->body[i].centre[k] != *place)
+			return 0;
 	for (int i = 0; i < net->surfaces; i++) {
 		const struct hawser_surface *surface = &net->surface[i];
 		int flat = surface->kind == HAWSER_SURFACE_PLANE;

@@ -44,6 +44,7 @@ struct tangent {
 	struct hawser__klu *klu;
 	int *group;          /* [nodes of the mesh] 1 + number of the body that moves it; 0: none */
 	int groups, size;    /* bodies; motions of each */
+	int slips;           /* 1: what touches at rest has no friction, as in the equilibrium */
 	const double (*about)[3]; /* [groups] */
 	double (*held)[3];   /* [nodes of the mesh] N: force of the outside on those of bodies */
 	double *total;       /* [groups][6] force and moment of the outside on each */
@@ -115,12 +116,17 @@ static double normal(struct tangent *at, const struct hawser__touch *touch)
 	return stiff;
 }
 
+static int at_rest(const struct hawser_surface *of)
+{
+	return of->speed == 0.0 && hawser__dot(of->velocity, of->velocity) == 0.0;
+}
+
 /* What a contact adds to the matrix at its node. */
 static void contact(struct tangent *at, const struct hawser__touch *touch)
 {
 	double stiff = normal(at, touch), block[3][3], hold = 0.0, follows = 1.0/touch->r;
 
-	if (hawser__touch_sticks(touch)) {
+	if (hawser__touch_sticks(touch) && !(at->slips && at_rest(touch->surface))) {
 		hold = STIFFER*at->mesh->EA[touch->element]/at->mesh->length0[touch->element];
 		follows = 0.0;
 	}
@@ -334,7 +340,7 @@ enum hawser_status hawser__bodies_tangent(double *K, double *force, double *scal
                                           struct hawser_report *report)
 {
 	struct tangent at = {.net = net, .mesh = mesh, .T = T, .group = mesh->rigid, .groups = net->bodies,
-	                     .size = MOTIONS, .about = about};
+	                     .size = MOTIONS, .slips = 1, .about = about};
 	size_t motions = MOTIONS*(size_t)net->bodies;
 	enum hawser_status status = solve(&at, report);
 

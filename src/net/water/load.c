@@ -38,6 +38,21 @@ static int is_buoy(const struct hawser_water_buoy *buoy)
 	return buoy->volume > 0.0 || buoy->CdA > 0.0;
 }
 
+/* Those at nodes of bodies where no element ends. A body holds its nodes: their element is not asked
+ * for. */
+static void list_bare(struct hawser__mesh_water *water, const struct hawser_net *net)
+{
+	for (int node = 0; node < net->nodes; node++) {
+		int known = !net->node[node].body || !is_buoy(&net->node[node].buoy);
+
+		for (int i = 0; i < water->buoys && !known; i++)
+			known = water->buoy[i].node == node;
+		if (!known)
+			water->buoy[water->buoys++] = (struct hawser__mesh_buoy){
+				.node = node, .of = &net->node[node].buoy};
+	}
+}
+
 enum hawser_status hawser__water_open(struct hawser__mesh *mesh, const struct hawser_net *net,
                                       struct hawser_report *report)
 {
@@ -78,6 +93,7 @@ enum hawser_status hawser__water_open(struct hawser__mesh *mesh, const struct ha
 			water->buoy[water->buoys++] = (struct hawser__mesh_buoy){
 				.node = node, .element = k/2, .end = k%2, .of = &net->node[node].buoy};
 	}
+	list_bare(mesh->water, net);
 	return status;
 }
 
@@ -168,6 +184,8 @@ void hawser__water_matrix(struct hawser__klu *klu, const struct hawser__mesh *me
 	for (int i = 0; i < water->buoys; i++) {
 		double block[3][3];
 
+		if (mesh->rigid[water->buoy[i].node])
+			continue;
 		for (int k = 0; k < 9; k++)
 			block[k/3][k%3] = -water->buoy[i].slope[k/3][k%3];
 		hawser__klu_node(klu, water->buoy[i].element, water->buoy[i].end, (const double (*)[3])block);
@@ -191,6 +209,7 @@ void hawser__water_spread(double (*force)[3], const struct hawser__mesh *mesh, c
 
 int hawser__water_mass(struct hawser__water_mass *at, const struct hawser__mesh *mesh, int j)
 {
+	static const double none[3][3];
 	const struct hawser__mesh_water *water = mesh->water;
 	int buoy = j - 2*mesh->elements;
 
@@ -200,7 +219,8 @@ int hawser__water_mass(struct hawser__water_mass *at, const struct hawser__mesh 
 		*at = (struct hawser__water_mass){j/2, j%2, (const double (*)[3])water->mass[j/2][j%2]};
 	else
 		*at = (struct hawser__water_mass){water->buoy[buoy].element, water->buoy[buoy].end,
-		                                  (const double (*)[3])water->buoy[buoy].mass};
+		                                  mesh->rigid[water->buoy[buoy].node] ? none
+		                                  : (const double (*)[3])water->buoy[buoy].mass};
 	return 1;
 }
 

@@ -22,7 +22,7 @@ struct hawser__mesh_water {
 	double (*spring)[2][2];  /* [elements] N/m: of the derivatives what is buoyancy, upwards */
 	double (*slope)[6][6];  /* [elements] N/m: their derivatives by both ends */
 	struct hawser__mesh_buoy {
-		int node, element, end; /* it is this end of this element */
+		int node, element, end; /* it is this end of this element; of bodies 0, where none is */
 		const struct hawser_water_buoy *of;
 		double load[3], slope[3][3], mass[3][3], spring;
 	} *buoy;                /* [buoys] */
