@@ -130,13 +130,13 @@ works() {
 	try "$text" said 0
 }
 
-# rough NAME ARGUMENTS: works, and says how far its model, or a boundary by it, may be off, or that
-# it has no modes there, but nothing else.
+# rough NAME ARGUMENTS: works, and says how far its model, or a boundary by it, may be off, that it
+# has no modes there, or that a motion exceeds its range, but nothing else.
 rough() {
 	text=$1
 	shift
 	run "$@"
-	try "$text" like 0 '^hawser: warning: .*((may be|are) off by .* (because of what the model leaves out|so far is the model of another size|of the width of their region)|the model knows no modes above)'
+	try "$text" like 0 '^hawser: warning: .*((may be|are) off by .* (because of what the model leaves out|so far is the model of another size|of the width of their region)|the model knows no modes above|moves by up to .* right within)'
 }
 
 # flat NAME ARGUMENTS: works, and says that its map has nothing to show, but nothing else.

@@ -151,10 +151,10 @@ works "a scene, over damping and load" locus "$chairlift" --kind torus --over da
 jump=$SRCDIR/notebooks-data/scenes/b-table-4.4-line-2.yaml
 fold="-n 1 --set model.condense=static --Omega 1.298 --step 0.3"
 # shellcheck disable=SC2086 # words
-works "a scene, over two of its keys" locus "$jump" $fold --over damping.alpha=0.2:0.204 \
+rough "a scene, over two of its keys" locus "$jump" $fold --over damping.alpha=0.2:0.204 \
 	--and tension.T0=80.3kN:80.5kN --json keys-l.json -q
 # shellcheck disable=SC2086
-works "the same, with a factor of the damping" locus "$jump" $fold --over factor.damping=1:1.02 \
+rough "the same, with a factor of the damping" locus "$jump" $fold --over factor.damping=1:1.02 \
 	--and tension.T0=80.3kN:80.5kN --json factor-l.json -q
 works "the scene with the other damping" frf "$chairlift" --set damping.alpha="0.085 kg/m/s" \
 	--over factor.load=0.1:1.3 --Omega 2.915 --json alpha.json -q
