@@ -197,7 +197,7 @@ enum hawser_status hawser_net_mesh_error(struct hawser_net_mesh_error *error,
 	*error = (struct hawser_net_mesh_error){.tension = NAN, .cable = -1};
 	if (!status && !st && hawser_net_solve(&own, net, NULL, &unused) == HAWSER_OK)
 		st = &own;
-	if (!status && st)
+	if (!status && st && net->cables) /* a body on a hinge may have none */
 		status = measure(error, each, net, st, report);
 	hawser_net_statics_clear(&own);
 	free(each);
