@@ -36,7 +36,7 @@ void hawser__traced_clear(struct hawser__traced *traced)
 
 void hawser__traced_give(struct hawser__traced *traced, struct hawser__draft *chosen)
 {
-	if (traced->functions != chosen->functions)
+	if (traced->functions == 0 || traced->functions != chosen->functions)
 		return;
 	chosen->orbits = traced->orbits;
 	traced->orbits = (struct hawser__orbits){.n = 0};
