@@ -23,7 +23,7 @@ rough "a motion of the scene, by the name of the load" integrate "$small" $up -n
 	--Omega 2.5 --until 20 --every 1 --json named.json -q
 works "the modes that matter, chosen" frf "$small" $up --damping 0.02 --from 2.12 --to 2.14 --step 0.2 --json chosen.json --tsv chosen.tsv -q
 keep=$(sed -n 's/^# .* of 32 modes chosen: --keep //p' chosen.tsv)
-works "  and kept" frf "$small" $up --keep "$keep" --damping 0.02 --from 2.12 --to 2.14 --step 0.2 --json kept.json -q
+[ -z "${HAWSER_LONG:-}" ] || works "  and kept" frf "$small" $up --keep "$keep" --damping 0.02 --from 2.12 --to 2.14 --step 0.2 --json kept.json -q
 most=12 # 40 take 10 s
 [ -z "${HAWSER_LONG:-}" ] || most=40
 for n in 6 $most; do
@@ -33,7 +33,7 @@ done
 mv 6.json few.json && mv $most.json most.json
 works "a motion" integrate drive.json --Omega 2.5 --until 20 --every 1 --json run.json -q
 python "models of a lane" <<'END2'
-import json, math
+import json, math, os
 passing, drive, stick, smeared = (json.load(open(n + ".json")) for n in ("passing", "drive", "stick", "smeared"))
 modes = json.load(open("modes.json"))["modes"]
 time = drive["scale"]["time"]
@@ -53,8 +53,9 @@ assert passing["shapes"]["names"] == ["span_1", "span_2", "span_3"]
 assert stick["n"] == 4 + stick["second_order_shapes"]
 points = json.load(open("frf.json"))["points"]
 assert len(points) > 5 and all(p["amplitude"]["y_span_1"] > 0 for p in points)
-scene, chosen, kept = (json.load(open(n + ".json")) for n in ("scene", "chosen", "kept"))
-assert chosen["points"] == kept["points"] and chosen["model_error"]["estimated"] < 0.1, chosen["model_error"]
+scene, chosen = (json.load(open(n + ".json")) for n in ("scene", "chosen"))
+assert chosen["model_error"]["estimated"] < 0.1, chosen["model_error"]
+assert not os.path.exists("kept.json") or chosen["points"] == json.load(open("kept.json"))["points"]
 w, top = scene["natural_frequencies"], math.sqrt(passing["K"][5][5])/passing["scale"]["time"] # of the last mode, before second-order shapes
 ends = [float(word.partition("=")[2].strip(",").replace("D", "E")) for line in open("c.range") for word in line.split()
         if word.startswith(("RL0=", "RL1="))]
