@@ -2,7 +2,8 @@
  * ones dashed, events marked by kind, natural frequencies as thin vertical lines.
  *
  * A curve is cut where its stability changes, at the located event, so that no line style runs over
- * a bifurcation.
+ * a bifurcation. Between two points it is a cubic over the arclength that goes beyond neither of them
+ * (Steffen, Astron. Astrophys. 239 (1990) 443): long steps show no corners.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -16,10 +17,8 @@ static const char *const dark[] = {"#003A66", "#7A2E00"};
 /* Another response: the colour of its curve, paler. */
 static const char *const pale[] = {"#A6CBE3", "#F0C3A2"};
 
-static double between(double a, double b, double fraction)
-{
-	return a + fraction*(b - a);
-}
+#define FLAT 3e-4 /* of the picture's width and of the largest amplitude; chosen */
+enum { MOST_PIECES = 12 };
 
 double cli_frf_x(const struct cli_frf_picture *of, int i)
 {
@@ -60,46 +59,123 @@ static int is_unstable(const struct cli_frf_picture *of, int i)
 	return of->result->frf->point[i].unstable > 0;
 }
 
-/* The amplitude at an event, by linear interpolation between the neighbouring points. */
-static void put_event(struct cli_frf_picture *of, int c, const struct hawser_frf_event *event)
+/* The abscissa (c below 0) or the amplitude of curve c. */
+static double value(const struct cli_frf_picture *of, int c, int i)
 {
-	const struct hawser_frf_point *point = of->result->frf->point;
-	int after = event->after, next = goes_on(of, after) ? after + 1 : after;
-	int last = after + 1 < of->result->frf->points ? after + 1 : after;
-	double whole = point[last].arc - point[after].arc, part = event->arc - point[after].arc;
-
-	hawser__figure_put(&of->figure, cli_frf_event_x(of, event),
-	                   between(cli_frf_amplitude(of, c, after), cli_frf_amplitude(of, c, next),
-	                           whole > 0.0 ? fmin(fmax(part/whole, 0.0), 1.0) : 0.0));
+	return c < 0 ? cli_frf_x(of, i) : cli_frf_amplitude(of, c, i);
 }
 
-/* Where stability changes between points i and i + 1: at an event, or in the middle. */
-static void put_change(struct cli_frf_picture *of, int c, int i)
+static double secant(const struct cli_frf_picture *of, int c, int i, double *length)
+{
+	const struct hawser_frf_point *point = of->result->frf->point;
+
+	*length = point[i + 1].arc - point[i].arc;
+	return *length > 0.0 ? (value(of, c, i + 1) - value(of, c, i))/ *length : 0.0;
+}
+
+/* The derivative by the arclength at point i: none where the value is largest or least. */
+static double slope(const struct cli_frf_picture *of, int c, int i)
+{
+	int before = i > 0 && goes_on(of, i - 1), after = goes_on(of, i);
+	double h[2] = {0.0, 0.0}, s[2] = {0.0, 0.0}, whole;
+
+	if (before)
+		s[0] = secant(of, c, i - 1, &h[0]);
+	if (after)
+		s[1] = secant(of, c, i, &h[1]);
+	if (!before || !after)
+		return s[0] + s[1];
+	if (!(s[0]*s[1] > 0.0))
+		return 0.0;
+	whole = fabs(s[0]*h[1] + s[1]*h[0])/(h[0] + h[1]);
+	return copysign(fmin(whole, 2.0*fmin(fabs(s[0]), fabs(s[1]))), s[0]);
+}
+
+/* The value at a part of the way from point i to the next. */
+static double within(const struct cli_frf_picture *of, int c, int i, double part)
+{
+	double h, s, a, b;
+
+	if (!goes_on(of, i))
+		return value(of, c, i);
+	s = secant(of, c, i, &h);
+	a = slope(of, c, i);
+	b = slope(of, c, i + 1);
+	return value(of, c, i) + h*part*(a + part*(3.0*s - 2.0*a - b + part*(a + b - 2.0*s)));
+}
+
+/* The part of the way from point `after` to the next at which an event is. */
+static double part_of(const struct cli_frf_picture *of, const struct hawser_frf_event *event)
+{
+	const struct hawser_frf_point *point = of->result->frf->point;
+	int after = event->after, last = after + 1 < of->result->frf->points ? after + 1 : after;
+	double whole = point[last].arc - point[after].arc;
+
+	return whole > 0.0 ? fmin(fmax((event->arc - point[after].arc)/whole, 0.0), 1.0) : 0.0;
+}
+
+static void put_event(struct cli_frf_picture *of, int c, const struct hawser_frf_event *event)
+{
+	hawser__figure_put(&of->figure, cli_frf_event_x(of, event),
+	                   within(of, c, event->after, part_of(of, event)));
+}
+
+/* Where stability changes between points i and i + 1: at an event (returned), or in the middle. */
+static const struct hawser_frf_event *change(const struct cli_frf_picture *of, int i)
 {
 	const struct hawser_frf *frf = of->result->frf;
 
 	for (int k = 0; k < frf->events; k++)
-		if (frf->event[k].after == i) {
-			put_event(of, c, &frf->event[k]);
-			return;
-		}
-	hawser__figure_put(&of->figure, between(cli_frf_x(of, i), cli_frf_x(of, i + 1), 0.5),
-	                   between(cli_frf_amplitude(of, c, i), cli_frf_amplitude(of, c, i + 1), 0.5));
+		if (frf->event[k].after == i)
+			return &frf->event[k];
+	return NULL;
+}
+
+/* What lies between two parts of the way from point i to the next, as many places as keep the line of
+ * chords within FLAT of the picture. */
+static void put_between(struct cli_frf_picture *of, int c, int i, double from, double to, double most)
+{
+	double middle = 0.5*(from + to), off = 0.0;
+	int pieces;
+
+	for (int k = -1; k <= c; k += c + 1) {
+		double chord = 0.5*(within(of, k, i, from) + within(of, k, i, to));
+
+		off = fmax(off, fabs(within(of, k, i, middle) - chord)/(k < 0 ? of->high - of->low : most));
+	}
+	pieces = off > FLAT ? (int)fmin(MOST_PIECES, ceil(sqrt(off/FLAT))) : 1;
+	for (int k = 1; k < pieces; k++) {
+		double part = from + (to - from)*k/pieces;
+
+		hawser__figure_put(&of->figure, within(of, -1, i, part), within(of, c, i, part));
+	}
 }
 
 /* The stable or the unstable parts of curve c. */
 static void put_parts(struct cli_frf_picture *of, int c, int unstable)
 {
+	double most = 0.0;
+
+	for (int i = 0; i < of->result->frf->points; i++)
+		most = fmax(most, cli_frf_amplitude(of, c, i));
 	for (int i = 0; i < of->result->frf->points; i++) {
 		int mine = is_unstable(of, i) == unstable;
 		int flips = goes_on(of, i) && is_unstable(of, i) != is_unstable(of, i + 1);
+		const struct hawser_frf_event *event = flips ? change(of, i) : NULL;
+		double at = event ? part_of(of, event) : flips ? 0.5 : 1.0;
 
 		if (mine)
 			hawser__figure_put(&of->figure, cli_frf_x(of, i), cli_frf_amplitude(of, c, i));
-		if (flips)
-			put_change(of, c, i);
+		if (mine && goes_on(of, i))
+			put_between(of, c, i, 0.0, at, most);
+		if (event)
+			put_event(of, c, event);
+		else if (flips)
+			hawser__figure_put(&of->figure, within(of, -1, i, at), within(of, c, i, at));
 		if (mine && (flips || !goes_on(of, i)))
 			hawser__figure_gap(&of->figure);
+		else if (flips)
+			put_between(of, c, i, at, 1.0, most);
 	}
 }
 
