@@ -23,7 +23,7 @@
 #define SMALLEST_LOAD_STEP 1e-4 /* fraction of the load: if a smaller step is needed, there is a
                                  * fold in the load; chosen */
 #define SETTLE_PERIODS 400 /* periods of the motion from rest before the attempt ends; chosen */
-#define SETTLE_FLOPS 2e10 /* operations, some 5 s, after which it ends too, and */
+#define SETTLE_FLOPS 1e11 /* operations, some 25 s, after which it ends too, and */
 #define SETTLE_EXACT 4e9  /* the same with exact energy, whose products are short: some take 1e9 a
                            * period, and the curves of detour.c lead there sooner; chosen */
 #define SETTLE_TRY 20 /* periods between two attempts of Newton's method; chosen */
