@@ -433,11 +433,15 @@ static void slackens(struct hawser_net_motion *to, const struct run *run)
 {
 	const struct hawser__motion *motion = &run->motion;
 	const struct hawser__mesh *mesh = &run->mesh;
-	int c = mesh->cable[motion->slack_element], first = mesh->first[c];
+	int c, first;
 
 	to->least = motion->least;
 	to->least_at = motion->least_at;
 	to->slack_at = motion->slack_at;
+	if (isnan(motion->slack_at)) /* of a body alone there are no cables */
+		return;
+	c = mesh->cable[motion->slack_element];
+	first = mesh->first[c];
 	to->slack_cable = c;
 	to->slack_part = (motion->slack_element - first + 0.5)/(mesh->first[c + 1] - first);
 }
