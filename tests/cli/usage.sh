@@ -136,7 +136,6 @@ refuses_like 1 "cable contradicts beam" beam "$upright" --set cable.EA=3
 refuses_like 1 "a string has no rotary inertia" beam "$upright" --set beam.theta=0
 refuses_like 2 "a string cannot carry that" beam "$upright" --set beam.theta=0 --set beam.slenderness=0
 refuses_like 1 "two different speeds" beam "$upright" --basis 12 --from 1 --to 1
-refuses_like 1 "eigenvalues at one speed are no picture" beam "$upright" --basis 12 --plot x.svg
 refuses_like 1 "cannot read nowhere" beam "$upright" --basis 12 --until 1 --initial nowhere
 
 # frequencies and times

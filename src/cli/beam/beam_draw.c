@@ -100,12 +100,9 @@ enum hawser_status cli_beam_draw(const char *path, const void *context, struct h
 {
 	const struct cli_beam_result *result = context;
 
-	if (result->kind == CLI_BEAM_SWEEP)
-		return draw_sweep(path, result, report);
 	if (result->kind == CLI_BEAM_BOUNDARY)
 		return cli_beam_boundary_draw(path, result, report);
 	if (result->kind == CLI_BEAM_MOTION)
 		return cli_beam_motion_draw(path, result, report);
-	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "beam",
-	                    "eigenvalues at one speed are no picture: give a sweep of the speed with --to");
+	return draw_sweep(path, result, report);
 }

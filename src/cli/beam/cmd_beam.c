@@ -12,6 +12,8 @@
 #include "cli/frame/view.h"
 #include "core/report.h"
 
+#define PAST 1.2 /* of a sweep without an end, times the limit speed; chosen */
+
 struct settings {
 	struct cli_common common;
 	const char *from, *to, *vary, *method, *boundary;
@@ -26,7 +28,8 @@ static const struct cli_option options[] = {
 	CLI_TEXT_WITH(from, "VALUE",
 	              "first speed of a sweep, or first value of the boundary's key (0)",
 	              .needs = "to"),
-	CLI_TEXT_OPTION(to, "VALUE", "last speed of a sweep, or last value of the boundary's key"),
+	CLI_TEXT_OPTION(to, "VALUE", "last speed of a sweep (with a picture 1.2 v_crit), or last value of "
+	                "the boundary's key"),
 	{"points", 0, "N", "samples of a sweep, before refinement (100)", CLI_COUNT(points)},
 	{"modes", 'n', "N", "number of modes, counted from the lowest (6)", CLI_INTEGER(n), .most = 100},
 	CLI_TEXT_WITH(boundary, "KEY", "compute v_crit over this key of the scene",
@@ -154,8 +157,8 @@ static enum hawser_status load(struct cli_beam_result *result, const struct sett
 	if (settings->until)
 		result->kind = CLI_BEAM_MOTION;
 	else
-		result->kind = settings->boundary ? CLI_BEAM_BOUNDARY : settings->to ? CLI_BEAM_SWEEP
-		        : CLI_BEAM_EIGENVALUES;
+		result->kind = settings->boundary ? CLI_BEAM_BOUNDARY
+		        : settings->to || common->plot || common->gp ? CLI_BEAM_SWEEP : CLI_BEAM_EIGENVALUES;
 	return status;
 }
 
@@ -193,6 +196,14 @@ static enum hawser_status eigenvalues(struct cli_beam_variant *v, int n, struct 
 	return hawser_beam_eigenvalues(v->eigenvalue, NULL, &v->found, &v->integrals, &v->beam, n, report);
 }
 
+/* Where a sweep ends that was given no end: beyond the limit speed, or that of the scene. */
+static double last_speed(const struct cli_beam_variant *v)
+{
+	double to = isfinite(v->limits.v_crit) ? PAST*v->limits.v_crit : v->limits.searched;
+
+	return fabs(v->beam.speed) > fabs(to) ? v->beam.speed : to;
+}
+
 static enum hawser_status sweep(struct cli_beam_variant *v, const struct cli_beam_result *result,
                                 const struct settings *settings, struct hawser_report *report)
 {
@@ -203,7 +214,7 @@ static enum hawser_status sweep(struct cli_beam_variant *v, const struct cli_bea
 	if (!status)
 		status = number(&choice.from, settings->from, "from", unit, report);
 	choice.from /= cli_beam_per_speed(&v->beam);
-	choice.to /= cli_beam_per_speed(&v->beam);
+	choice.to = settings->to ? choice.to/cli_beam_per_speed(&v->beam) : last_speed(v);
 	return status ? status : hawser_beam_sweep(&v->sweep, &v->integrals, &v->beam, &choice, report);
 }
 

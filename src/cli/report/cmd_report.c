@@ -34,7 +34,7 @@ static const struct cli_option options[] = {
 static const char *const notes[] = {
 	"Runs what the scene calls for and writes one file with pictures, tables, the scene and every",
 	"setting. The page needs no network; values can be read off its curves, which can be enlarged.",
-	"LIST: plan, statics, worst, cases, modes, irvine, campbell, frf, tow, trajectory, beam.",
+	"LIST: plan, statics, worst, cases, modes, irvine, campbell, frf, tow, trajectory, beam, speeds.",
 	NULL,
 };
 
@@ -155,6 +155,7 @@ static const struct hawser__field part_field[] = {
 	{.key = "tow", .doc = "hawser tow steady: of a towed cable"},
 	{.key = "trajectory", .doc = "hawser trajectory: of a path through waypoints"},
 	{.key = "beam", .doc = "hawser beam: of a travelling beam or string"},
+	{.key = "speeds", .doc = "hawser beam --to, up to beyond the limit speed"},
 	{.key = "plan", .doc = "hawser plan: of spans and nets"},
 	HAWSER__END,
 };

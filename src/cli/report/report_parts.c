@@ -44,6 +44,9 @@ static const struct cli_report_part table[] = {
 	{"beam", "Eigenvalues and limit speed",
 	 "Growth and frequency of small motions, and the speed up to which they decay.",
 	 {"beam"}, CLI_BEAM, 1, 1, 0, 0},
+	{"speeds", "Eigenvalues over the speed",
+	 "How they change up to the limit speed and beyond; the table has each change of stability.",
+	 {"beam"}, CLI_BEAM, 0, 0, 0, 0},
 	{"plan", "What is modelled",
 	 "What a model of this scene contains, what it leaves out and why, and which settings are "
 	 "defaults.",
