@@ -8,6 +8,7 @@
 #include "cli/model/made.h"
 #include "cli/statics/statics_kinds.h"
 #include "cli/tools/init_scenes.h"
+#include "core/append.h"
 
 /* The entry `look` of a kind whose scene is a struct hawser_NAME; `facts` writes the lines, and may say
  * that nothing forces it. */
@@ -27,8 +28,10 @@
 
 static void net_facts(char *text, int *forced, const struct hawser_net *net)
 {
+	const char *unknown = net->bodies ? "rigid bodies" : net->surfaces ? "obstacles"
+	                      : net->water.density > 0.0 && !net->winds ? "water" : NULL;
 	long elements = 0;
-	int supports = 0, used;
+	int supports = 0;
 
 	*forced = net->motions > 0 || net->water.waves.count > 0;
 	for (int i = 0; i < net->loads; i++)
@@ -37,15 +40,20 @@ static void net_facts(char *text, int *forced, const struct hawser_net *net)
 		elements += net->cable[i].elements;
 	for (int i = 0; i < net->nodes; i++)
 		supports += net->node[i].support != 0;
-	used = snprintf(text, CLI_SCENE_FACTS, "  nodes: %d, of which %d are supports\n"
-	                "  cables: %d, with %ld elements\n  loads: %d; motions of supports: %d\n",
-	                net->nodes, supports, net->cables, elements, net->loads, net->motions);
+	snprintf(text, CLI_SCENE_FACTS, "  nodes: %d, of which %d are supports\n"
+	         "  cables: %d, with %ld elements\n  loads: %d; motions of supports: %d\n",
+	         net->nodes, supports, net->cables, elements, net->loads, net->motions);
 	if (net->winds)
-		snprintf(text + used, (size_t)(CLI_SCENE_FACTS - used), "  wind: %.6g m/s\n", net->wind->speed);
+		hawser__append(text, CLI_SCENE_FACTS, "", "  wind: %.6g m/s\n", net->wind->speed);
 	else if (net->water.density > 0.0)
-		snprintf(text + used, (size_t)(CLI_SCENE_FACTS - used), "  water: below y = %.6g m%s%s\n",
-		         net->water.surface, net->water.levels ? ", with a current" : "",
-		         net->water.waves.count ? ", with waves" : "");
+		hawser__append(text, CLI_SCENE_FACTS, "", "  water: below y = %.6g m%s%s\n",
+		               net->water.surface, net->water.levels ? ", with a current" : "",
+		               net->water.waves.count ? ", with waves" : "");
+	if (net->bodies)
+		hawser__append(text, CLI_SCENE_FACTS, "", "  rigid bodies: %d\n", net->bodies);
+	if (unknown)
+		hawser__append(text, CLI_SCENE_FACTS, "", "  models: none, since rom does not know %s\n",
+		               unknown);
 }
 LOOK(net, net_facts)
 
