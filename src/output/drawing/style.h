@@ -9,7 +9,7 @@ struct hawser__picture;
 
 #define HAWSER__UNSTABLE_DASH "dt (9,6)"    /* of unstable motions */
 #define HAWSER__UNSTABLE_FILL "#f6c9a8"     /* of unstable parts of a plane: light vermilion */
-#define HAWSER__LEGEND_CM 3.0 /* below the lowest panel: tics, axis title, up to two rows of legend */
+#define HAWSER__LEGEND_CM 2.6 /* below the lowest panel: tics, axis title, up to two rows of legend */
 enum { HAWSER__LEGEND_MOST = 24 };
 
 /* gnuplot's linetypes, border, tics, grid. */
