@@ -34,9 +34,9 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/orbit/balance_substitute.c \
 	%D%/time/beam_model.c \
 	%D%/time/beam_motion.c \
-	%D%/branch/branches.c \
-	%D%/branch/slower.c \
-	%D%/branch/slower.h \
+	%D%/switch/branches.c \
+	%D%/switch/slower.c \
+	%D%/switch/slower.h \
 	%D%/orbit/certify.c \
 	%D%/orbit/certify.h \
 	%D%/torus/circle.c \
@@ -165,7 +165,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/time/surge_run.c \
 	%D%/branch/stops.c \
 	%D%/branch/stops.h \
-	%D%/branch/subharmonic.c \
+	%D%/switch/subharmonic.c \
 	%D%/orbit/start.c \
 	%D%/orbit/start.h \
 	%D%/orbit/way.c \

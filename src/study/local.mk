@@ -88,11 +88,11 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/map/map_quantity.c \
 	%D%/map/map_ranks.c \
 	%D%/map/map_quantity.h \
-	%D%/map/basin.c \
-	%D%/map/basin.h \
-	%D%/map/basin_count.c \
-	%D%/map/basin_form.c \
-	%D%/map/map_basin.c \
+	%D%/basin/basin.c \
+	%D%/basin/basin.h \
+	%D%/basin/basin_count.c \
+	%D%/basin/basin_form.c \
+	%D%/basin/map_basin.c \
 	%D%/map/map_row.c \
 	%D%/map/map_row_model.c \
 	%D%/map/map_row_result.c \

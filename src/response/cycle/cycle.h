@@ -51,7 +51,7 @@ enum hawser_status hawser__own_switch(struct hawser_frf *branch, const struct ha
                                       const struct hawser_frf *from, int event,
                                       const struct hawser_frf_options *options,
                                       struct hawser_report *report);
-/* branch/branches.c: x [2n] becomes the state after a period; A [2n][2n], unless NULL, its
+/* switch/branches.c: x [2n] becomes the state after a period; A [2n][2n], unless NULL, its
  * derivative. */
 enum hawser_status hawser__branch_period(double *x, double *A, const struct hawser_rom *rom,
                                          double omega, struct hawser_report *report);

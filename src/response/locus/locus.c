@@ -10,7 +10,7 @@
 #include "core/report.h"
 #include "core/settle.h"
 #include "response/branch/record.h"
-#include "response/branch/slower.h"
+#include "response/switch/slower.h"
 #include "response/locus/locus_own.h"
 #include "response/locus/locus_responses.h"
 #include "response/locus/locus_walk.h"

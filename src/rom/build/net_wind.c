@@ -95,12 +95,10 @@ enum hawser_status hawser__net_wind_fill(struct hawser_rom *rom,
 	if (!net->winds)
 		return HAWSER_OK;
 	status = make(&flow, source, rom->n, report);
-	if (!status && whole && net->wind->form == HAWSER_WIND_EXACT)
-		return hawser__drag_take(rom, &flow, net->wind->speed, report);
 	if (!status)
-		hawser__flow_damping(rom->D, &flow);
-	if (!status && whole)
-		status = hawser__wind_terms(rom, &flow, report);
+		return whole && net->wind->form == HAWSER_WIND_EXACT
+		       ? hawser__drag_take(rom, &flow, net->wind->speed, report)
+		       : hawser__wind_take(rom, &flow, whole, report);
 	hawser__flow_points_clear(&flow);
 	return status;
 }

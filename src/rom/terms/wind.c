@@ -113,8 +113,9 @@ static void prune(struct hawser_rom *rom, int first)
 	rom->terms = kept;
 }
 
-enum hawser_status hawser__wind_terms(struct hawser_rom *rom, const struct hawser__flow_points *flow,
-                                      struct hawser_report *report)
+/* The terms of second and third order, to a model that has none. */
+static enum hawser_status add_terms(struct hawser_rom *rom, const struct hawser__flow_points *flow,
+                                    struct hawser_report *report)
 {
 	int n = flow->n, pairs = n*(n + 1)/2, all = pairs + pairs*(n + 2)/3;
 	double (*series)[2][HAWSER__WIND_TERMS], *value;
@@ -148,12 +149,22 @@ enum hawser_status hawser__wind_terms(struct hawser_rom *rom, const struct hawse
 	return series && value && rom->term ? HAWSER_OK : hawser__no_memory(report, "rom");
 }
 
+enum hawser_status hawser__wind_take(struct hawser_rom *rom, struct hawser__flow_points *flow,
+                                     int whole, struct hawser_report *report)
+{
+	enum hawser_status status;
+
+	hawser__flow_damping(rom->D, flow);
+	status = whole ? add_terms(rom, flow, report) : HAWSER_OK;
+	hawser__flow_points_clear(flow);
+	return status;
+}
+
 enum hawser_status hawser__wind_add(struct hawser_rom *rom, const struct hawser_modes *modes,
                                     const struct hawser_scene *scene, int whole,
                                     struct hawser_report *report)
 {
 	struct hawser__flow_points flow;
-	enum hawser_status status = HAWSER_OK;
 
 	if (!scene || !scene->wind.present || (whole && scene->wind.form == HAWSER_WIND_EXACT))
 		return HAWSER_OK;
@@ -161,12 +172,8 @@ enum hawser_status hawser__wind_add(struct hawser_rom *rom, const struct hawser_
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
 		                    "linear questions do not take the wakes of wind.wake, whose motion is not "
 		                    "small: remove it, or integrate");
-	if (!hawser__flow_points(&flow, modes, scene))
-		status = hawser__no_memory(report, "rom");
-	if (!status)
-		hawser__flow_damping(rom->D, &flow);
-	if (!status && whole)
-		status = hawser__wind_terms(rom, &flow, report);
+	if (hawser__flow_points(&flow, modes, scene))
+		return hawser__wind_take(rom, &flow, whole, report);
 	hawser__flow_points_clear(&flow);
-	return status;
+	return hawser__no_memory(report, "rom");
 }

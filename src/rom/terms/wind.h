@@ -12,10 +12,9 @@
 enum hawser_status hawser__wind_add(struct hawser_rom *rom, const struct hawser_modes *modes,
                                     const struct hawser_scene *scene, int whole,
                                     struct hawser_report *report);
-/* The terms of second and third order alone, to a model that has none. HAWSER_ERR_ARGUMENT,
- * HAWSER_ERR_MEMORY. */
+/* The same of a flow, which is cleared. */
 struct hawser__flow_points;
-enum hawser_status hawser__wind_terms(struct hawser_rom *rom, const struct hawser__flow_points *flow,
-                                      struct hawser_report *report);
+enum hawser_status hawser__wind_take(struct hawser_rom *rom, struct hawser__flow_points *flow,
+                                     int whole, struct hawser_report *report);
 
 #endif

@@ -1,4 +1,4 @@
-/* study/map/basin_form.c - a stable periodic response from a state nearby, and the neighbourhood in
+/* study/basin/basin_form.c - a stable periodic response from a state nearby, and the neighbourhood in
  * which motions end at it.
  *
  * That a motion is close to a response does not say that it stays: the multipliers tell the decay
@@ -24,7 +24,7 @@
 #include <lapacke.h>
 
 #include "core/report.h"
-#include "study/map/basin.h"
+#include "study/basin/basin.h"
 
 #define CONVERGED 1e-10 /* last Newton step, relative; chosen */
 #define NEUTRAL 1e-7    /* a multiplier nearer to 1 is not known to be inside; chosen */

@@ -1,4 +1,4 @@
-/* response/branch/slower.h - a model, or the models of a family, whose base frequency is a fraction of
+/* response/switch/slower.h - a model, or the models of a family, whose base frequency is a fraction of
  * that of the load, for motions of several of its periods.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_RESPONSE_SLOWER_H

@@ -1,4 +1,4 @@
-/* study/map/basin.c - motions over periods of the load, with an error that is controlled.
+/* study/basin/basin.c - motions over periods of the load, with an error that is controlled.
  *
  * The flow of a period (response/time/flow.h) has a fixed mesh, so that it is a smooth function of
  * the state and has an exact derivative. The number of steps is doubled where the estimated error
@@ -13,7 +13,7 @@
 #include <string.h>
 
 #include "core/report.h"
-#include "study/map/basin.h"
+#include "study/basin/basin.h"
 
 #define TOLERANCE 1e-8 /* of a period, relative to the size of the state; chosen */
 #define ROOM 1e-5      /* steps are halved where the error is this part of the tolerance: the order of

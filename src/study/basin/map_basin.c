@@ -1,4 +1,4 @@
-/* study/map/map_basin.c - the field of basins: at which response a motion ends; see hawser/basin.h.
+/* study/basin/map_basin.c - the field of basins: at which response a motion ends; see hawser/basin.h.
  *
  * Responses are found first, by curves over the frequency and from a coarse grid of states, in one
  * thread and in one order, so that every point of the map refers to the same list.
@@ -14,7 +14,7 @@
 
 #include "core/grow.h"
 #include "core/report.h"
-#include "study/map/basin.h"
+#include "study/basin/basin.h"
 #include "study/map/map_cable.h"
 #include "study/map/map_rows.h"
 

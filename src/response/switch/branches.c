@@ -1,4 +1,4 @@
-/* response/branch/branches.c - see hawser/branches.h.
+/* response/switch/branches.c - see hawser/branches.h.
  *
  *    x      state at phase 0 of the old orbit at the event
  *    v      eigenvector of its period map, of the multiplier nearest to -1 or 1
@@ -24,7 +24,7 @@
 #include "core/report.h"
 #include "response/time/flow.h"
 #include "response/orbit/shooting.h"
-#include "response/branch/slower.h"
+#include "response/switch/slower.h"
 #include "response/branch/trace.h"
 #include "response/cycle/cycle.h"
 

@@ -1,4 +1,4 @@
-/* response/branch/subharmonic.c - motions whose period is a multiple of the load's.
+/* response/switch/subharmonic.c - motions whose period is a multiple of the load's.
  *
  *    b      the period of the motion is b times that of the load; base frequency Omega/b
  *    D      omega^2 - p^2 Omega^2 + i p Omega c + kappa: factor of A

@@ -1,4 +1,4 @@
-/* response/branch/slower.c - see slower.h.
+/* response/switch/slower.c - see slower.h.
  *
  * A model of a family is kept for its value as long as the family returns the same one: a structure
  * whose members are equal, pointers too, since for one value the family makes one model.
@@ -12,7 +12,7 @@
 #include <hawser/scales.h>
 
 #include "core/report.h"
-#include "response/branch/slower.h"
+#include "response/switch/slower.h"
 #include "response/orbit/load.h"
 #include "rom/terms/terms.h"
 

@@ -1,4 +1,4 @@
-/* study/map/basin_count.c - the shares of the basins of a map, with their errors, and the basin
+/* study/basin/basin_count.c - the shares of the basins of a map, with their errors, and the basin
  * entropy.
  *
  * A cell whose corners have one number counts as a part of this basin; of a cell on a boundary a basin
@@ -12,7 +12,7 @@
 #include <string.h>
 
 #include "core/report.h"
-#include "study/map/basin.h"
+#include "study/basin/basin.h"
 
 enum { BOX = 5 };
 
