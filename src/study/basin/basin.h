@@ -1,4 +1,4 @@
-/* study/basin/basin.h - stable periodic responses with their neighbourhoods, and motions that end there.
+/* study/basin/basin.h - stable periodic responses with their neighbourhoods, and ends of motions.
  *
  *    P        map of a period of the load; a response of k periods has k states, fixed points of P^k
  *    M        derivative of P^k there
