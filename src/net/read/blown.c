@@ -4,6 +4,7 @@
 #include "config.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #include <hawser/scene.h>
@@ -64,6 +65,7 @@ enum hawser_status hawser__net_section(struct hawser__reader *reader, struct haw
                                        const struct hawser__tree *tree, const char *what)
 {
 	const struct hawser__tree *own = hawser__tree_find(tree, "wind");
+	char path[HAWSER_NET_NAME + 16];
 	struct hawser_wind *wind;
 	enum hawser_status status;
 
@@ -76,11 +78,12 @@ enum hawser_status hawser__net_section(struct hawser__reader *reader, struct haw
 		                           "{speed: 8 m/s, density: 1.225 kg/m^3}", what);
 	wind = &net->wind[net->winds++];
 	*wind = *net->wind;
-	status = hawser__tree_fill(reader, wind, own, what, "net.cables[].wind");
+	snprintf(path, sizeof path, "cables.%s.wind", net->cable[cable].name);
+	status = hawser__tree_fill(reader, wind, own, path, "net.cables[].wind");
 	if (!status)
-		status = hawser__wind_lists(reader, wind, own, what, "net.cables[].wind");
+		status = hawser__wind_lists(reader, wind, own, path, "net.cables[].wind");
 	if (!status && wind->diameter > 0.0)
-		status = hawser__wind_check(reader, wind, own, what);
+		status = hawser__wind_check(reader, wind, own, path);
 	net->cable[cable].wind = wind->diameter > 0.0 ? wind : NULL;
 	return status;
 }

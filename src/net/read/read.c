@@ -312,6 +312,7 @@ static enum hawser_status rules(struct hawser__reader *reader, struct hawser_net
 	const struct hawser__tree *one = tree ? tree->child : NULL;
 	char what[CALLED];
 	enum hawser_status status = HAWSER_OK;
+	int blown = 0;
 
 	for (int i = 0; one && !status; i++, one = one->next) { /* the rods of bodies come after them */
 		const char *name = net->cable[i].name;
@@ -329,7 +330,12 @@ static enum hawser_status rules(struct hawser__reader *reader, struct hawser_net
 			status = hawser__net_wet(reader, net, one, what);
 		if (!status)
 			status = hawser__net_section(reader, net, i, one, what);
+		blown |= net->cable[i].wind != NULL;
 	}
+	if (!status && tree && net->winds && !blown)
+		status = hawser__reader_fail(reader, &tree->at, "the wind passes by all cables, since none has "
+		                             "a diameter: give wind.diameter, or that of a cable in "
+		                             "cables.NAME.wind");
 	return status;
 }
 
