@@ -80,9 +80,12 @@ denies "an option of spans" 1 "\-\-points is for spans and spans over obstacles,
 denies "an option of nets" 1 "\-\-profile is for nets and ropeways, and .* is a span" statics "$chairlift" --profile
 denies "a command of spans" 1 "is a net of cables, which hawser campbell does not take; these commands do: plan, statics, modes" campbell "$net"
 denies "an unknown method" 1 "must be one of automatic, interior-point" statics "$net" --method gauss
-denies "a part without support" 2 "the node X has no support in direction x" statics "$net" --set 'nodes.X={}'
-denies "modes of it" 2 "the node X has no support in direction x" modes "$net" --set 'nodes.X={}'
-denies "motion of it" 2 "the node X has no support in direction x" integrate "$net" --until 1 --set 'nodes.X={}'
+denies "a node that no cable reaches" 1 "no cable and no body reaches node X" check "$net" --set 'nodes.X={}'
+loose='cables.c25={name: c25, from: X, to: Y, EA: 1 MN, rho: 1 kg/m, length0: 9 m}'
+set -- --set 'nodes.X={}' --set 'nodes.Y={}' --set "$loose"
+denies "a part without support" 2 "the nodes X, Y has no support in direction x" statics "$net" "$@"
+denies "modes of it" 2 "the nodes X, Y has no support in direction x" modes "$net" "$@"
+denies "motion of it" 2 "the nodes X, Y has no support in direction x" integrate "$net" --until 1 "$@"
 denies "form finding by catenaries" 1 "takes cables with length0 only, and cable a has tension" statics slack.yaml \
 	--method catenary --set 'cables.a={name: a, from: A, to: J, EA: 1 MN, rho: 0, tension: 5 N}'
 denies "a density that no length has" 2 "the lengths that go with the given force densities" statics slack.yaml \

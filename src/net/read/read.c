@@ -339,6 +339,36 @@ static enum hawser_status rules(struct hawser__reader *reader, struct hawser_net
 	return status;
 }
 
+/* Does a cable end at it, or a body carry it? */
+static int is_reached(const struct hawser_net *net, int node)
+{
+	for (int i = 0; i < net->cables; i++)
+		if (net->cable[i].from == node || net->cable[i].to == node)
+			return 1;
+	for (int b = 0; b < net->bodies; b++)
+		for (int i = 0; i < net->body[b].nodes; i++)
+			if (net->body[b].node[i] == node)
+				return 1;
+	return 0;
+}
+
+/* Fail for a node that may move and that nothing holds. An obstacle could. */
+static enum hawser_status reached(struct hawser__reader *reader, const struct hawser_net *net,
+                                  const struct hawser__tree *tree)
+{
+	const struct hawser__tree *one = tree && !net->surfaces ? tree->child : NULL;
+
+	for (int i = 0; one; i++, one = one->next) {
+		const struct hawser_net_node *node = &net->node[i];
+
+		if (!(node->held[0] && node->held[1] && node->held[2]) && !is_reached(net, i))
+			return hawser__reader_fail(reader, &one->at, "no cable and no body reaches node %s, so "
+			                           "that it has no equilibrium: give a cable that ends there, "
+			                           "make it a support, or leave it out", node->name);
+	}
+	return HAWSER_OK;
+}
+
 enum { DYNAMICS = 7 }; /* the first section below that spans have too */
 
 /* The sections of nets from number `from` on. */
@@ -426,6 +456,8 @@ static enum hawser_status interpret(struct hawser__reader *reader, void *scene,
 		status = hawser__net_bed(reader, net, hawser__tree_find(root, "nodes"));
 	if (!status)
 		status = rules(reader, net, hawser__tree_find(root, "cables"));
+	if (!status)
+		status = reached(reader, net, hawser__tree_find(root, "nodes"));
 	return status ? status : hawser__net_hangers(reader, net);
 }
 
