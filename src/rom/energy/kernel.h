@@ -57,6 +57,7 @@ struct hawser__panel {
 
 struct hawser__condensed;
 struct hawser__quartic;
+struct hawser__rates;
 
 struct hawser__kernel_panels {
 	int count;
@@ -84,6 +85,9 @@ struct hawser_rom_kernel {
 	struct hawser__quartic *quartic; /* the same energy as a function (quartic.h); NULL if the model is
 	                       * not of a cable's modes */
 	struct hawser__size size;       /* of the model, if quartic is not NULL */
+	struct hawser__rates *rates;    /* terms in velocities alone (rates.h), or NULL */
+	int others;                     /* number of terms that are not among them */
+	int *other;                     /* [others] their indices */
 	int by_function[HAWSER__TASKS]; /* 1: quartic is evaluated for this task, else the tensors. If
 	                       * it is 1 for all, there are no rows, runs and panels */
 	double asymmetry;     /* largest |T - transposed T| over largest |T|, of K, Q and C */
