@@ -19,7 +19,7 @@
 #include "rom/terms/rates.h"
 
 enum {
-	FEW = 60,    /* terms that are as fast one by one; chosen */
+	FEW = 20,    /* terms that are as fast one by one; chosen */
 	MOST = 40,   /* coordinates: the matrices take 12 MB */
 	ROOM = 65536 /* of z, on the stack */
 };
@@ -83,10 +83,19 @@ enum hawser_status hawser__rates_make(struct hawser__rates **made, const struct 
 	rates->W = hawser__hold(&rates->hold, (n + pairs)*n*n, sizeof(double));
 	if (rates->hold.short_of_memory)
 		return hawser__no_memory(report, "rom");
+	hawser__rates_fill(rates, rom);
+	return HAWSER_OK;
+}
+
+void hawser__rates_fill(struct hawser__rates *rates, const struct hawser_rom *rom)
+{
+	size_t n = (size_t)rates->n;
+
+	memset(rates->P, 0, ((size_t)rates->length - n)*n*sizeof(double));
+	memset(rates->W, 0, (n + (size_t)rates->pairs)*n*n*sizeof(double));
 	for (int i = 0; i < rom->terms; i++)
 		if (hawser__rates_has(&rom->term[i]))
 			put(rates, &rom->term[i]);
-	return HAWSER_OK;
 }
 
 void hawser__rates_free(struct hawser__rates *rates)

@@ -10,6 +10,8 @@ struct hawser__rates;
 /* *rates becomes those of the model, NULL if it has too few, or too many coordinates. HAWSER_ERR_MEMORY */
 enum hawser_status hawser__rates_make(struct hawser__rates **rates, const struct hawser_rom *rom,
                                       struct hawser_report *report);
+/* Its values, of other values of the same terms. */
+void hawser__rates_fill(struct hawser__rates *rates, const struct hawser_rom *rom);
 void hawser__rates_free(struct hawser__rates *rates);
 /* 1: the term is among them. */
 int hawser__rates_has(const struct hawser_term *term);

@@ -109,20 +109,14 @@ static void prune(struct hawser_rom *rom, int first)
 
 /* value [products][n]: - the integral of the force of these products on each coordinate; f [2 points]
  * [products] is for work. */
-static void integrate(double *value, double *f, const struct hawser__flow_points *flow, int factors,
-                      int products)
+static void integrate(double *value, double *f, const struct hawser__flow_points *flow,
+                      const double (*series)[HAWSER__WIND_TERMS], int factors, int products)
 {
 	int n = flow->n;
 
-	for (int i = 0; i < flow->points; i++) {
-		double series[2][HAWSER__WIND_TERMS] = {{0.0}};
-
-		if (flow->speed[i] > 0.0) /* drag of air at rest has no series */
-			hawser__section_series(series, flow->at[i], flow->speed[i]);
-		for (int c = 0; c < 2; c++)
-			expand_at(f + (2*(size_t)i + c)*products, series[c], flow->weight[i],
-			          flow->shape + (size_t)2*i*n, n, factors);
-	}
+	for (int i = 0; i < 2*flow->points; i++)
+		expand_at(f + (size_t)i*products, series[i], flow->weight[i/2],
+		          flow->shape + (size_t)2*(i/2)*n, n, factors);
 	cblas_dgemm(CblasRowMajor, CblasTrans, CblasNoTrans, products, n, 2*flow->points, -1.0, f,
 	            products, flow->shape, n, 0.0, value, n);
 }
@@ -132,7 +126,7 @@ static enum hawser_status add_terms(struct hawser_rom *rom, const struct hawser_
                                     struct hawser_report *report)
 {
 	int n = flow->n, pairs = n*(n + 1)/2, most = pairs*(n + 2)/3;
-	double *value, *f;
+	double *value, *f, (*series)[HAWSER__WIND_TERMS];
 
 	if (n > MOST)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
@@ -141,11 +135,15 @@ static enum hawser_status add_terms(struct hawser_rom *rom, const struct hawser_
 		                    "fewer modes", MOST, n);
 	value = hawser__numbers((size_t)most, (size_t)n);
 	f = hawser__numbers((size_t)most, 2*(size_t)flow->points);
+	series = calloc(2*(size_t)flow->points, sizeof *series);
+	for (int i = 0; series && i < flow->points; i++)
+		if (flow->speed[i] > 0.0) /* drag of air at rest has no series */
+			hawser__section_series(series + 2*i, flow->at[i], flow->speed[i]);
 	rom->term = calloc((size_t)n*((size_t)pairs + (size_t)most) + 1, sizeof *rom->term);
-	for (int factors = 2; value && f && rom->term && factors < 4; factors++) {
+	for (int factors = 2; value && f && series && rom->term && factors < 4; factors++) {
 		int index[3] = {0}, first = rom->terms, products = factors == 2 ? pairs : most;
 
-		integrate(value, f, flow, factors, products);
+		integrate(value, f, flow, (const double (*)[HAWSER__WIND_TERMS])series, factors, products);
 		for (int p = 0; p < products; p++, advance(index, factors, n))
 			for (int j = 0; j < n; j++)
 				rom->term[rom->terms++] = (struct hawser_term){
@@ -154,9 +152,10 @@ static enum hawser_status add_terms(struct hawser_rom *rom, const struct hawser_
 					.value = value[p*n + j]};
 		prune(rom, first);
 	}
+	free(series);
 	free(f);
 	free(value);
-	return value && f && rom->term ? HAWSER_OK : hawser__no_memory(report, "rom");
+	return value && f && series && rom->term ? HAWSER_OK : hawser__no_memory(report, "rom");
 }
 
 enum hawser_status hawser__wind_take(struct hawser_rom *rom, struct hawser__flow_points *flow,
