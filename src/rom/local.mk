@@ -34,6 +34,8 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/file/plug.c \
 	%D%/file/plug.h \
 	%D%/file/read_own.c \
+	%D%/terms/rates.c \
+	%D%/terms/rates.h \
 	%D%/terms/terms.c \
 	%D%/terms/wake.c \
 	%D%/terms/wake.h \

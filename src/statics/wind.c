@@ -236,17 +236,20 @@ void hawser__section_line(double f[3], double (*f_r)[3], double (*f_x)[3],
 
 /* --- series --- */
 
-/* c = a b, cut off. */
+/* c = a b, cut off. Degree d begins at d (d + 1)/2, and the power of v_2 counts from there. */
 static void multiply(double *c, const double *a, const double *b)
 {
 	double product[TERMS] = {0.0};
 
 	for (int i = 0; i < TERMS; i++)
-		for (int j = 0; j < TERMS; j++)
-			for (int k = 0; k < TERMS; k++)
-				if (hawser__wind_power[k][0] == hawser__wind_power[i][0] + hawser__wind_power[j][0] &&
-				    hawser__wind_power[k][1] == hawser__wind_power[i][1] + hawser__wind_power[j][1])
-					product[k] += a[i]*b[j];
+		for (int j = 0; j < TERMS; j++) {
+			int across = hawser__wind_power[i][1] + hawser__wind_power[j][1];
+			int degree = hawser__wind_power[i][0] + hawser__wind_power[j][0] + across;
+
+			if (degree > ORDER)
+				break;
+			product[degree*(degree + 1)/2 + across] += a[i]*b[j];
+		}
 	memcpy(c, product, sizeof product);
 }
 

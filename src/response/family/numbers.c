@@ -248,3 +248,13 @@ void hawser__copy_entries(struct hawser_rom *to, struct hawser_rom *from)
 		*list.count = *whole.count;
 	}
 }
+
+int hawser__has_entries(struct hawser_rom *rom, struct hawser_rom *from)
+{
+	struct list list, whole;
+	int i = 0;
+
+	while (list_of(&list, rom, i) && list_of(&whole, from, i) && *list.count == *whole.count)
+		i++;
+	return !list_of(&list, rom, i);
+}

@@ -31,5 +31,7 @@ double *hawser__number(const struct hawser__number_part *part, size_t i);
 int hawser__same_entries(struct hawser_rom *const rom[], int roms);
 /* The entries of `from` instead of some of them. */
 void hawser__copy_entries(struct hawser_rom *to, struct hawser_rom *from);
+/* Whether a model that got them has still as many. */
+int hawser__has_entries(struct hawser_rom *rom, struct hawser_rom *from);
 
 #endif

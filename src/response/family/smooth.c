@@ -24,6 +24,7 @@
 #include "core/report.h"
 #include "response/family/numbers.h"
 #include "response/family/smooth.h"
+#include "rom/energy/kernel.h"
 
 enum { FIRST = 8, MOST = 128, KEPT = 8, TAIL = 3 };
 #define FASTER 0.1       /* least ratio of the errors of a degree and the one before; chosen */
@@ -37,6 +38,7 @@ struct hawser__smooth_models {
 	double *now;               /* [numbers] */
 	struct hawser_rom pattern; /* with all entries */
 	struct hawser_rom kept[KEPT];
+	int fits[KEPT]; /* 1: the model has all entries, and is compiled */
 	double p[KEPT];
 	long used[KEPT], calls;
 };
@@ -156,15 +158,22 @@ static enum hawser_status set_model(struct hawser__smooth_models *of, struct haw
 	double weight[MOST + 1];
 	const double *from = of->now;
 	struct hawser__number_parts parts;
+	int *fits = &of->fits[rom - of->kept];
+	enum hawser_status status;
 
-	hawser__copy_entries(rom, &of->pattern);
+	if (!*fits)
+		hawser__copy_entries(rom, &of->pattern);
 	weigh(weight, of->degree, 2.0*(p - of->from)/(of->to - of->from) - 1.0);
 	combine(of, weight);
 	hawser__number_parts(&parts, rom);
 	for (int q = 0; q < parts.count; q++)
 		for (size_t e = 0; e < parts.part[q].count; e++)
 			*hawser__number(&parts.part[q], e) = *from++;
-	return hawser_rom_compile(rom, report);
+	if (*fits)
+		return hawser__rom_refill(rom, report);
+	status = hawser_rom_compile(rom, report);
+	*fits = !status && hawser__has_entries(rom, &of->pattern);
+	return status;
 }
 
 /* --- the models --- */

@@ -67,7 +67,7 @@ struct hawser__locus {
 	double *slope, *plus_v, *minus_v; /* [rows][n][n] derivative of the terms by velocities, at the
 	                               * orbit and on both sides of it */
 	double *resist;               /* [2 width + 1][n][n] series of slope */
-	double *velocity, *shifted_v; /* [n]; [rows][n] */
+	double *velocity, *shifted_v; /* [rows][n] */
 	double complex *q_v;          /* [rows][n] as q, of the velocities */
 	double complex *kept[3];      /* [rows][n] scratch of the coefficient of a torus */
 	double *memory;

@@ -97,7 +97,7 @@ static size_t lay_out(struct hawser__locus *to, double *memory)
 	to->plus_v = take(memory, &used, to->more ? R*n2 : 0);
 	to->minus_v = take(memory, &used, to->more ? R*n2 : 0);
 	to->resist = take(memory, &used, to->more ? K*n2 : 0);
-	to->velocity = take(memory, &used, n);
+	to->velocity = take(memory, &used, to->more ? R*n : 0);
 	to->shifted_v = take(memory, &used, to->more ? R*n : 0);
 	to->work = take(memory, &used, hawser__rom_tangents_work(to->rom, to->rows) + 1);
 	to->T = take(memory, &used, K*n2);

@@ -34,23 +34,16 @@ int hawser__locus_degree(const struct hawser_rom *rom)
 void hawser__locus_terms(struct hawser__locus *locus, double *tangent, double *slope, const double *u,
                          const double *du)
 {
-	size_t n = (size_t)locus->n;
+	size_t n = (size_t)locus->n, count = (size_t)locus->rows*n;
+	const struct hawser__more to = {.force = locus->force, .by_u = tangent, .by_v = slope,
+	                                .sign = -1.0, .stride = 1};
 
 	if (!locus->more)
 		return;
-	memset(slope, 0, (size_t)locus->rows*n*n*sizeof *slope);
-	for (int r = 0; r < locus->rows; r++) {
-		double *force = locus->force + r*n, *v = locus->velocity, tau = 2.0*M_PI*r/locus->rows;
-		const struct hawser__more to = {.force = force, .by_u = tangent ? tangent + r*n*n : NULL,
-			.by_v = slope + r*n*n, .sign = -1.0, .stride = 1};
-
-		for (size_t j = 0; j < n; j++) {
-			force[j] = -force[j];
-			v[j] = locus->omega*du[r*n + j];
-		}
-		hawser__rom_more_add(locus->rom, &to, u + r*n, v, &tau, locus->omega);
-		cblas_dscal((int)n, -1.0, force, 1);
-	}
+	memset(slope, 0, count*n*sizeof *slope);
+	for (size_t i = 0; i < count; i++)
+		locus->velocity[i] = locus->omega*du[i];
+	hawser__rom_more_left(locus->rom, &to, u, locus->velocity, locus->rows, locus->omega);
 }
 
 /* The series of P_v, for the multipliers. */

@@ -85,25 +85,19 @@ void hawser__balance_terms(struct hawser__balance *balance, double omega, int de
 	const struct hawser_rom *rom = balance->base.rom;
 	int rows = balance->base.rows;
 	size_t n = (size_t)rom->n;
+	const struct hawser__more to = {.force = balance->force, .by_u = derive ? balance->tangent : NULL,
+		.by_v = derive ? balance->slope : NULL, .by_omega = derive ? balance->shift : NULL,
+		.sign = -1.0, .stride = 1};
 
 	set_rates(balance, balance->at, omega);
 	if (derive) {
 		memset(balance->slope, 0, (size_t)rows*n*n*sizeof(double));
 		memset(balance->shift, 0, (size_t)rows*n*sizeof(double));
 	}
-	for (int r = 0; r < rows; r++) {
-		double *force = balance->force + r*n, *v = balance->rates + r*n;
-		double *slope = balance->slope + r*n*n, *shift = balance->shift + r*n, tau = 2.0*M_PI*r/rows;
-		const struct hawser__more to = {.force = force,
-			.by_u = derive ? balance->tangent + r*n*n : NULL, .by_v = derive ? slope : NULL,
-			.by_omega = derive ? shift : NULL, .sign = -1.0, .stride = 1};
-
-		cblas_dscal((int)n, -1.0, force, 1);
-		hawser__rom_more_add(rom, &to, balance->base.samples + r*n, v, &tau, omega);
-		cblas_dscal((int)n, -1.0, force, 1);
-		if (derive)
-			finish_shift(shift, slope, v, omega, (int)n);
-	}
+	hawser__rom_more_left(rom, &to, balance->base.samples, balance->rates, rows, omega);
+	for (int r = 0; derive && r < rows; r++)
+		finish_shift(balance->shift + r*n, balance->slope + r*n*n, balance->rates + r*n, omega,
+		             (int)n);
 }
 
 int hawser__balance_resists(const struct hawser__balance *balance, int row)

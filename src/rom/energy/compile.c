@@ -18,6 +18,7 @@
 #include "core/report.h"
 #include "rom/file/entries.h"
 #include "rom/energy/kernel.h"
+#include "rom/terms/rates.h"
 
 /* Largest relative asymmetry of tensors that count as derived from a potential: the round-off of a
  * projection is of order 1e-15. */
@@ -29,13 +30,14 @@
 #define FORM_FROM 12
 
 /* An entry of G: row (j, k), kind 0 for A and 1 for B, column (first the index of the coordinate or
- * pair, later its position in the order of the kernel). */
+ * pair, later its position in the order of the kernel), index of the entry of Q or C that it is a share
+ * of. No two have the same place, since the entries of Q and C are different monomials. */
 struct entry {
-	int row, kind, col;
-	double value;
+	int row, kind, col, from;
 };
 
 struct builder {
+	const struct hawser_rom *rom;
 	int n, count;
 	struct entry *entry, *spare; /* [count], and memory to sort them */
 	int *first; /* [n*n + 1] the first entry of each row, after sort() */
@@ -47,37 +49,39 @@ static int pair_index(int l, int m)
 	return l <= m ? m*(m + 1)/2 + l : l*(l + 1)/2 + m;
 }
 
-static void put(struct builder *builder, int j, int k, int kind, int col, double value)
+static void put(struct builder *builder, int j, int k, int kind, int col, int from)
 {
-	builder->entry[builder->count++] = (struct entry){j*builder->n + k, kind, col, value};
+	builder->entry[builder->count++] = (struct entry){j*builder->n + k, kind, col, from};
 }
 
-static void put_quad(struct builder *builder, const struct hawser_quad *q)
+static void put_quad(struct builder *builder, int i)
 {
-	if (q->k == q->l) {
-		put(builder, q->j, q->k, 0, q->l, q->value);
-		return;
-	}
-	put(builder, q->j, q->k, 0, q->l, q->value/2.0);
-	put(builder, q->j, q->l, 0, q->k, q->value/2.0);
+	const struct hawser_quad *q = &builder->rom->Q[i];
+
+	put(builder, q->j, q->k, 0, q->l, i);
+	if (q->k != q->l)
+		put(builder, q->j, q->l, 0, q->k, i);
 }
 
-static void put_cubic(struct builder *builder, const struct hawser_cubic *c)
+static void put_cubic(struct builder *builder, int i)
 {
-	int k = c->k, l = c->l, m = c->m;
+	const struct hawser_cubic *c = &builder->rom->C[i];
 
-	if (k == l && l == m) {
-		put(builder, c->j, k, 1, pair_index(k, k), c->value);
-	} else if (k == l || l == m) { /* sorted: twice `two`, once `one` */
-		int two = l, one = k == l ? m : k;
+	put(builder, c->j, c->k, 1, pair_index(c->l, c->m), i);
+	if (c->l != c->k)
+		put(builder, c->j, c->l, 1, pair_index(c->k, c->m), i);
+	if (c->m != c->l)
+		put(builder, c->j, c->m, 1, pair_index(c->k, c->l), i);
+}
 
-		put(builder, c->j, two, 1, pair_index(two, one), c->value*2.0/3.0);
-		put(builder, c->j, one, 1, pair_index(two, two), c->value/3.0);
-	} else {
-		put(builder, c->j, k, 1, pair_index(l, m), c->value/3.0);
-		put(builder, c->j, l, 1, pair_index(k, m), c->value/3.0);
-		put(builder, c->j, m, 1, pair_index(k, l), c->value/3.0);
-	}
+/* The value of an entry of row (j, k): the share of those of its monomial's indices that are k. */
+static double value_of(const struct hawser_rom *rom, int kind, int from, int k)
+{
+	const struct hawser_quad *q = &rom->Q[from];
+	const struct hawser_cubic *c = &rom->C[from];
+
+	return kind ? ((c->k == k) + (c->l == k) + (c->m == k))*c->value/3.0
+	            : ((q->k == k) + (q->l == k))*q->value/2.0;
 }
 
 static int by_place(const void *left, const void *right)
@@ -130,33 +134,14 @@ static void sort(struct builder *builder)
 	distribute(builder->entry, builder->spare, builder, row_of, builder->first, n*n);
 }
 
-static void merge_entries(struct builder *builder)
-{
-	struct entry *entry = builder->entry;
-	int kept = 0, row = 0;
-
-	sort(builder);
-	for (int i = 0; i < builder->count; i++) {
-		for (; row <= entry[i].row; row++)
-			builder->first[row] = kept;
-		if (kept && !by_place(&entry[kept - 1], &entry[i]))
-			entry[kept - 1].value += entry[i].value;
-		else
-			entry[kept++] = entry[i];
-	}
-	for (; row <= builder->n*builder->n; row++)
-		builder->first[row] = kept;
-	builder->count = kept;
-}
-
 static double lookup(const struct builder *builder, int row, int kind, int col)
 {
-	struct entry key = {row, kind, col, 0.0};
+	struct entry key = {row, kind, col, 0};
 	int first = builder->first[row], count = builder->first[row + 1] - first;
 	const struct entry *found = count ? bsearch(&key, builder->entry + first, (size_t)count,
 	                                            sizeof key, by_place) : NULL;
 
-	return found ? found->value : 0.0;
+	return found ? value_of(builder->rom, kind, found->from, row%builder->n) : 0.0;
 }
 
 /* Largest difference between G_jk and G_kj, for K and for each kind of entry relative to the
@@ -173,10 +158,11 @@ static double asymmetry(const struct hawser_rom *rom, const struct builder *buil
 	}
 	for (int i = 0; i < builder->count; i++) {
 		const struct entry *e = &builder->entry[i];
+		double value = value_of(rom, e->kind, e->from, e->row%n);
 		double other = lookup(builder, (e->row%n)*n + e->row/n, e->kind, e->col);
 
-		largest[e->kind] = fmax(largest[e->kind], fabs(e->value));
-		worst[e->kind] = fmax(worst[e->kind], fabs(e->value - other));
+		largest[e->kind] = fmax(largest[e->kind], fabs(value));
+		worst[e->kind] = fmax(worst[e->kind], fabs(value - other));
 	}
 	for (int kind = 0; kind < 3; kind++)
 		if (largest[kind] > 0.0)
@@ -267,10 +253,10 @@ static void put_value(struct hawser_rom_kernel *kernel, int first_run, const str
 	}
 	while (entry->col >= run->col + HAWSER_BLOCK*run->blocks) {
 		for (int b = 0; b < HAWSER_BLOCK; b++)
-			kernel->value[kernel->values++] = 0.0;
+			kernel->from[kernel->values++] = -1;
 		run->blocks++;
 	}
-	kernel->value[run->at + entry->col - run->col] = entry->value;
+	kernel->from[run->at + entry->col - run->col] = entry->from;
 }
 
 /* The entries from `next` on that belong to (row, kind) become runs; returns the first that does
@@ -286,8 +272,8 @@ static int take(struct hawser_rom_kernel *kernel, const struct builder *builder,
 	return next;
 }
 
-static void fill_rows(struct hawser_rom_kernel *kernel, const struct hawser_rom *rom,
-                      const struct builder *builder)
+static void set_rows(struct hawser_rom_kernel *kernel, const struct hawser_rom *rom,
+                     const struct builder *builder)
 {
 	int n = rom->n, next = 0;
 
@@ -306,12 +292,27 @@ static void fill_rows(struct hawser_rom_kernel *kernel, const struct hawser_rom 
 	}
 }
 
+/* The values of the rows. */
+static void fill_rows(struct hawser_rom_kernel *kernel, const struct hawser_rom *rom)
+{
+	for (int r = 0; r < kernel->rows; r++) {
+		struct hawser__kernel_row *row = &kernel->row[r];
+
+		row->constant = kernel->value[kernel->values + r] = rom->K[row->j*rom->n + row->k];
+		for (int i = row->a; i < row->b_end; i++)
+			for (int at = kernel->run[i].at, b = 0; b < HAWSER_BLOCK*kernel->run[i].blocks; b++, at++)
+				if (kernel->from[at] >= 0)
+					kernel->value[at] = value_of(rom, i >= row->b, kernel->from[at], row->k);
+	}
+}
+
 /* By columns: entries that follow each other change different accelerations, so none waits for
  * the one before. */
 static void fill_damping(struct hawser_rom_kernel *kernel, const struct hawser_rom *rom)
 {
 	int n = rom->n;
 
+	kernel->d_entries = 0;
 	for (int i = 0; i < n*n; i++) {
 		int j = i%n, k = i/n;
 
@@ -333,7 +334,8 @@ static struct hawser_rom_kernel *allocate(int n, int entries)
 		return NULL;
 	kernel->row = hawser__hold(&kernel->hold, n2, sizeof *kernel->row);
 	kernel->run = hawser__hold(&kernel->hold, count, sizeof *kernel->run);
-	kernel->value = hawser__hold(&kernel->hold, HAWSER_BLOCK*count, sizeof *kernel->value);
+	kernel->value = hawser__hold(&kernel->hold, HAWSER_BLOCK*count + n2, sizeof *kernel->value);
+	kernel->from = hawser__hold(&kernel->hold, HAWSER_BLOCK*count, sizeof *kernel->from);
 	kernel->single = hawser__hold(&kernel->hold, (size_t)n, sizeof *kernel->single);
 	kernel->pair_l = hawser__hold(&kernel->hold, pairs, sizeof *kernel->pair_l);
 	kernel->pair_m = hawser__hold(&kernel->hold, pairs, sizeof *kernel->pair_m);
@@ -352,10 +354,10 @@ static struct hawser_rom_kernel *make_kernel(const struct hawser_rom *rom, struc
 	int form;
 
 	for (int i = 0; i < rom->quads; i++)
-		put_quad(builder, &rom->Q[i]);
+		put_quad(builder, i);
 	for (int i = 0; i < rom->cubics; i++)
-		put_cubic(builder, &rom->C[i]);
-	merge_entries(builder);
+		put_cubic(builder, i);
+	sort(builder);
 	kernel = allocate(rom->n, builder->count);
 	if (!kernel)
 		return NULL;
@@ -365,7 +367,8 @@ static struct hawser_rom_kernel *make_kernel(const struct hawser_rom *rom, struc
 		hawser__kernel_free(kernel);
 		return NULL;
 	}
-	fill_rows(kernel, rom, builder);
+	set_rows(kernel, rom, builder);
+	fill_rows(kernel, rom);
 	fill_damping(kernel, rom);
 	kernel->panels = hawser__panels_new(kernel);
 	form = kernel->symmetric && rom->n >= FORM_FROM;
@@ -375,7 +378,42 @@ static struct hawser_rom_kernel *make_kernel(const struct hawser_rom *rom, struc
 		hawser__kernel_free(kernel);
 		return NULL;
 	}
+	kernel->quads = rom->quads;
+	kernel->cubics = rom->cubics;
 	return kernel;
+}
+
+/* Whether the rows are those of the entries of Q and C and of the nonzero ones of K. */
+static int fits(const struct hawser_rom_kernel *kernel, const struct hawser_rom *rom)
+{
+	int good = kernel && kernel->panels && kernel->quads == rom->quads &&
+	           kernel->cubics == rom->cubics, n = rom->n, constants = 0;
+
+	for (int i = 0; good && i < n*n; i++)
+		constants += rom->K[i] != 0.0 && (!kernel->symmetric || i%n <= i/n);
+	for (int r = 0; good && r < kernel->rows; r++) {
+		const struct hawser__kernel_row *row = &kernel->row[r];
+
+		good = (row->constant != 0.0) == (rom->K[row->j*n + row->k] != 0.0);
+		constants -= row->constant != 0.0;
+	}
+	return good && constants == 0;
+}
+
+enum hawser_status hawser__rom_refill(struct hawser_rom *rom, struct hawser_report *report)
+{
+	struct hawser_rom_kernel *kernel = rom->kernel;
+
+	if (!fits(kernel, rom))
+		return hawser_rom_compile(rom, report);
+	fill_rows(kernel, rom);
+	fill_damping(kernel, rom);
+	hawser__panels_fill(kernel->panels, kernel);
+	if (kernel->gradient)
+		hawser__panels_fill(kernel->gradient, kernel);
+	if (kernel->rates)
+		hawser__rates_fill(kernel->rates, rom);
+	return HAWSER_OK;
 }
 
 /* A kernel for a model that is evaluated by function only. */
@@ -411,11 +449,23 @@ static int find_alike(struct hawser_rom_kernel *kernel, const struct hawser_rom 
 	return kernel->alike != NULL;
 }
 
+/* Returns 0 when out of memory. */
+static int take_terms(struct hawser_rom_kernel *kernel, const struct hawser_rom *rom)
+{
+	kernel->other = hawser__hold(&kernel->hold, (size_t)rom->terms + 1, sizeof *kernel->other);
+	if (!kernel->other || hawser__rates_make(&kernel->rates, rom, NULL))
+		return 0;
+	for (int i = 0; i < rom->terms; i++)
+		if (!kernel->rates || !hawser__rates_has(&rom->term[i]))
+			kernel->other[kernel->others++] = i;
+	return 1;
+}
+
 static int builder_make(struct builder *builder, const struct hawser_rom *rom)
 {
 	size_t n = (size_t)rom->n, entries = (size_t)rom->quads*2 + (size_t)rom->cubics*3 + 1;
 
-	*builder = (struct builder){.n = rom->n};
+	*builder = (struct builder){.rom = rom, .n = rom->n};
 	builder->entry = malloc(entries*sizeof *builder->entry);
 	builder->spare = malloc(entries*sizeof *builder->spare);
 	builder->first = malloc((n*n + 1)*sizeof *builder->first);
@@ -447,7 +497,7 @@ enum hawser_status hawser__rom_compile(struct hawser_rom *rom, int bare,
 	else if (builder_make(&builder, rom))
 		kernel = make_kernel(rom, &builder);
 	builder_clear(&builder);
-	if (!kernel || !find_alike(kernel, rom)) {
+	if (!kernel || !find_alike(kernel, rom) || !take_terms(kernel, rom)) {
 		hawser__kernel_free(kernel);
 		return hawser__no_memory(report, "rom");
 	}

@@ -14,12 +14,14 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/hold.h"
 #include "core/hot.h"
 #include "rom/energy/kernel.h"
 
 struct item {
 	int part, row, col;
-	double value;
+	int from;     /* index of the kernel's value, of which it is this share */
+	double share;
 };
 
 struct items {
@@ -36,10 +38,10 @@ static int by_row(const void *left, const void *right)
 	return a->row != b->row ? a->row - b->row : a->col - b->col;
 }
 
-static void put(struct items *items, int part, int row, int col, double value)
+static void put(struct items *items, int part, int row, int col, int from, double share)
 {
-	items->item[items->count++] = (struct item){part, row, col, value};
-	items->item[items->count++] = (struct item){part + 1, col, row, value};
+	items->item[items->count++] = (struct item){part, row, col, from, share};
+	items->item[items->count++] = (struct item){part + 1, col, row, from, share};
 }
 
 /* 4!/(multiplicities!) of sorted indices; 3! with the first one -1. */
@@ -66,32 +68,31 @@ static int place(int n, int l, int m)
 static void take_row(struct items *items, const struct hawser_rom_kernel *kernel,
                      const struct hawser__kernel_row *row, int n)
 {
-	int j = row->j, k = row->k;
+	int j = row->j, k = row->k, constant = kernel->values + (int)(row - kernel->row);
 
 	if (row->constant != 0.0) {
-		items->item[items->count++] = (struct item){4, j, k, row->constant};
+		items->item[items->count++] = (struct item){4, j, k, constant, 1.0};
 		if (j != k)
-			items->item[items->count++] = (struct item){4, k, j, row->constant};
+			items->item[items->count++] = (struct item){4, k, j, constant, 1.0};
 	}
 	for (int r = row->a; r < row->b_end; r++) {
 		const struct hawser__run *run = &kernel->run[r];
 
 		for (int i = 0; i < HAWSER_BLOCK*run->blocks; i++) {
-			double value = kernel->value[run->at + i];
-			int l, m;
+			int from = run->at + i, l, m;
 
-			if (value == 0.0)
+			if (kernel->from[from] < 0)
 				continue;
 			l = r < row->a_end ? kernel->single[run->col + i] : kernel->pair_l[run->col + i];
 			if (l < j)
 				continue;
 			if (r < row->a_end) {
-				put(items, 2, place(n, j, l), k, value*orders(-1, k, j, l)/3.0);
+				put(items, 2, place(n, j, l), k, from, orders(-1, k, j, l)/3.0);
 				continue;
 			}
 			m = kernel->pair_m[run->col + i];
-			put(items, 0, place(n, k, j), place(n, l, m),
-			    value*orders(k, j, l, m)/(l == m ? 4.0 : 8.0));
+			put(items, 0, place(n, k, j), place(n, l, m), from,
+			    orders(k, j, l, m)/(l == m ? 4.0 : 8.0));
 		}
 	}
 }
@@ -146,8 +147,10 @@ static void fill(struct hawser__kernel_panels *panels, struct items *items)
 			if (b != a && !alike(items, a, b))
 				continue;
 			panel->j[panel->rows] = items->item[b].row;
-			for (int i = 0; i < size; i++)
-				panels->value[4*(next + i) + panel->rows] = items->item[b + i].value;
+			for (int i = 0; i < size; i++) {
+				panels->from[4*(next + i) + panel->rows] = items->item[b + i].from;
+				panels->share[4*(next + i) + panel->rows] = items->item[b + i].share;
+			}
 			panel->rows++;
 			if (b != a)
 				items->item[b].col = -1;
@@ -169,12 +172,11 @@ struct hawser__kernel_panels *hawser__gradient_new(const struct hawser_rom_kerne
 	for (int r = 0; r < kernel->rows; r++)
 		take_row(&items, kernel, &kernel->row[r], n);
 	qsort(items.item, (size_t)items.count, sizeof *items.item, by_row);
-	panels->panel = malloc(((size_t)items.count + 1)*sizeof *panels->panel);
-	panels->column = malloc(((size_t)items.count + 1)*sizeof *panels->column);
-	panels->value = calloc(4*((size_t)items.count + 1), sizeof *panels->value);
-	if (!panels->panel || !panels->column || !panels->value)
+	panels->share = hawser__numbers(4, (size_t)items.count);
+	if (!hawser__panels_room(panels, items.count, items.count) || !panels->share)
 		goto done;
 	fill(panels, &items);
+	hawser__panels_fill(panels, kernel);
 	good = 1;
 done:
 	free(items.item);

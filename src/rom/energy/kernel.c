@@ -16,7 +16,7 @@
 #include "rom/energy/kernel.h"
 #include "rom/energy/quartic.h"
 #include "rom/file/plug.h"
-#include "rom/terms/terms.h"
+#include "rom/terms/rates.h"
 
 /* The factors of the rows: u and the products of its components, in the kernel's order of columns.
  * The last block of a run may extend past the end, with zeros for values. */
@@ -186,5 +186,6 @@ void hawser__kernel_free(struct hawser_rom_kernel *kernel)
 	hawser__panels_free(kernel->panels);
 	hawser__panels_free(kernel->gradient);
 	hawser__quartic_free(kernel->quartic);
+	hawser__rates_free(kernel->rates);
 	free(kernel);
 }

@@ -50,19 +50,23 @@ struct hawser__kernel_row {
  * A are coordinates, those of B pairs l <= m at m(m+1)/2 + l. */
 struct hawser__panel {
 	int rows;
-	int j[4], k[4];
+	int j[4], k[4], row[4];
 	double constant[4];
 	int a, a_end, b, b_end; /* ranges in column */
 };
 
 struct hawser__condensed;
 struct hawser__quartic;
+struct hawser__rates;
 
 struct hawser__kernel_panels {
 	int count;
 	struct hawser__panel *panel;
 	int *column;
 	double *value;
+	int *from;     /* of each value, the index of that of the kernel which it is a multiple of, or -1 */
+	double *share; /* NULL: equal to it */
+	int values;
 };
 
 struct hawser_rom_kernel {
@@ -70,7 +74,9 @@ struct hawser_rom_kernel {
 	int rows, runs, values;
 	struct hawser__kernel_row *row;
 	struct hawser__run *run;
-	double *value;
+	double *value;        /* [values], and behind them [rows] the constants of rows */
+	int *from;            /* [values] the entries of Q or C, or -1 */
+	int quads, cubics;    /* their numbers */
 	int *single;          /* [n] coordinate of column c of A */
 	int *pair_l, *pair_m; /* [n(n+1)/2] coordinates of the product in column c of B */
 	struct hawser__kernel_panels *panels;
@@ -84,6 +90,9 @@ struct hawser_rom_kernel {
 	struct hawser__quartic *quartic; /* the same energy as a function (quartic.h); NULL if the model is
 	                       * not of a cable's modes */
 	struct hawser__size size;       /* of the model, if quartic is not NULL */
+	struct hawser__rates *rates;    /* terms in velocities alone (rates.h), or NULL */
+	int others;                     /* number of terms that are not among them */
+	int *other;                     /* [others] their indices */
 	int by_function[HAWSER__TASKS]; /* 1: quartic is evaluated for this task, else the tensors. If
 	                       * it is 1 for all, there are no rows, runs and panels */
 	double asymmetry;     /* largest |T - transposed T| over largest |T|, of K, Q and C */
@@ -114,6 +123,10 @@ struct hawser__kernel_panels *hawser__panels_new(const struct hawser_rom_kernel 
 /* gradient.c: the same of a symmetric kernel's potential as a quadratic form of coordinates and their
  * products: row j[r] of it, columns from a to b_end. */
 struct hawser__kernel_panels *hawser__gradient_new(const struct hawser_rom_kernel *kernel, int n);
+/* Memory for so many panels and columns in all, without values; returns 0 if it is short. */
+int hawser__panels_room(struct hawser__kernel_panels *panels, int rows, int columns);
+/* Their values, from those of the kernel. */
+void hawser__panels_fill(struct hawser__kernel_panels *panels, const struct hawser_rom_kernel *kernel);
 void hawser__panels_free(struct hawser__kernel_panels *panels);
 
 /* _places: number of points of the cable at which the tension is evaluated, 0 if the model has
@@ -150,6 +163,9 @@ void hawser__ramp_factors(double s[HAWSER_RAMP_TERMS], const struct hawser_ramp 
 /* hawser_rom_compile (rom.h), or with `bare` a kernel without tensors. */
 enum hawser_status hawser__rom_compile(struct hawser_rom *rom, int bare,
                                        struct hawser_report *report);
+
+/* The same of a model with other values of the same entries, in the order of the last compilation. */
+enum hawser_status hawser__rom_refill(struct hawser_rom *rom, struct hawser_report *report);
 
 /* hawser_rom_compile, with the energy of `modes` as a function in the kernel, which evaluates it in
  * the tasks in which it is faster (effort.h). `condensed` as in project.h. HAWSER_ERR_MEMORY. */

@@ -5,13 +5,14 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/hold.h"
 #include "core/hot.h"
 #include "rom/energy/kernel.h"
 
 /* The nonzero entries of all rows, row by row; those of B follow those of A. */
 struct lists {
 	int *column;   /* [entries] coordinate, or index of the pair */
-	double *value; /* [entries] */
+	int *from;     /* [entries] index of the kernel's value */
 	int *a, *b;    /* [rows + 1] positions at which the entries of row r in A and B begin; b[r] ends
 	                * A, a[r + 1] ends B */
 	int *taken;    /* [rows] 1: already in a panel */
@@ -26,12 +27,12 @@ static int take(struct lists *lists, int next, const struct hawser_rom_kernel *k
 		for (int i = 0; i < HAWSER_BLOCK*run->blocks; i++) {
 			int c = run->col + i, l, m;
 
-			if (kernel->value[run->at + i] == 0.0)
+			if (kernel->from[run->at + i] < 0)
 				continue;
 			l = kind ? kernel->pair_l[c] : 0;
 			m = kind ? kernel->pair_m[c] : 0;
 			lists->column[next] = kind ? m*(m + 1)/2 + l : kernel->single[c];
-			lists->value[next++] = kernel->value[run->at + i];
+			lists->from[next++] = run->at + i;
 		}
 	}
 	return next;
@@ -82,9 +83,9 @@ static void fill(struct hawser__kernel_panels *panels, int *next, struct lists *
 		lists->taken[s] = 1;
 		panel->j[r] = kernel->row[s].j;
 		panel->k[r] = kernel->row[s].k;
-		panel->constant[r] = kernel->row[s].constant;
+		panel->row[r] = s;
 		for (int i = 0; i < end - begin; i++)
-			panels->value[4*(*next + i) + r] = lists->value[lists->a[s] + i];
+			panels->from[4*(*next + i) + r] = lists->from[lists->a[s] + i];
 		panel->rows++;
 	}
 	*next += end - begin;
@@ -95,9 +96,32 @@ static int list_new(struct lists *lists, const struct hawser_rom_kernel *kernel)
 	size_t entries = (size_t)kernel->values + 1, rows = (size_t)kernel->rows + 1;
 
 	*lists = (struct lists){malloc(entries*sizeof *lists->column),
-		malloc(entries*sizeof *lists->value), malloc(rows*sizeof(int)),
+		malloc(entries*sizeof *lists->from), malloc(rows*sizeof(int)),
 		malloc(rows*sizeof(int)), calloc(rows, sizeof(int))};
-	return lists->column && lists->value && lists->a && lists->b && lists->taken;
+	return lists->column && lists->from && lists->a && lists->b && lists->taken;
+}
+
+int hawser__panels_room(struct hawser__kernel_panels *panels, int rows, int columns)
+{
+	panels->values = 4*columns;
+	panels->panel = calloc((size_t)rows + 1, sizeof *panels->panel);
+	panels->column = malloc(((size_t)columns + 1)*sizeof *panels->column);
+	panels->value = hawser__numbers(4, (size_t)columns);
+	panels->from = malloc((4*(size_t)columns + 1)*sizeof *panels->from);
+	for (int i = 0; panels->from && i < panels->values; i++)
+		panels->from[i] = -1;
+	return panels->panel && panels->column && panels->value && panels->from;
+}
+
+void hawser__panels_fill(struct hawser__kernel_panels *panels, const struct hawser_rom_kernel *kernel)
+{
+	for (int i = 0; i < panels->values; i++)
+		if (panels->from[i] >= 0)
+			panels->value[i] = (panels->share ? panels->share[i] : 1.0)*
+			                   kernel->value[panels->from[i]];
+	for (int p = 0; p < panels->count; p++)
+		for (int r = 0; r < 4; r++)
+			panels->panel[p].constant[r] = kernel->row[panels->panel[p].row[r]].constant;
 }
 
 struct hawser__kernel_panels *hawser__panels_new(const struct hawser_rom_kernel *kernel)
@@ -109,18 +133,16 @@ struct hawser__kernel_panels *hawser__panels_new(const struct hawser_rom_kernel 
 	if (!panels || !list_new(&lists, kernel))
 		goto done;
 	list_rows(&lists, kernel);
-	panels->panel = malloc(((size_t)kernel->rows + 1)*sizeof *panels->panel);
-	panels->column = malloc(((size_t)lists.a[kernel->rows] + 1)*sizeof *panels->column);
-	panels->value = calloc(4*((size_t)lists.a[kernel->rows] + 1), sizeof *panels->value);
-	if (!panels->panel || !panels->column || !panels->value)
+	if (!hawser__panels_room(panels, kernel->rows, lists.a[kernel->rows]))
 		goto done;
 	for (int r = 0; r < kernel->rows; r++)
 		if (!lists.taken[r])
 			fill(panels, &next, &lists, kernel, r);
+	hawser__panels_fill(panels, kernel);
 	good = 1;
 done:
 	free(lists.column);
-	free(lists.value);
+	free(lists.from);
 	free(lists.a);
 	free(lists.b);
 	free(lists.taken);
@@ -137,5 +159,7 @@ void hawser__panels_free(struct hawser__kernel_panels *panels)
 	free(panels->panel);
 	free(panels->column);
 	free(panels->value);
+	free(panels->from);
+	free(panels->share);
 	free(panels);
 }

@@ -5,12 +5,12 @@
  *    term     value * product of x_i;  d/dx_i = value * product of the others, once for each occurrence
  *
  * The compiled kernel (kernel.h) has the terms of cables, of second and third order in the
- * coordinates. Terms are the exception, so that they are evaluated one by one, and only where forces
- * are evaluated at a state: in time integration and shooting.
+ * coordinates, and those of winds (rates.h). Others are the exception and are evaluated one by one.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <cblas.h>
 #include <math.h>
 #include <stdio.h>
 
@@ -18,7 +18,7 @@
 #include "core/report.h"
 #include "rom/energy/kernel.h"
 #include "rom/file/plug.h"
-#include "rom/terms/terms.h"
+#include "rom/terms/rates.h"
 
 int hawser__rom_more(const struct hawser_rom *rom)
 {
@@ -78,23 +78,26 @@ HAWSER_PART void subtract_term(const struct hawser__more *to, const struct hawse
 	}
 }
 
+/* The terms of these indices; NULL: all. */
 HAWSER_HOT static void subtract_terms(const struct hawser__more *to, const struct hawser_term *term,
-                                    int terms, const struct state *x, const double *s,
-                                    const double *ds)
+                                    const int *index, int terms, const struct state *x,
+                                    const double *s, const double *ds)
 {
 	for (int i = 0; i < terms; i++)
-		subtract_term(to, &term[i], x, s, ds);
+		subtract_term(to, &term[index ? index[i] : i], x, s, ds);
 }
 
-void hawser__rom_more_add(const struct hawser_rom *rom, const struct hawser__more *to,
-                          const double *u, const double *v, const double *tau, double omega)
+/* All but those of hawser__rates_add. */
+static void add_others(const struct hawser_rom *rom, const struct hawser__more *to, const double *u,
+                       const double *v, const double *tau, double omega)
 {
 	static const double one[] = {1.0, 1.0, 1.0, 1.0}, zero[] = {0.0, 0.0, 0.0, 0.0};
 	const struct state x = {u, v, rom->n, to->stride};
 
 	if (rom->plug)
 		hawser__plug_add(rom, to, u, v, tau, omega);
-	subtract_terms(to, rom->term, rom->terms, &x, one, zero);
+	if (rom->terms > 0)
+		subtract_terms(to, rom->term, rom->kernel->other, rom->kernel->others, &x, one, zero);
 	for (int h = 0; h < rom->harmonics; h++) {
 		const struct hawser_harmonic *harmonic = &rom->harmonic[h];
 		double s[HAWSER_LANES], ds[HAWSER_LANES];
@@ -107,8 +110,36 @@ void hawser__rom_more_add(const struct hawser_rom *rom, const struct hawser__mor
 				s[lane] *= omega;
 			ds[lane] = harmonic->omega_power*s[lane]/omega;
 		}
-		subtract_terms(to, harmonic->term, harmonic->terms, &x, s, ds);
+		subtract_terms(to, harmonic->term, NULL, harmonic->terms, &x, s, ds);
 	}
+}
+
+void hawser__rom_more_add(const struct hawser_rom *rom, const struct hawser__more *to,
+                          const double *u, const double *v, const double *tau, double omega)
+{
+	if (rom->terms > 0 && rom->kernel->rates)
+		hawser__rates_add(rom->kernel->rates, to, v, 1);
+	add_others(rom, to, u, v, tau, omega);
+}
+
+void hawser__rom_more_left(const struct hawser_rom *rom, const struct hawser__more *all,
+                           const double *u, const double *v, int count, double omega)
+{
+	size_t n = (size_t)rom->n;
+
+	cblas_dscal((int)n*count, -1.0, all->force, 1);
+	if (rom->terms > 0 && rom->kernel->rates)
+		hawser__rates_add(rom->kernel->rates, all, v, count);
+	for (int r = 0; r < count; r++) {
+		double tau = 2.0*M_PI*r/count;
+		const struct hawser__more to = {.force = all->force + r*n,
+			.by_u = all->by_u ? all->by_u + r*n*n : NULL,
+			.by_v = all->by_v ? all->by_v + r*n*n : NULL,
+			.by_omega = all->by_omega ? all->by_omega + r*n : NULL, .sign = -1.0, .stride = 1};
+
+		add_others(rom, &to, u + r*n, v + r*n, &tau, omega);
+	}
+	cblas_dscal((int)n*count, -1.0, all->force, 1);
 }
 
 double hawser__rom_weighed(const struct hawser_rom *rom, const double *w, int j)

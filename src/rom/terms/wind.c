@@ -4,19 +4,21 @@
  *            (statics/wind.c)
  *   v_i      sum of u_k' w_ik (modes/complex/wind.c)
  *   T_jkl    - integral over the cable of sum_i w_ij times the symmetric tensor of the quadratic part
- *            of f_i, in which (v_1)^p (v_2)^q becomes the mean of the products w w over all orders of
- *            the indices; and T_jklm of the cubic part
+ *            of f_i along the motions k and l; and T_jklm of the cubic part
+ *   form     that tensor [2][2] or [2][2][2] by directions, which is contracted index by index
  *
- * A term's value is that tensor times the number of different orders of its indices, k <= l <= m. The
+ * A term's value is T times the number of different orders of its indices, k <= l <= m. The
  * linear part is D, and the constant one belongs to the statics. Motions of modes that are not kept are
  * left out.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <cblas.h>
 #include <math.h>
 #include <stdlib.h>
 
+#include "core/hold.h"
 #include "core/report.h"
 #include "modes/complex/wind.h"
 #include "rom/terms/wind.h"
@@ -25,34 +27,6 @@
 enum { MOST = 60 };
 /* Terms below this part of the largest of their order are zero but for round-off. */
 static const double nothing = 1e-13;
-
-/* The products of the motions of up to three coordinates at a point, in the order of
- * hawser__wind_power: only those of order `factors` are set. w [2][n]. */
-static void products(double to[HAWSER__WIND_TERMS], const double *w, int n, const int *index,
-                     int factors)
-{
-	for (int t = 0; t < HAWSER__WIND_TERMS; t++) {
-		int along = hawser__wind_power[t][0], across = hawser__wind_power[t][1], ways = 0;
-
-		to[t] = 0.0;
-		if (along + across != factors)
-			continue;
-		for (int choice = 0; choice < 1 << factors; choice++) { /* bit c: factor c is across */
-			double product = 1.0;
-			int bits = 0;
-
-			for (int c = 0; c < factors; c++) {
-				int bit = choice >> c & 1;
-
-				product *= w[bit*n + index[c]];
-				bits += bit;
-			}
-			to[t] += bits == across ? product : 0.0;
-			ways += bits == across;
-		}
-		to[t] /= ways;
-	}
-}
 
 /* Different orders of ascending indices. */
 static int orders(const int *index, int factors)
@@ -64,39 +38,59 @@ static int orders(const int *index, int factors)
 	return factors == 2 ? different : different == 3 ? 6 : different == 2 ? 3 : 1;
 }
 
-/* The next indices in lexicographic order, each at least the one before; 0: there are none. */
-static int advance(int *index, int factors, int n)
+/* form [2][2][2] (2: [2][2]) of f_i: the parts of order `factors` of the series, each divided among the
+ * places with as many directions across. */
+static void set_form(double *form, const double *series, int factors)
 {
-	for (int c = factors - 1; c >= 0; c--)
-		if (index[c] + 1 < n) {
-			int next = index[c] + 1;
+	static const int first[] = {0, 1, 3, 6};
+	static const double ways[] = {1.0, 3.0, 3.0, 1.0};
 
-			for (; c < factors; c++)
-				index[c] = next;
-			return 1;
-		}
-	return 0;
+	for (int place = 0; place < 1 << factors; place++) {
+		int across = (place & 1) + (place >> 1 & 1) + (place >> 2);
+
+		form[place] = series[first[factors] + across]/(factors == 3 ? ways[across] : across == 1 ? 2.0 : 1.0);
+	}
 }
 
-/* value [n] of the terms with these velocities, of all equations. */
-static void integrate(double *value, const struct hawser__flow_points *flow,
-                      const double (*series)[2][HAWSER__WIND_TERMS], const int *index, int factors)
+/* to [size] = form [2][size] along a motion. */
+static void contract(double *to, const double *form, double along, double across, int size)
 {
-	int n = flow->n, count = orders(index, factors);
+	for (int i = 0; i < size; i++)
+		to[i] = along*form[i] + across*form[size + i];
+}
 
-	for (int j = 0; j < n; j++)
-		value[j] = 0.0;
-	for (int i = 0; i < flow->points; i++) {
-		const double *w = flow->shape + (size_t)2*i*n;
-		double product[HAWSER__WIND_TERMS], f[2] = {0.0};
+/* f [products]: weight f_i of all ascending indices at a point, in lexicographic order, times their
+ * orders. w [2][n]. */
+static void expand_at(double *f, const double *series, double weight, const double *w, int n,
+                      int factors)
+{
+	double form[8], by_one[4], by_two[2];
+	int size = 1 << (factors - 1);
 
-		products(product, w, n, index, factors);
-		for (int t = 0; t < HAWSER__WIND_TERMS; t++)
-			for (int c = 0; c < 2; c++)
-				f[c] += series[i][c][t]*product[t];
-		for (int j = 0; j < n; j++)
-			value[j] -= flow->weight[i]*count*(w[j]*f[0] + w[n + j]*f[1]);
+	set_form(form, series, factors);
+	for (int k = 0; k < n; k++) {
+		contract(by_one, form, w[k], w[n + k], size);
+		for (int l = k; l < n; l++) {
+			if (factors == 2) {
+				*f++ = weight*orders((int[]){k, l}, 2)*(w[l]*by_one[0] + w[n + l]*by_one[1]);
+				continue;
+			}
+			contract(by_two, by_one, w[l], w[n + l], 2);
+			for (int m = l; m < n; m++)
+				*f++ = weight*orders((int[]){k, l, m}, 3)*(w[m]*by_two[0] + w[n + m]*by_two[1]);
+		}
 	}
+}
+
+/* The next indices in lexicographic order, each at least the one before. */
+static void advance(int *index, int factors, int n)
+{
+	int c = factors - 1;
+
+	while (c > 0 && index[c] + 1 == n)
+		c--;
+	for (int next = index[c] + 1; c < factors; c++)
+		index[c] = next;
 }
 
 /* Remove the terms from `first` on that are zero but for round-off. */
@@ -113,40 +107,55 @@ static void prune(struct hawser_rom *rom, int first)
 	rom->terms = kept;
 }
 
+/* value [products][n]: - the integral of the force of these products on each coordinate; f [2 points]
+ * [products] is for work. */
+static void integrate(double *value, double *f, const struct hawser__flow_points *flow,
+                      const double (*series)[HAWSER__WIND_TERMS], int factors, int products)
+{
+	int n = flow->n;
+
+	for (int i = 0; i < 2*flow->points; i++)
+		expand_at(f + (size_t)i*products, series[i], flow->weight[i/2],
+		          flow->shape + (size_t)2*(i/2)*n, n, factors);
+	cblas_dgemm(CblasRowMajor, CblasTrans, CblasNoTrans, products, n, 2*flow->points, -1.0, f,
+	            products, flow->shape, n, 0.0, value, n);
+}
+
 /* The terms of second and third order, to a model that has none. */
 static enum hawser_status add_terms(struct hawser_rom *rom, const struct hawser__flow_points *flow,
                                     struct hawser_report *report)
 {
-	int n = flow->n, pairs = n*(n + 1)/2, all = pairs + pairs*(n + 2)/3;
-	double (*series)[2][HAWSER__WIND_TERMS], *value;
+	int n = flow->n, pairs = n*(n + 1)/2, most = pairs*(n + 2)/3;
+	double *value, *f, (*series)[HAWSER__WIND_TERMS];
 
 	if (n > MOST)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
 		                    "wind.form: cubic is for models of at most %d coordinates, and this one "
 		                    "has %d: give wind.form: exact, which hawser integrate takes, or keep "
 		                    "fewer modes", MOST, n);
-	series = calloc((size_t)flow->points, sizeof *series);
-	value = calloc((size_t)n, sizeof *value);
-	rom->term = calloc((size_t)n*(size_t)all + 1, sizeof *rom->term);
-	if (series && value && rom->term)
-		for (int i = 0; i < flow->points; i++)
-			if (flow->speed[i] > 0.0) /* drag of air at rest has no series */
-				hawser__section_series(series[i], flow->at[i], flow->speed[i]);
-	for (int factors = 2; series && value && rom->term && factors < 4; factors++) {
-		int index[3] = {0}, first = rom->terms;
+	value = hawser__numbers((size_t)most, (size_t)n);
+	f = hawser__numbers((size_t)most, 2*(size_t)flow->points);
+	series = calloc(2*(size_t)flow->points, sizeof *series);
+	for (int i = 0; series && i < flow->points; i++)
+		if (flow->speed[i] > 0.0) /* drag of air at rest has no series */
+			hawser__section_series(series + 2*i, flow->at[i], flow->speed[i]);
+	rom->term = calloc((size_t)n*((size_t)pairs + (size_t)most) + 1, sizeof *rom->term);
+	for (int factors = 2; value && f && series && rom->term && factors < 4; factors++) {
+		int index[3] = {0}, first = rom->terms, products = factors == 2 ? pairs : most;
 
-		do {
-			integrate(value, flow, (const double (*)[2][HAWSER__WIND_TERMS])series, index, factors);
+		integrate(value, f, flow, (const double (*)[HAWSER__WIND_TERMS])series, factors, products);
+		for (int p = 0; p < products; p++, advance(index, factors, n))
 			for (int j = 0; j < n; j++)
 				rom->term[rom->terms++] = (struct hawser_term){
 					.j = j, .factors = factors, .rates = factors,
-					.factor = {index[0], index[1], factors > 2 ? index[2] : 0}, .value = value[j]};
-		} while (advance(index, factors, n));
+					.factor = {index[0], index[1], factors > 2 ? index[2] : 0},
+					.value = value[p*n + j]};
 		prune(rom, first);
 	}
 	free(series);
+	free(f);
 	free(value);
-	return series && value && rom->term ? HAWSER_OK : hawser__no_memory(report, "rom");
+	return value && f && series && rom->term ? HAWSER_OK : hawser__no_memory(report, "rom");
 }
 
 enum hawser_status hawser__wind_take(struct hawser_rom *rom, struct hawser__flow_points *flow,

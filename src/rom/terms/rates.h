@@ -1,0 +1,24 @@
+/* rom/terms/rates.h - terms of second and third order in velocities alone, such as those of a wind. See
+ * rates.c. SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_ROM_RATES_H
+#define HAWSER_ROM_RATES_H
+
+#include "rom/terms/terms.h"
+
+struct hawser__rates;
+
+/* *rates becomes those of the model, NULL if it has too few, or too many coordinates. HAWSER_ERR_MEMORY */
+enum hawser_status hawser__rates_make(struct hawser__rates **rates, const struct hawser_rom *rom,
+                                      struct hawser_report *report);
+/* Its values, of other values of the same terms. */
+void hawser__rates_fill(struct hawser__rates *rates, const struct hawser_rom *rom);
+void hawser__rates_free(struct hawser__rates *rates);
+/* 1: the term is among them. */
+int hawser__rates_has(const struct hawser_term *term);
+
+/* Add them at `count` states, whose v, force, by_v of `to` follow each other, of stride 1; or at
+ * HAWSER_LANES states of that stride (count 1). */
+void hawser__rates_add(const struct hawser__rates *rates, const struct hawser__more *to,
+                       const double *v, int count);
+
+#endif
