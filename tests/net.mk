@@ -18,6 +18,7 @@ tests_net_SOURCES = tests/cases.c \
 	tests/property/test-net-steps.c \
 	tests/property/test-net-symmetry.c \
 	tests/property/test-net-tension.c \
+	tests/property/test-net-touchdown.c \
 	tests/reference/test-net-bed.c \
 	tests/reference/test-net-belt.c \
 	tests/reference/test-net-body.c \

@@ -51,6 +51,7 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/motion/motion.h \
 	%D%/motion/motion-attached.c \
 	%D%/motion/motion-bed.c \
+	%D%/motion/motion-bed.h \
 	%D%/motion/motion-body.c \
 	%D%/motion/motion-body.h \
 	%D%/motion/motion-chain.c \
@@ -70,10 +71,12 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/motion/motion-ode.h \
 	%D%/motion/motion-result.c \
 	%D%/motion/motion-schemes.c \
+	%D%/motion/motion-settle.c \
 	%D%/motion/motion-state.c \
 	%D%/motion/motion-support.c \
 	%D%/motion/motion-table.c \
 	%D%/motion/motion-tension.c \
+	%D%/motion/motion-touchdown.c \
 	%D%/motion/motion-touched.c \
 	%D%/motion/motion-wedge.c \
 	%D%/names.c \

@@ -221,6 +221,8 @@ static enum hawser_status still(struct run *run, struct hawser_report *report)
 		free(T);
 	}
 	run->mesh.surfaces_rest = 0;
+	if (!status)
+		status = hawser__motion_settle(&run->mesh, report);
 	return status ? status : hawser__touch_sides(&run->mesh, run->net, report);
 }
 

@@ -35,7 +35,7 @@ enum hawser_status hawser__attached_open(struct hawser__motion *motion, struct h
 		return HAWSER_OK;
 	motion->stroke = calloc((size_t)motion->mesh->absorbers + 1, sizeof *motion->stroke);
 	if (!motion->block)
-		motion->block = motion->bed = calloc((size_t)motion->nodes + 1, sizeof *motion->bed);
+		motion->block = motion->springs = calloc((size_t)motion->nodes + 1, sizeof *motion->block);
 	return motion->stroke && motion->block ? HAWSER_OK : hawser__no_memory(report, "net");
 }
 

@@ -11,6 +11,8 @@
  * slip x relative to the plane it is T0 - stiff*x, or as much of it as mu*N. It acts over all of the
  * step, so that springs that stick lose some energy too, and none is won.
  *
+ * Elements that lie in part add their forces (net/motion/motion-touchdown.c).
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -20,23 +22,20 @@
 
 #include "core/report.h"
 #include "core/vec3.h"
+#include "net/motion/motion-bed.h"
 #include "net/motion/motion-contact.h"
 
 /* Of a spring along the plane over that across it: the slip before it slides is this part of mu times
  * the depth, of which the friction of moorings feels nothing. */
 static const double STIFFER_ALONG = 10.0;
 
-struct step {
-	double k, c, n[3], s0, s1;
-};
-
 /* Friction of the step, for the force N across the plane whose derivative by s1 is `slope`, and what
  * it adds to the block of the node. */
-static void rub(double T[3], double *block, const struct hawser__motion *motion, int number,
-                const struct step *of, double N, double slope, double h)
+static void rub(double T[3], double *block, const struct hawser__motion *motion,
+                const struct hawser__bed_node *of, double N, double slope, double h)
 {
-	const struct hawser__touch *touch = &motion->mesh->touch[number];
-	const struct hawser__motion_touch *now = &motion->contact->touch[number];
+	const struct hawser__touch *touch = &motion->mesh->touch[of->touch];
+	const struct hawser__motion_touch *now = &motion->contact->touch[of->touch];
 	const double *x = motion->x[touch->node], stiff = STIFFER_ALONG*of->k;
 	const double *v = touch->surface->velocity;
 	double across = hawser__dot(of->n, x), size, most, part;
@@ -58,35 +57,36 @@ static void rub(double T[3], double *block, const struct hawser__motion *motion,
 		T[k] *= part;
 }
 
-/* 0 for a touch of a rigid obstacle. x: the increment of its node, or NULL: the state, as s0 and
- * s1. */
-static int soft(struct step *step, const struct hawser__motion *motion, int number, int moves)
+/* Depth of a node with the displacements u. */
+static double depth(const struct hawser__motion *motion, const struct hawser__bed_node *of,
+                    const double (*u)[3])
 {
-	const struct hawser__touch *touch = &motion->mesh->touch[number];
-	const double *from = (moves ? motion->u0 : motion->u)[touch->node];
+	const struct hawser__touch *touch = &motion->mesh->touch[of->touch];
 	double at[3];
 
-	if (!(touch->give > 0.0))
-		return 0;
 	for (int k = 0; k < 3; k++)
-		at[k] = motion->reference[touch->node][k] + from[k];
-	step->k = 1.0/touch->give;
-	step->c = step->k*touch->surface->damping/touch->surface->stiffness;
-	step->s0 = step->s1 = -hawser_surface_gap(step->n, NULL, touch->surface, at);
-	if (moves)
-		step->s1 -= hawser__dot(step->n, motion->x[touch->node]);
-	return 1;
+		at[k] = motion->reference[touch->node][k] + u[touch->node][k];
+	return -hawser_surface_gap(NULL, NULL, touch->surface, at);
+}
+
+void hawser__bed_prepare(struct hawser__motion *motion)
+{
+	for (int i = 0; i < motion->bed->nodes; i++)
+		motion->bed->node[i].s0 = depth(motion, &motion->bed->node[i],
+		                                (const double (*)[3])motion->u0);
 }
 
 /* Force of the step, and its derivative by s1. */
-static double force(double *slope, const struct step *of, const struct hawser__motion_rule *rule,
+static double force(double *slope, const struct hawser__bed_node *of, const struct hawser__motion_rule *rule,
                     double h)
 {
-	double p0 = fmax(of->s0, 0.0), p1 = fmax(of->s1, 0.0), N = of->k*p0, ratio;
+	double p0 = fmax(of->s0, 0.0), p1 = fmax(of->s1, 0.0), N = 0.0, ratio;
 
 	*slope = 0.0;
-	if (rule->weight >= 0.0) /* at the beginning */
-		return N;
+	if (rule->weight >= 0.0) { /* at rest */
+		*slope = p1 > 0.0 ? of->k : 0.0;
+		return of->k*p1;
+	}
 	if (p0 > 0.0 && p1 > 0.0) {
 		N = 0.5*of->k*(p0 + p1);
 		*slope = 0.5*of->k;
@@ -107,45 +107,132 @@ static double force(double *slope, const struct step *of, const struct hawser__m
 	return 0.0;
 }
 
+/* The elements with both ends in the list. */
+static int touchdowns(struct hawser__motion *motion)
+{
+	struct hawser__bed *bed = motion->bed;
+	const struct hawser__mesh *mesh = motion->mesh;
+	int *first = hawser__hold(&bed->hold, (size_t)motion->nodes + 1, sizeof *first);
+
+	bed->touchdown = hawser__hold(&bed->hold, (size_t)motion->elements + 1, sizeof *bed->touchdown);
+	if (!first || !bed->touchdown)
+		return 0;
+	for (int i = bed->nodes; i > 0; i--)
+		first[mesh->touch[bed->node[i - 1].touch].node] = i;
+	for (int e = 0; e < motion->elements; e++) {
+		int a = first[motion->element[e].a] - 1, b = first[motion->element[e].b] - 1;
+		const struct hawser_surface *plane;
+
+		if (a < 0 || b < 0 || motion->element[e].rod)
+			continue;
+		plane = mesh->touch[bed->node[a].touch].surface;
+		if (mesh->touch[bed->node[b].touch].surface == plane &&
+		    hawser__touchdown_of(&bed->touchdown[bed->touchdowns], motion, e, plane)) {
+			bed->touchdown[bed->touchdowns].end[0] = a;
+			bed->touchdown[bed->touchdowns++].end[1] = b;
+		}
+	}
+	return 1;
+}
+
 enum hawser_status hawser__bed_open(struct hawser__motion *motion, struct hawser_report *report)
 {
+	const struct hawser__mesh *mesh = motion->mesh;
+	struct hawser__bed *bed;
 	int count = 0;
 
-	for (int i = 0; i < motion->mesh->touches; i++)
-		count += motion->mesh->touch[i].give > 0.0;
+	for (int i = 0; i < mesh->touches; i++)
+		count += mesh->touch[i].give > 0.0;
 	if (!count)
 		return HAWSER_OK;
-	motion->soft = 1;
-	if (motion->block)
-		return HAWSER_OK;
-	motion->bed = calloc((size_t)motion->nodes + 1, sizeof *motion->bed);
-	motion->block = motion->bed;
-	return motion->bed ? HAWSER_OK : hawser__no_memory(report, "net");
+	bed = motion->bed = calloc(1, sizeof *bed);
+	if (!bed)
+		return hawser__no_memory(report, "net");
+	bed->node = hawser__hold(&bed->hold, (size_t)count, sizeof *bed->node);
+	for (int i = 0; i < mesh->touches && bed->node; i++) {
+		const struct hawser__touch *touch = &mesh->touch[i];
+		struct hawser__bed_node *to = &bed->node[bed->nodes];
+
+		if (!(touch->give > 0.0))
+			continue;
+		to->touch = i;
+		to->k = 1.0/touch->give;
+		to->c = to->k*touch->surface->damping/touch->surface->stiffness;
+		(void)hawser_surface_gap(to->n, NULL, touch->surface, mesh->q[touch->node]);
+		bed->nodes++;
+	}
+	if (!motion->block)
+		motion->block = hawser__hold(&bed->hold, (size_t)motion->nodes, sizeof *motion->block);
+	if (!motion->other)
+		motion->other = hawser__hold(&bed->hold, (size_t)motion->elements + 1, sizeof *motion->other);
+	return bed->node && touchdowns(motion) && !bed->hold.short_of_memory ? HAWSER_OK
+		: hawser__no_memory(report, "net");
+}
+
+void hawser__bed_clear(struct hawser__bed *bed)
+{
+	if (!bed)
+		return;
+	hawser__hold_clear(&bed->hold);
+	free(bed);
+}
+
+/* What an element that lies in part adds at its ends. */
+static void lay(struct hawser__motion *motion, const struct hawser__touchdown *of, int at_rest,
+                int tangent)
+{
+	struct hawser__bed_node *end[2] = {&motion->bed->node[of->end[0]], &motion->bed->node[of->end[1]]};
+	const double s0[2] = {end[0]->s0, end[1]->s0}, s1[2] = {end[0]->s1, end[1]->s1};
+	double F[2], F_s[2][2], *B[2] = {motion->B[of->element], motion->other[of->element]};
+
+	if (at_rest)
+		(void)hawser__touchdown_energy(F, F_s, of, s1);
+	else
+		hawser__touchdown_mean(F, F_s, of, s0, s1);
+	for (int i = 0; i < 2; i++) {
+		double *block = motion->block[motion->mesh->touch[end[i]->touch].node];
+
+		end[i]->more += F[i];
+		end[i]->slope += F_s[i][i];
+		for (int k = 0; k < 9 && tangent; k++) {
+			double across = end[0]->n[k/3]*end[0]->n[k % 3];
+
+			B[i][k] -= F_s[i][!i]*across;
+			block[k] += F_s[i][!i]*across; /* B is there too */
+		}
+	}
 }
 
 double hawser__bed_residual(struct hawser__motion *motion, const struct hawser__motion_rule *rule,
                             double h, int tangent)
 {
-	double most = 0.0, slope;
-	struct step step;
+	struct hawser__bed *bed = motion->bed;
+	double most = 0.0;
 
-	for (int i = 0; i < motion->mesh->touches; i++) {
-		int node = motion->mesh->touch[i].node;
-		double N;
+	for (int i = 0; i < bed->nodes; i++) {
+		struct hawser__bed_node *at = &bed->node[i];
 
-		if (!soft(&step, motion, i, 1))
-			continue;
-		N = force(&slope, &step, rule, h);
+		at->s1 = at->s0 - hawser__dot(at->n, motion->x[motion->mesh->touch[at->touch].node]);
+		at->more = at->slope = 0.0;
+	}
+	for (int i = 0; i < bed->touchdowns; i++)
+		lay(motion, &bed->touchdown[i], rule->weight >= 0.0, tangent);
+	for (int i = 0; i < bed->nodes; i++) {
+		struct hawser__bed_node *at = &bed->node[i];
+		int node = motion->mesh->touch[at->touch].node;
+		double slope, N = force(&slope, at, rule, h) + at->more;
+
+		slope += at->slope;
 		for (int k = 0; k < 3; k++)
-			motion->r[node][k] -= N*step.n[k];
+			motion->r[node][k] -= N*at->n[k];
 		for (int k = 0; k < 9 && tangent; k++)
-			motion->block[node][k] += slope*step.n[k/3]*step.n[k%3];
+			motion->block[node][k] += slope*at->n[k/3]*at->n[k % 3];
 		if (motion->contact) {
-			double *T = motion->contact->touch[i].rubbed;
+			double *T = motion->contact->touch[at->touch].rubbed;
 
-			motion->contact->touch[i].given = N;
-			if (motion->mesh->touch[i].surface->friction > 0.0 && rule->weight < 0.0)
-				rub(T, tangent ? motion->block[node] : NULL, motion, i, &step, N, slope, h);
+			motion->contact->touch[at->touch].given = N;
+			if (motion->mesh->touch[at->touch].surface->friction > 0.0 && rule->weight < 0.0)
+				rub(T, tangent ? motion->block[node] : NULL, motion, at, N, slope, h);
 			for (int k = 0; k < 3; k++)
 				motion->r[node][k] -= T[k];
 		}
@@ -154,26 +241,41 @@ double hawser__bed_residual(struct hawser__motion *motion, const struct hawser__
 	return most;
 }
 
+void hawser__bed_forces(struct hawser__mesh *mesh, const struct hawser__bed *bed)
+{
+	for (int i = 0; i < bed->nodes; i++)
+		mesh->touch[bed->node[i].touch].r = bed->node[i].k*fmax(bed->node[i].s1, 0.0) +
+		                                    bed->node[i].more;
+}
+
 double hawser__bed_energy(const struct hawser__motion *motion)
 {
-	double sum = 0.0;
-	struct step step;
+	const struct hawser__bed *bed = motion->bed;
+	const double (*u)[3] = (const double (*)[3])motion->u;
+	double sum = 0.0, F[2];
 
-	for (int i = 0; i < motion->mesh->touches; i++)
-		if (soft(&step, motion, i, 0)) {
-			const double *T = motion->contact ? motion->contact->touch[i].T : NULL;
+	for (int i = 0; i < bed->nodes; i++) {
+		const struct hawser__bed_node *at = &bed->node[i];
+		const double *T = motion->contact ? motion->contact->touch[at->touch].T : NULL;
+		double p = fmax(depth(motion, at, u), 0.0);
 
-			sum += 0.5*step.k*fmax(step.s0, 0.0)*fmax(step.s0, 0.0);
-			sum += T ? 0.5*hawser__dot(T, T)/(STIFFER_ALONG*step.k) : 0.0;
-		}
+		sum += 0.5*at->k*p*p;
+		sum += T ? 0.5*hawser__dot(T, T)/(STIFFER_ALONG*at->k) : 0.0;
+	}
+	for (int i = 0; i < bed->touchdowns; i++) {
+		const int *end = bed->touchdown[i].end;
+		const double s[2] = {depth(motion, &bed->node[end[0]], u), depth(motion, &bed->node[end[1]], u)};
+
+		sum += hawser__touchdown_energy(F, NULL, &bed->touchdown[i], s);
+	}
 	return sum;
 }
 
 /* What the friction of a step takes, and what the plane gives where it moves. */
-static void rubbed(struct hawser__motion *motion, int number, const struct step *of, double h)
+static void rubbed(struct hawser__motion *motion, const struct hawser__bed_node *of, double h)
 {
-	const struct hawser__touch *at = &motion->mesh->touch[number];
-	struct hawser__motion_touch *touch = &motion->contact->touch[number];
+	const struct hawser__touch *at = &motion->mesh->touch[of->touch];
+	struct hawser__motion_touch *touch = &motion->contact->touch[of->touch];
 	const double *x = motion->x[at->node], *T = touch->rubbed, *before = touch->T;
 	double drives = h*hawser__dot(T, at->surface->velocity);
 	double lost = drives - hawser__dot(T, x) - 0.5*(hawser__dot(T, T) - hawser__dot(before, before))/
@@ -187,17 +289,12 @@ static void rubbed(struct hawser__motion *motion, int number, const struct step 
 
 void hawser__bed_account(struct hawser__motion *motion, double h)
 {
-	struct step step;
+	for (int i = 0; i < motion->bed->nodes; i++) {
+		const struct hawser__bed_node *at = &motion->bed->node[i];
+		double p0 = fmax(at->s0, 0.0), p1 = fmax(at->s1, 0.0);
+		double N = motion->contact->touch[at->touch].given - at->more;
 
-	for (int i = 0; i < motion->mesh->touches; i++) {
-		double p0, p1;
-
-		if (!soft(&step, motion, i, 1))
-			continue;
-		p0 = fmax(step.s0, 0.0);
-		p1 = fmax(step.s1, 0.0);
-		motion->energy.dissipated += motion->contact->touch[i].given*(step.s1 - step.s0) -
-		                             0.5*step.k*(p1 - p0)*(p1 + p0);
-		rubbed(motion, i, &step, h);
+		motion->energy.dissipated += N*(at->s1 - at->s0) - 0.5*at->k*(p1 - p0)*(p1 + p0);
+		rubbed(motion, at, h);
 	}
 }

@@ -240,7 +240,7 @@ void hawser__motion_residual(struct hawser__motion *motion, const struct hawser_
 		memset(motion->block, 0, (size_t)motion->nodes*sizeof *motion->block);
 	if (motion->attached)
 		most = hawser__larger(hawser__attached_residual(motion, rule, tangent), most);
-	if (motion->soft)
+	if (motion->bed)
 		most = hawser__larger(hawser__bed_residual(motion, rule, h, tangent), most);
 	if (motion->water)
 		most = hawser__larger(hawser__water_residual(motion, rule, tangent), most);
@@ -296,6 +296,8 @@ void hawser__motion_prepare(struct hawser__motion *motion, const struct hawser__
 		beginning(motion, 1.0 - rule->weight);
 	if (motion->water)
 		hawser__water_prepare(motion, rule, h);
+	if (motion->bed)
+		hawser__bed_prepare(motion);
 }
 
 /* Strain energy beyond the reference's, less the work of the reference's force: with s = l -
@@ -341,7 +343,7 @@ void hawser__motion_energies(struct hawser__motion *motion)
 	}
 	if (motion->attached)
 		hawser__attached_energies(&kinetic, &strain, motion);
-	strain += motion->soft ? hawser__bed_energy(motion) : 0.0;
+	strain += motion->bed ? hawser__bed_energy(motion) : 0.0;
 	motion->added = motion->water ? hawser__water_kinetic(motion) : 0.0;
 	motion->energy.kinetic = kinetic + motion->added;
 	motion->energy.potential = strain - loads + (motion->events ? motion->events->offset : 0.0);
@@ -408,7 +410,7 @@ void hawser__motion_account(struct hawser__motion *motion, const struct hawser__
 		work += inertia(motion, h);
 	motion->energy.work += work;
 	motion->energy.dissipated += lost + (motion->attached ? hawser__attached_loss(motion, h) : 0.0);
-	if (motion->soft)
+	if (motion->bed)
 		hawser__bed_account(motion, h);
 	if (motion->water)
 		hawser__water_account(motion, h);

@@ -20,7 +20,7 @@ void hawser__motion_clear(struct hawser__motion *motion)
 	free(motion->element);
 	free(motion->reference); /* with all that has a vector at each node */
 	free(motion->B);
-	free(motion->bed);
+	free(motion->springs);
 	free(motion->stroke);
 	free(motion->mass);
 	free(motion->point);
@@ -31,6 +31,7 @@ void hawser__motion_clear(struct hawser__motion *motion)
 	hawser__cvode_clear(motion->cvode);
 	hawser__bodies_close(motion->bodies);
 	hawser__water_motion_clear(motion->water);
+	hawser__bed_clear(motion->bed);
 	hawser__contact_clear(motion->contact);
 	hawser__events_clear(motion->events);
 	memset(motion, 0, sizeof *motion);
@@ -128,13 +129,13 @@ enum hawser_status hawser__motion_open(struct hawser__motion *motion, struct haw
 	if (!status)
 		status = hawser__water_motion_open(motion, report);
 	if (!status)
+		status = hawser__attached_open(motion, report);
+	if (!status)
+		refer(motion, balanced, loose);
+	if (!status)
 		status = hawser__bed_open(motion, report);
 	if (!status)
-		status = hawser__attached_open(motion, report);
-	if (!status) {
-		refer(motion, balanced, loose);
 		status = hawser__blocks_open(&motion->blocks, mesh, report);
-	}
 	if (!status)
 		status = hawser__motion_begin(motion, report);
 	if (status)

@@ -168,8 +168,8 @@ struct hawser__motion {
 	double (*B)[9], (*mass)[2], *point; /* the matrix */
 	int attached;                /* 1: springs, dampers or absorbers; net/motion/motion-attached.c */
 	double (*stroke)[2];         /* [absorbers] of the matrix: of the stroke; with its node */
-	int soft;                    /* 1: planes that give way; net/motion/motion-bed.c */
-	double (*bed)[9];            /* [nodes] `block`, if these two alone need it; or NULL */
+	double (*springs)[9];        /* [nodes] `block`, if these alone need it; or NULL */
+	struct hawser__bed *bed;     /* NULL: no planes that give way; net/motion/motion-bed.c */
 	double (*other)[9], (*block)[9]; /* of it, or NULL; see struct hawser__blocks_matrix */
 	struct hawser__motion_bodies *bodies; /* NULL: none; net/motion/motion-body.c */
 	struct hawser__water_motion *water; /* NULL: none; net/water/water-motion.c */
@@ -210,6 +210,10 @@ enum hawser_status hawser__motion_open(struct hawser__motion *motion, struct haw
                                        const unsigned char *loose, struct hawser_report *report)
 	HAWSER_MUST_CHECK;
 void hawser__motion_clear(struct hawser__motion *motion);
+/* motion-settle.c: an equilibrium of statics on planes that give way to that of motions: mesh->q and
+ * the forces of the planes. */
+enum hawser_status hawser__motion_settle(struct hawser__mesh *mesh, struct hawser_report *report)
+	HAWSER_MUST_CHECK;
 /* The state as numbers, bit by bit: what the next step needs, its length h too. _read allocates
  * *state. */
 int hawser__motion_states(const struct hawser__motion *motion);
@@ -318,10 +322,13 @@ enum hawser_status hawser__bodies_correct(struct hawser__motion *motion, int *go
 	HAWSER_MUST_CHECK;
 void hawser__bodies_move(struct hawser__motion *motion, double part);
 void hawser__bodies_finish(struct hawser__motion *motion);
-/* motion-bed.c: planes that give way: whether there are any; their part of the residual and of the
- * matrix, which returns the largest force; of the energy, J; and of the ledger. */
+/* motion-bed.c: planes that give way: whether there are any, after motion-open.c has the elements; what
+ * does not change within a step; their part of the residual and of the matrix, which returns the
+ * largest force; of the energy, J; and of the ledger. */
 enum hawser_status hawser__bed_open(struct hawser__motion *motion, struct hawser_report *report)
 	HAWSER_MUST_CHECK;
+void hawser__bed_clear(struct hawser__bed *bed);
+void hawser__bed_prepare(struct hawser__motion *motion);
 double hawser__bed_residual(struct hawser__motion *motion, const struct hawser__motion_rule *rule,
                             double h, int tangent);
 double hawser__bed_energy(const struct hawser__motion *motion);

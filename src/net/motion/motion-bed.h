@@ -1,0 +1,43 @@
+/* net/motion/motion-bed.h - planes that give way, in the time steps of a mesh.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_NET_MOTION_BED_H
+#define HAWSER_NET_MOTION_BED_H
+
+#include "core/hold.h"
+#include "net/motion/motion.h"
+
+/* A node and a plane. */
+struct hawser__bed_node {
+	int touch;           /* of the mesh */
+	double k, c, n[3];   /* N/m, N s/m, normal */
+	double s0, s1;       /* m, depth at both ends of the step, below 0 above the plane */
+	double more, slope;  /* N, N/m: of touchdowns at it in the step, and by s1 */
+};
+
+/* An element that may lie in part. */
+struct hawser__touchdown {
+	int element, end[2]; /* end: of the list of nodes */
+	double k, w, curvature, L;
+};
+
+struct hawser__bed {
+	int nodes, touchdowns;
+	struct hawser__bed_node *node;
+	struct hawser__touchdown *touchdown;
+	struct hawser__hold hold;
+};
+
+/* The forces of planes on the mesh, at the end of the last step at rest. */
+void hawser__bed_forces(struct hawser__mesh *mesh, const struct hawser__bed *bed);
+
+/* motion-touchdown.c: of an element and the plane at both its ends, but for `end`; 0 if there is none.
+ * Its energy (J) at the depths s beyond that of the ends, its derivatives F (N) and theirs, or NULL;
+ * and the mean force of a step with its derivative by s1. */
+int hawser__touchdown_of(struct hawser__touchdown *of, const struct hawser__motion *motion, int e,
+                         const struct hawser_surface *plane);
+double hawser__touchdown_energy(double F[2], double (*F_s)[2], const struct hawser__touchdown *of,
+                                const double s[2]);
+void hawser__touchdown_mean(double F[2], double (*F_s)[2], const struct hawser__touchdown *of,
+                            const double s0[2], const double s1[2]);
+
+#endif

@@ -1,0 +1,77 @@
+/* net/motion/motion-settle.c - the equilibrium of a mesh that lies on planes which give way, as its
+ * motion has it.
+ *
+ * Statics lets a cable leave a plane at nodes, the motion between them (net/motion/motion-touchdown.c):
+ * at rest it begins where its own forces are in balance, which is nearer to that of a finer mesh. The
+ * friction stays as it is.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "core/vec3.h"
+#include "net/motion/motion-bed.h"
+
+/* The loads of the water follow the places from one to the next. */
+enum { ROUNDS = 5 };
+/* Of the longest element: it does not move any more. */
+static const double STILL = 1e-12;
+
+/* To the equilibrium near the reference, with x as the displacement; 0 if it is not found. */
+static enum hawser_status relax(struct hawser__motion *motion, int *found,
+                                struct hawser_report *report)
+{
+	const struct hawser__motion_rule rule = {.m = {0.0}, .c = {0.0}, .weight = 1.0};
+	size_t size = (size_t)motion->nodes*sizeof *motion->u;
+	double reach = 0.0, last = INFINITY;
+	enum hawser_status status = HAWSER_OK;
+
+	for (int e = 0; e < motion->elements; e++)
+		reach = fmax(reach, motion->mesh->length0[e]);
+	memset(motion->v, 0, size);
+	memset(motion->v0, 0, size);
+	memset(motion->a0, 0, size);
+	*found = 1;
+	for (int i = 0; i < ROUNDS && !status && *found && last > STILL*reach; i++) {
+		memcpy(motion->u0, motion->u, size);
+		memset(motion->x, 0, size);
+		hawser__motion_prepare(motion, &rule, 1.0);
+		status = hawser__motion_solve(motion, found, &rule, 1.0, report);
+		last = 0.0;
+		for (int n = 0; n < motion->nodes; n++)
+			for (int k = 0; k < 3; k++)
+				if (motion->mesh->unknown[n][k] >= 0) {
+					last = fmax(last, fabs(motion->x[n][k]));
+					motion->u[n][k] += motion->x[n][k];
+				}
+		*found = *found && last < reach;
+	}
+	return status;
+}
+
+enum hawser_status hawser__motion_settle(struct hawser__mesh *mesh, struct hawser_report *report)
+{
+	struct hawser__motion motion;
+	int found = 0, soft = 0;
+	enum hawser_status status;
+
+	for (int i = 0; i < mesh->touches; i++)
+		soft |= mesh->touch[i].give > 0.0;
+	if (!soft)
+		return HAWSER_OK;
+	status = hawser__motion_open(&motion, mesh, NULL, 0.0, 1, NULL, report);
+	for (int i = 0; i < mesh->touches && !status; i++)
+		for (int k = 0; k < 3; k++)
+			motion.base[mesh->touch[i].node][k] += mesh->touch[i].friction[k];
+	if (!status && motion.bed->touchdowns)
+		status = relax(&motion, &found, report);
+	for (int i = 0; i < motion.nodes && !status && found; i++)
+		for (int k = 0; k < 3; k++)
+			mesh->q[i][k] += motion.u[i][k];
+	if (!status && found)
+		hawser__bed_forces(mesh, motion.bed);
+	hawser__motion_clear(&motion);
+	return status;
+}
