@@ -54,8 +54,7 @@ static void put(struct hawser__rates *rates, const struct hawser_term *term)
 		          pair(of[(most + 1)%3], of[(most + 2)%3]);
 	rates->P[product*n + term->j] += term->value;
 	for (int f = 0; f < term->factors; f++) {
-		int a = of[(f + 1)%term->factors], b = of[(f + 2)%term->factors];
-		int row = three ? n + pair(a, b) : a;
+		int a = of[f == 0], row = three ? n + pair(a, of[f == 2 ? 1 : 2]) : a;
 
 		rates->W[((size_t)row*n + term->j)*n + of[f]] += term->value;
 	}
