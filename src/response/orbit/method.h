@@ -203,8 +203,8 @@ static inline double hawser__orbit_extent(const struct hawser__orbit *orbit, con
 	return fmax(fabs(y[orbit->size - 1]), orbit->floor);
 }
 
-/* The derivative by the parameter that y [size] ends with is taken from the models at the returned value
- * less and plus *wide: the parameter, or one as near as is needed whose models were just made. */
+/* The derivative by the parameter that y [size] ends with is taken from the models at the value that
+ * is returned, less and plus *wide: the parameter, or one near enough whose models were just made. */
 double hawser__orbit_middle(struct hawser__orbit *orbit, double *wide, const double *y);
 
 /* "Omega 1.2 rad/s" or "the parameter 0.3", for messages. */
