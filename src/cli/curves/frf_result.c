@@ -176,7 +176,7 @@ void cli_frf_comments(struct hawser__table *table, const void *of)
 	cli_choice_comments(table, model);
 	cli_basis_comment(table, model);
 	cli_exact_comment(table, model);
-	cli_drag_comment(table, model, "at every instant, by shooting; no describing function");
+	cli_drag_comment(table, model, "at every instant; no describing function");
 	cli_fixed_comments(table, &result->error, result->frf->branch);
 	cli_certificate_comments(table, result);
 	if (result->scales)

@@ -15,6 +15,7 @@
 #include <math.h>
 
 #include "modes/complex/wind.h"
+#include "modes/label.h"
 #include "statics/frame.h"
 
 /* Without a speed across the cable e1 is n. */
@@ -63,9 +64,8 @@ int hawser__flow_points(struct hawser__flow_points *flow, const struct hawser_mo
 		flow->speed[i] = hawser__flow_axes(axis, st, grid->s[i], &scene->wind);
 		flow->weight[i] = grid->weight[i]*st->span.d/st->H/flow->unit;
 		for (size_t j = 0; j < n; j++) {
-			double at[3];
+			const double *at = modes->shape + j*hawser__modes_row(modes) + 3*i;
 
-			hawser_modes_at(modes, at, NULL, (int)j, grid->s[i]);
 			for (size_t c = 0; c < 2; c++)
 				flow->shape[(2*i + c)*n + j] =
 					flow->unit*(axis[c][0]*at[1] + axis[c][1]*at[2]);

@@ -12,6 +12,7 @@
 #include "response/orbit/shooting.h"
 #include "response/branch/trace.h"
 #include "response/cycle/cycle.h"
+#include "rom/terms/drag.h"
 #include "rom/terms/terms.h"
 
 /* Relative error of Omega above which an event does not count as located: a step is at most 0.01 of
@@ -439,7 +440,7 @@ static enum hawser_status trace_own(struct hawser_frf *frf, const struct hawser_
 	int jumped = 0;
 
 	*frf = (struct hawser_frf){.n = rom->n, .probes = rom->shapes.points};
-	if (rom->drag)
+	if (rom->drag && !hawser__drag_smooth(rom->drag))
 		hawser__settle(&settled.tolerance, HAWSER__DRAG_TOLERANCE);
 	hawser_frf_settle(&settled);
 	hawser__settle(&settled.event_tolerance, rom->exact ? LOCATED_EXACT : LOCATED);

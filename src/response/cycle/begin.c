@@ -13,6 +13,7 @@
 #include "response/branch/trace.h"
 #include "response/cycle/cycle.h"
 #include "response/cycle/hopf.h"
+#include "rom/terms/drag.h"
 
 #define SMALL 0.02   /* of the largest size: a cycle that is smaller may be near a Hopf point; chosen */
 #define AGREES 0.1   /* largest distance of that point from where the square of the size becomes 0,
@@ -49,7 +50,7 @@ static enum hawser_status settle(struct hawser__trace *trace, struct hawser_repo
 enum { MANY = 200 }; /* terms; those of a wind on 6 modes are more; chosen */
 
 /* Balance of large models, or where it is asked for: where modes are quick against the range, or there
- * are many terms, as of a wind, whose sums make shooting take twice as long. Equations of first order
+ * are many terms, or the exact force of a wind, with which shooting takes twice as long. Equations of first order
  * are stiff by their relaxation alone, and only shooting has a row for rotations of the model. */
 static enum hawser_status cycle_method(const struct hawser__orbit_method **method,
                                        const struct hawser_rom *rom,
@@ -57,8 +58,9 @@ static enum hawser_status cycle_method(const struct hawser__orbit_method **metho
                                        struct hawser_report *report)
 {
 	int asked = options->method && strcmp(options->method, "balance") == 0, turns = 0;
-	int suits = !options->method && !rom->first && !rom->plug && !rom->drag &&
-	            (rom->terms > MANY || hawser__balance_method.suits(rom, options));
+	int suits = !options->method && !rom->first && !rom->plug &&
+	            (!rom->drag || hawser__drag_smooth(rom->drag)) &&
+	            (rom->terms > MANY || rom->drag || hawser__balance_method.suits(rom, options));
 	double *turn = malloc((size_t)rom->n*(size_t)rom->n*sizeof *turn);
 	enum hawser_status status = turn ? HAWSER_OK : hawser__no_memory(report, "frf");
 

@@ -98,13 +98,13 @@ static void metric(struct hawser__orbit *orbit, const double *y)
 static void by_parameter(struct cycle *cycle, const double *y)
 {
 	struct hawser__orbit *orbit = &cycle->base, *inner = cycle->inner;
-	double p = y[orbit->size - 1], wide = HAWSER__NUDGE*hawser__orbit_extent(orbit, y), span = 0.0;
+	double span = 0.0, wide, middle = hawser__orbit_middle(orbit, &wide, y);
 
 	memset(cycle->by_p, 0, (size_t)cycle->count*sizeof(double));
 	for (int side = -1; orbit->family && side <= 1; side += 2) {
-		int away = !place(cycle, p + side*wide);
+		int away = !place(cycle, middle + side*wide);
 
-		if (!away && place(cycle, p))
+		if (!away && place(cycle, y[orbit->size - 1]))
 			return;
 		span += away ? wide : 0.0;
 		(void)inner->ops->defects(inner, y, 0);

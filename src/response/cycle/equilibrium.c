@@ -108,11 +108,11 @@ static int by_parameter(struct equilibrium *of, const double *y)
 {
 	struct hawser__orbit *orbit = &of->base;
 	int n = orbit->n;
-	double p = y[n], wide = HAWSER__NUDGE*hawser__orbit_extent(orbit, y), span = 0.0;
+	double p = y[n], span = 0.0, wide, middle = hawser__orbit_middle(orbit, &wide, y);
 
 	memset(of->by_p, 0, (size_t)n*sizeof(double));
 	for (int side = -1; orbit->family && side <= 1; side += 2) {
-		int away = !hawser__orbit_place(orbit, p + side*wide);
+		int away = !hawser__orbit_place(orbit, middle + side*wide);
 
 		if (!away && hawser__orbit_place(orbit, p))
 			return 1;

@@ -195,7 +195,7 @@ enum hawser_status hawser__balance_arrange(struct hawser__balance *balance,
 	balance->reach = balance->order + 2*k;
 	balance->spread = k > 2*balance->order ? k : 2*balance->order;
 	samples = 3*balance->order + balance->reach + 1;
-	balance->more = hawser__rom_more(balance->base.rom);
+	balance->more = hawser__rom_more(balance->base.rom) || balance->base.rom->drag;
 	hawser__balance_reach(balance, &samples, &balance->spread);
 	balance->width = balance->reach > balance->spread ? balance->reach : balance->spread;
 	balance->base.rows = hawser__planner_rows(samples);

@@ -243,12 +243,11 @@ static void differentiate_family(struct hawser__balance *balance)
 {
 	struct hawser__orbit *orbit = &balance->base;
 	int count = (2*balance->reach + 1)*orbit->n;
-	double p = balance->at[orbit->size - 1];
-	double wide = HAWSER__NUDGE*hawser__orbit_extent(orbit, balance->at), span = 2.0*wide;
+	double wide, middle = hawser__orbit_middle(orbit, &wide, balance->at), span = 2.0*wide;
 
-	span -= evaluate_at(balance, &balance->image, p - wide) ? wide : 0.0;
-	span -= evaluate_at(balance, &balance->by_omega, p + wide) ? wide : 0.0;
-	(void)hawser__orbit_place(orbit, p);
+	span -= evaluate_at(balance, &balance->image, middle - wide) ? wide : 0.0;
+	span -= evaluate_at(balance, &balance->by_omega, middle + wide) ? wide : 0.0;
+	(void)hawser__orbit_place(orbit, balance->at[orbit->size - 1]);
 	for (int i = 0; i < count; i++)
 		balance->by_omega[i] = (balance->by_omega[i] - balance->image[i])/span;
 	hawser__balance_set_damping(balance);

@@ -42,7 +42,7 @@ void hawser__balance_reach(const struct hawser__balance *balance, int *samples, 
 		d = highest(harmonic->term, harmonic->terms, d);
 		k = harmonic->terms > 0 && harmonic->k > k ? harmonic->k : k;
 	}
-	if (!hawser__rom_more(rom))
+	if (!balance->more)
 		return;
 	*spread = (d - 1)*H + k > *spread ? (d - 1)*H + k : *spread;
 	least = d*H + k + balance->reach + 1;

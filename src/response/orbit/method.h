@@ -57,6 +57,7 @@ struct hawser__orbit {
 	const struct hawser_rom_family *family; /* NULL: Omega is the parameter; otherwise y ends with the
 	                       * parameter of the family, and rom is the model at the last defects */
 	double placed;        /* value of the parameter that `rom` has */
+	double middle;        /* between the models of the last derivative by the parameter */
 	double floor;         /* least size of the parameter in the metric */
 	enum hawser__motion own;
 	int freely;           /* 1: the orbit is a cycle's: sizes are those of its deviation from its
@@ -201,6 +202,10 @@ static inline double hawser__orbit_extent(const struct hawser__orbit *orbit, con
 {
 	return fmax(fabs(y[orbit->size - 1]), orbit->floor);
 }
+
+/* The derivative by the parameter that y [size] ends with is taken from the models at the value that
+ * is returned, less and plus *wide: the parameter, or one near enough whose models were just made. */
+double hawser__orbit_middle(struct hawser__orbit *orbit, double *wide, const double *y);
 
 /* "Omega 1.2 rad/s" or "the parameter 0.3", for messages. */
 struct hawser__where {

@@ -25,16 +25,17 @@ enum hawser_status hawser__orbit_method(const struct hawser__orbit_method **meth
                                         struct hawser_report *report)
 {
 	const char *name = options->method;
+	int rough = rom->drag && !hawser__drag_smooth(rom->drag);
 
 	if (name && strcmp(name, "auto") == 0)
 		name = NULL;
-	if (rom->drag && name && strcmp(name, "shooting") != 0)
+	if (rough && name && strcmp(name, "shooting") != 0)
 		return hawser__drag_refuse(rom, "this method for orbits", report);
 	if (hawser__rom_more(rom) && name && strcmp(name, "shooting") != 0 &&
 	    (rom->plug || strcmp(name, "balance") != 0))
 		return hawser__more_refuse(rom, "this method for orbits", report);
 	/* equations of first order are stiff by their relaxation only, which shooting resolves */
-	if (rom->drag || rom->plug || (hawser__rom_more(rom) && rom->first && !name))
+	if (rough || rom->plug || (hawser__rom_more(rom) && rom->first && !name))
 		name = "shooting";
 
 	for (int i = 0; i < ROWS; i++)

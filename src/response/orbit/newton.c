@@ -36,6 +36,8 @@
  * orbits may have defects below the tolerance. An orbit is therefore accepted only if one more step
  * would move it by at most this fraction of its distance from the previous orbit; chosen. */
 #define OFF_BRANCH 0.02
+/* Relative change of a parameter that changes derivatives by it less than their differences do */
+#define SAME_MODELS 5e-8
 /* Relative residual of this step, of which one digit is used. */
 #define LENGTH_RESIDUAL 0.03
 
@@ -97,6 +99,16 @@ void hawser__orbit_determinant(struct hawser__orbit *orbit, double turn)
 			orbit->det_log += log1p(modulus);
 		}
 	}
+}
+
+double hawser__orbit_middle(struct hawser__orbit *orbit, double *wide, const double *y)
+{
+	double p = y[orbit->size - 1];
+
+	if (!(fabs(p - orbit->middle) <= SAME_MODELS*hawser__orbit_extent(orbit, y)))
+		orbit->middle = p;
+	*wide = HAWSER__NUDGE*fmax(fabs(orbit->middle), orbit->floor);
+	return orbit->middle;
 }
 
 double hawser__orbit_frequency(const struct hawser__orbit *orbit, double p)

@@ -178,10 +178,11 @@ static void differentiate_family(struct hawser__shooting *shooting, const double
                                  const struct hawser__stretch *stretch)
 {
 	struct hawser__orbit *orbit = &shooting->base;
-	double p = y[orbit->size - 1], wide = HAWSER__NUDGE*hawser__orbit_extent(orbit, y), span = 2.0*wide;
+	double p = y[orbit->size - 1], wide, middle = hawser__orbit_middle(orbit, &wide, y);
+	double span = 2.0*wide;
 
-	span -= map_at(shooting->finer, shooting, y, p - wide, p, stretch) ? wide : 0.0;
-	span -= map_at(shooting->b, shooting, y, p + wide, p, stretch) ? wide : 0.0;
+	span -= map_at(shooting->finer, shooting, y, middle - wide, p, stretch) ? wide : 0.0;
+	span -= map_at(shooting->b, shooting, y, middle + wide, p, stretch) ? wide : 0.0;
 	for (int i = 0; i < orbit->size - 1; i++)
 		shooting->b[i] = (shooting->b[i] - shooting->finer[i])/span;
 	if (!hawser__orbit_place(orbit, p))

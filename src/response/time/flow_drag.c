@@ -3,6 +3,8 @@
  * summed with the weights of the formula. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <string.h>
+
 #include "response/time/flow.h"
 #include "response/time/tableau.h"
 #include "rom/terms/drag.h"
@@ -20,20 +22,22 @@ static double trace_of(const double *matrix, int n)
 
 void hawser__flow_drag(struct hawser__flow *flow, int s, int derive, int live, double omega)
 {
-	const struct hawser_rom_drag *drag = flow->rom->drag;
-	int n = flow->n;
-	double *f = flow->f + (size_t)s*n*HAWSER_LANES, *by_v = flow->by_v + (size_t)s*n*n*HAWSER_LANES;
+	const int n = flow->n, lanes = HAWSER_LANES;
+	double *f = flow->f + (size_t)s*n*lanes, *by_v = flow->by_v + (size_t)s*n*n*lanes;
+	double *v = flow->work, *force = v + n, *matrix = force + n;
 
-	for (int lane = 0; lane < HAWSER_LANES; lane++) {
-		double before = derive ? trace_of(by_v + lane, n) : 0.0;
-
-		hawser__drag_add(drag, f + lane, flow->stage_v + lane, HAWSER_LANES);
-		if (!derive)
-			continue;
-		hawser__drag_slope(drag, 1.0, by_v + lane, flow->stage_v + lane, HAWSER_LANES);
-		if (lane < live)
-			flow->drained += hawser__dop853.b[s]*flow->h/omega*
-			                 (trace_of(by_v + lane, n) - before);
+	for (int lane = 0; lane < lanes; lane++) {
+		for (int j = 0; j < n; j++)
+			v[j] = flow->stage_v[j*lanes + lane];
+		memset(force, 0, ((size_t)n + (derive ? (size_t)n*n : 0))*sizeof *force);
+		hawser__drag_add(flow->rom->drag, force, derive ? matrix : NULL, 1.0, v, 1);
+		for (int j = 0; j < n; j++)
+			f[j*lanes + lane] += force[j];
+		for (int i = 0; derive && i < n*n; i++) {
+			by_v[i*lanes + lane] += matrix[i];
+			if (i%(n + 1) == 0 && lane < live)
+				flow->drained += hawser__dop853.b[s]*flow->h/omega*matrix[i];
+		}
 	}
 }
 

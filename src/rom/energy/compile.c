@@ -449,18 +449,6 @@ static int find_alike(struct hawser_rom_kernel *kernel, const struct hawser_rom 
 	return kernel->alike != NULL;
 }
 
-/* Returns 0 when out of memory. */
-static int take_terms(struct hawser_rom_kernel *kernel, const struct hawser_rom *rom)
-{
-	kernel->other = hawser__hold(&kernel->hold, (size_t)rom->terms + 1, sizeof *kernel->other);
-	if (!kernel->other || hawser__rates_make(&kernel->rates, rom, NULL))
-		return 0;
-	for (int i = 0; i < rom->terms; i++)
-		if (!kernel->rates || !hawser__rates_has(&rom->term[i]))
-			kernel->other[kernel->others++] = i;
-	return 1;
-}
-
 static int builder_make(struct builder *builder, const struct hawser_rom *rom)
 {
 	size_t n = (size_t)rom->n, entries = (size_t)rom->quads*2 + (size_t)rom->cubics*3 + 1;
@@ -497,7 +485,7 @@ enum hawser_status hawser__rom_compile(struct hawser_rom *rom, int bare,
 	else if (builder_make(&builder, rom))
 		kernel = make_kernel(rom, &builder);
 	builder_clear(&builder);
-	if (!kernel || !find_alike(kernel, rom) || !take_terms(kernel, rom)) {
+	if (!kernel || !find_alike(kernel, rom) || !hawser__rates_make(kernel, rom)) {
 		hawser__kernel_free(kernel);
 		return hawser__no_memory(report, "rom");
 	}

@@ -24,12 +24,16 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <cblas.h>
 #include <math.h>
 #include <stdlib.h>
 
 #include "core/report.h"
 #include "rom/terms/drag.h"
 #include "rom/condense/support.h"
+#include "rom/energy/kernel.h"
+
+enum { POINTS = 32, STATES = 32 }; /* that are evaluated together, on the stack */
 
 /* A steady wind w adds c w^2 to the load, and to first order opposes motion by 2 c w v along itself and
  * c w v across: not the drag of air at rest. The vertical part of the load is taken for a weight. */
@@ -147,56 +151,59 @@ void hawser__drag_free(struct hawser_rom_drag *drag)
 	free(drag);
 }
 
-/* The velocity at point i, m/s. */
-static void velocity_at(double to[2], const struct hawser__flow_points *flow, int i, const double *v,
-                        int stride)
+int hawser__drag_smooth(const struct hawser_rom_drag *drag)
 {
-	const double *along = flow->shape + (size_t)2*i*flow->n, *across = along + flow->n;
+	int i = 0;
 
-	to[0] = to[1] = 0.0;
-	for (int k = 0; k < flow->n; k++) {
-		to[0] += along[k]*v[k*stride];
-		to[1] += across[k]*v[k*stride];
-	}
+	while (i < drag->flow.points && drag->flow.speed[i] > 0.0)
+		i++;
+	return i == drag->flow.points;
 }
 
-void hawser__drag_add(const struct hawser_rom_drag *drag, double *force, const double *v, int stride)
+/* Of the points from `first` on, at states. */
+static void add_flow(const struct hawser_rom_drag *drag, double *force, double *matrix, double sign,
+                       const double *v, int states, int first, int points)
 {
 	const struct hawser__flow_points *flow = &drag->flow;
+	int n = flow->n, rows = 2*points;
+	const double *shape = flow->shape + (size_t)2*first*n;
+	double at[2*POINTS*STATES], slope[2*POINTS*HAWSER_ROM_MOST];
 
-	for (int i = 0; i < flow->points; i++) {
-		const double *along = flow->shape + (size_t)2*i*flow->n, *across = along + flow->n;
-		double at[2], f[2];
+	cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, states, rows, n, 1.0, v, n, shape, n, 0.0,
+	            at, rows);
+	for (int r = 0; r < states; r++) {
+		for (int i = 0; i < points; i++) {
+			double f[2], by_v[2][2], w = flow->weight[first + i], *own = at + (size_t)r*rows + 2*i;
 
-		velocity_at(at, flow, i, v, stride);
-		hawser__section_force(f, NULL, flow->at[i], flow->speed[i], at);
-		for (int c = 0; c < 2; c++)
-			f[c] = flow->weight[i]*(f[c] - drag->still[2*i + c]);
-		for (int j = 0; j < flow->n; j++)
-			force[j*stride] += f[0]*along[j] + f[1]*across[j];
-	}
-}
+			hawser__section_force(f, matrix ? by_v : NULL, flow->at[first + i],
+			                      flow->speed[first + i], own);
+			for (int c = 0; c < 2; c++) {
+				const double *along = shape + (size_t)2*i*n, *across = along + n;
 
-void hawser__drag_slope(const struct hawser_rom_drag *drag, double sign, double *matrix,
-                        const double *v, int stride)
-{
-	const struct hawser__flow_points *flow = &drag->flow;
-	int n = flow->n;
-
-	for (int i = 0; i < flow->points; i++) {
-		const double *along = flow->shape + (size_t)2*i*n, *across = along + n;
-		double at[2], f[2], by_v[2][2], w = -sign*flow->weight[i];
-
-		velocity_at(at, flow, i, v, stride);
-		hawser__section_force(f, by_v, flow->at[i], flow->speed[i], at);
-		for (int j = 0; j < n; j++) {
-			double first = w*(along[j]*by_v[0][0] + across[j]*by_v[1][0]);
-			double second = w*(along[j]*by_v[0][1] + across[j]*by_v[1][1]);
-
-			for (int k = 0; k < n; k++)
-				matrix[(j*n + k)*stride] += first*along[k] + second*across[k];
+				own[c] = w*(f[c] - drag->still[2*(first + i) + c]);
+				for (int k = 0; matrix && k < n; k++)
+					slope[(2*i + c)*n + k] = w*(by_v[c][0]*along[k] + by_v[c][1]*across[k]);
+			}
 		}
+		if (matrix)
+			cblas_dgemm(CblasRowMajor, CblasTrans, CblasNoTrans, n, n, rows, -sign, shape, n, slope,
+			            n, 1.0, matrix + (size_t)r*n*n, n);
 	}
+	cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, states, n, rows, 1.0, at, rows, shape, n,
+	            1.0, force, n);
+}
+
+void hawser__drag_add(const struct hawser_rom_drag *drag, double *force, double *matrix, double sign,
+                      const double *v, int count)
+{
+	int points = drag->flow.points;
+	size_t n = (size_t)drag->flow.n;
+
+	for (int first = 0; first < points; first += POINTS)
+		for (int r = 0; r < count; r += STATES)
+			add_flow(drag, force + r*n, matrix ? matrix + r*n*n : NULL, sign, v + r*n,
+			           count - r < STATES ? count - r : STATES, first,
+			           points - first < POINTS ? points - first : POINTS);
 }
 
 enum hawser_status hawser__drag_refuse(const struct hawser_rom *rom, const char *what,
@@ -207,7 +214,7 @@ enum hawser_status hawser__drag_refuse(const struct hawser_rom *rom, const char 
 	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
 	                    rom && rom->drag->wind > 0.0
 	                    ? "%s has no exact force of the wind, which only hawser integrate and hawser "
-	                      "frf have (by shooting): set wind.form=cubic"
+	                      "frf have: set wind.form=cubic"
 	                    : "%s has no quadratic drag, which only hawser integrate and hawser frf have "
 	                      "(by shooting): set damping.drag=0, and give a linear damping with the same "
 	                      "loss at the amplitude of interest", what);

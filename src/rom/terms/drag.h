@@ -25,12 +25,12 @@ enum hawser_status hawser__drag_take(struct hawser_rom *rom, struct hawser__flow
                                      double wind, struct hawser_report *report);
 void hawser__drag_free(struct hawser_rom_drag *drag);
 
-/* force [n] += the force at the velocities v [n]. The values of one quantity are `stride` apart. */
-void hawser__drag_add(const struct hawser_rom_drag *drag, double *force, const double *v, int stride);
-
-/* matrix [n][n] += sign times minus the derivative of that force by v, which is not negative. */
-void hawser__drag_slope(const struct hawser_rom_drag *drag, double sign, double *matrix,
-                        const double *v, int stride);
+/* force [count][n] += the force at the velocities v [count][n]; and unless NULL matrix [count][n][n] +=
+ * sign times minus the derivative of that force by v. */
+void hawser__drag_add(const struct hawser_rom_drag *drag, double *force, double *matrix, double sign,
+                      const double *v, int count);
+/* 1: that of a wind at all points, which is smooth unlike |v| v. */
+int hawser__drag_smooth(const struct hawser_rom_drag *drag);
 
 /* 1 if the scene has drag and no other damping of high modes, but for that of attachments. */
 int hawser__drag_alone(const struct hawser_scene *scene);

@@ -73,9 +73,7 @@ static void finish(const struct hawser_rom *rom, double *acceleration, double *b
 		add_harmonic(acceleration, &rom->harmonic[h], factor(&rom->harmonic[h], tau, omega), u,
 		             v, rom->n);
 	if (rom->drag)
-		hawser__drag_add(rom->drag, acceleration, v, 1);
-	if (rom->drag && by_v)
-		hawser__drag_slope(rom->drag, -1.0, by_v, v, 1);
+		hawser__drag_add(rom->drag, acceleration, by_v, -1.0, v, 1);
 }
 
 void hawser_rom_acceleration(const struct hawser_rom *rom, double *acceleration, const double *u,

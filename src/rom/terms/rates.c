@@ -14,7 +14,6 @@
 #include <string.h>
 
 #include "core/hold.h"
-#include "core/report.h"
 #include "rom/energy/kernel.h"
 #include "rom/terms/rates.h"
 
@@ -36,7 +35,7 @@ static int pair(int k, int l)
 	return k <= l ? l*(l + 1)/2 + k : k*(k + 1)/2 + l;
 }
 
-int hawser__rates_has(const struct hawser_term *term)
+static int is_rate(const struct hawser_term *term)
 {
 	return term->rates == term->factors && (term->rates == 2 || term->rates == 3);
 }
@@ -54,37 +53,45 @@ static void put(struct hawser__rates *rates, const struct hawser_term *term)
 		          pair(of[(most + 1)%3], of[(most + 2)%3]);
 	rates->P[product*n + term->j] += term->value;
 	for (int f = 0; f < term->factors; f++) {
-		int a = of[(f + 1)%term->factors], b = of[(f + 2)%term->factors];
-		int row = three ? n + pair(a, b) : a;
+		int a = of[f == 0], row = three ? n + pair(a, of[f == 2 ? 1 : 2]) : a;
 
 		rates->W[((size_t)row*n + term->j)*n + of[f]] += term->value;
 	}
 }
 
-enum hawser_status hawser__rates_make(struct hawser__rates **made, const struct hawser_rom *rom,
-                                      struct hawser_report *report)
+static struct hawser__rates *open_rates(const struct hawser_rom *rom)
 {
-	struct hawser__rates *rates;
+	struct hawser__rates *rates = calloc(1, sizeof *rates);
 	size_t n = (size_t)rom->n, pairs = n*(n + 1)/2;
-	int count = 0;
 
-	*made = NULL;
-	for (int i = 0; i < rom->terms; i++)
-		count += hawser__rates_has(&rom->term[i]);
-	if (count <= FEW || rom->n > MOST)
-		return HAWSER_OK;
-	rates = *made = calloc(1, sizeof *rates);
 	if (!rates)
-		return hawser__no_memory(report, "rom");
+		return NULL;
 	rates->n = rom->n;
 	rates->pairs = (int)pairs;
 	rates->length = (int)(n + pairs + pairs*(n + 2)/3);
 	rates->P = hawser__hold(&rates->hold, ((size_t)rates->length - n)*n, sizeof(double));
 	rates->W = hawser__hold(&rates->hold, (n + pairs)*n*n, sizeof(double));
-	if (rates->hold.short_of_memory)
-		return hawser__no_memory(report, "rom");
-	hawser__rates_fill(rates, rom);
-	return HAWSER_OK;
+	if (!rates->hold.short_of_memory) {
+		hawser__rates_fill(rates, rom);
+		return rates;
+	}
+	hawser__rates_free(rates);
+	return NULL;
+}
+
+int hawser__rates_make(struct hawser_rom_kernel *kernel, const struct hawser_rom *rom)
+{
+	int count = 0, worth;
+
+	for (int i = 0; i < rom->terms; i++)
+		count += is_rate(&rom->term[i]);
+	worth = count > FEW && rom->n <= MOST;
+	kernel->other = hawser__hold(&kernel->hold, (size_t)rom->terms + 1, sizeof *kernel->other);
+	kernel->rates = worth ? open_rates(rom) : NULL;
+	for (int i = 0; kernel->other && i < rom->terms; i++)
+		if (!worth || !is_rate(&rom->term[i]))
+			kernel->other[kernel->others++] = i;
+	return kernel->other && (kernel->rates || !worth);
 }
 
 void hawser__rates_fill(struct hawser__rates *rates, const struct hawser_rom *rom)
@@ -94,7 +101,7 @@ void hawser__rates_fill(struct hawser__rates *rates, const struct hawser_rom *ro
 	memset(rates->P, 0, ((size_t)rates->length - n)*n*sizeof(double));
 	memset(rates->W, 0, (n + (size_t)rates->pairs)*n*n*sizeof(double));
 	for (int i = 0; i < rom->terms; i++)
-		if (hawser__rates_has(&rom->term[i]))
+		if (is_rate(&rom->term[i]))
 			put(rates, &rom->term[i]);
 }
 

@@ -7,14 +7,13 @@
 
 struct hawser__rates;
 
-/* *rates becomes those of the model, NULL if it has too few, or too many coordinates. HAWSER_ERR_MEMORY */
-enum hawser_status hawser__rates_make(struct hawser__rates **rates, const struct hawser_rom *rom,
-                                      struct hawser_report *report);
+/* Divide the terms of the model: kernel->rates, NULL if it has too few of them or too many
+ * coordinates, and kernel->other. Returns 0 if memory is short. */
+struct hawser_rom_kernel;
+int hawser__rates_make(struct hawser_rom_kernel *kernel, const struct hawser_rom *rom);
 /* Its values, of other values of the same terms. */
 void hawser__rates_fill(struct hawser__rates *rates, const struct hawser_rom *rom);
 void hawser__rates_free(struct hawser__rates *rates);
-/* 1: the term is among them. */
-int hawser__rates_has(const struct hawser_term *term);
 
 /* Add them at `count` states, whose v, force, by_v of `to` follow each other, of stride 1; or at
  * HAWSER_LANES states of that stride (count 1). */

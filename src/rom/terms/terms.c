@@ -18,6 +18,7 @@
 #include "core/report.h"
 #include "rom/energy/kernel.h"
 #include "rom/file/plug.h"
+#include "rom/terms/drag.h"
 #include "rom/terms/rates.h"
 
 int hawser__rom_more(const struct hawser_rom *rom)
@@ -130,6 +131,8 @@ void hawser__rom_more_left(const struct hawser_rom *rom, const struct hawser__mo
 	cblas_dscal((int)n*count, -1.0, all->force, 1);
 	if (rom->terms > 0 && rom->kernel->rates)
 		hawser__rates_add(rom->kernel->rates, all, v, count);
+	if (rom->drag)
+		hawser__drag_add(rom->drag, all->force, all->by_v, 1.0, v, count);
 	for (int r = 0; r < count; r++) {
 		double tau = 2.0*M_PI*r/count;
 		const struct hawser__more to = {.force = all->force + r*n,

@@ -43,12 +43,12 @@ static int orders(const int *index, int factors)
 static void set_form(double *form, const double *series, int factors)
 {
 	static const int first[] = {0, 1, 3, 6};
-	static const double ways[] = {1.0, 3.0, 3.0, 1.0};
+	static const double ways[2][4] = {{1.0, 2.0, 1.0}, {1.0, 3.0, 3.0, 1.0}};
 
 	for (int place = 0; place < 1 << factors; place++) {
 		int across = (place & 1) + (place >> 1 & 1) + (place >> 2);
 
-		form[place] = series[first[factors] + across]/(factors == 3 ? ways[across] : across == 1 ? 2.0 : 1.0);
+		form[place] = series[first[factors] + across]/ways[factors - 2][across];
 	}
 }
 

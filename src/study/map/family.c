@@ -12,6 +12,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <cblas.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -20,6 +21,8 @@
 
 #include "core/grow.h"
 #include "core/report.h"
+#include "modes/grid.h"
+#include "modes/label.h"
 #include "response/family/keep.h"
 #include "rom/energy/kernel.h"
 
@@ -42,7 +45,7 @@ struct scene_family {
 	int n;
 	struct anchor *anchor; /* [anchors] in no order */
 	int anchors;
-	double *samples; /* [1 + modes][PLACES][3] shapes that are compared */
+	double *samples; /* [n + modes][PLACES][3] shapes that are compared */
 };
 
 static enum hawser_status scene_at(struct hawser_scene *scene, const struct scene_family *family,
@@ -74,45 +77,44 @@ static enum hawser_status solve(struct hawser_modes *modes, const struct scene_f
 	return status;
 }
 
-/* out [PLACES][3] = mode j, of length 1. */
-static void sample(double *out, const struct hawser_modes *modes, int j)
+/* out [modes][PLACES][3], each of length 1. Returns 0 if memory is short. */
+static int sample(double *out, const struct hawser_modes *modes)
 {
-	double own = 0.0, length = modes->grid.edge[modes->grid.elements];
+	const struct hawser_grid *grid = &modes->grid;
+	int order = grid->order, row = (int)hawser__modes_row(modes), all = 3*PLACES;
+	double *weight = malloc((size_t)order*sizeof *weight);
 
-	for (int i = 0; i < PLACES; i++)
-		hawser_modes_at(modes, out + 3*i, NULL, j, (i + 0.5)/PLACES*length);
-	for (int i = 0; i < 3*PLACES; i++)
-		own += out[i]*out[i];
-	for (int i = 0; i < 3*PLACES; i++)
-		out[i] /= sqrt(own);
-}
+	for (int i = 0; weight && i < PLACES; i++) {
+		int e = hawser__grid_weights(weight, grid, (i + 0.5)/PLACES*grid->edge[grid->elements]);
 
-static double product(const double *a, const double *b)
-{
-	double sum = 0.0;
-
-	for (int i = 0; i < 3*PLACES; i++)
-		sum += a[i]*b[i];
-	return sum;
+		for (int j = 0; j < modes->n; j++)
+			cblas_dgemv(CblasRowMajor, CblasTrans, order, 3, 1.0, modes->shape + (size_t)j*row +
+			            (size_t)3*e*order, 3, weight, 1, 0.0, out + (size_t)j*all + 3*i, 1);
+	}
+	for (int j = 0; weight && j < modes->n; j++)
+		cblas_dscal(all, 1.0/cblas_dnrm2(all, out + (size_t)j*all, 1), out + (size_t)j*all, 1);
+	free(weight);
+	return weight != NULL;
 }
 
 /* Which of the modes is each mode of the anchor; negative overlaps change the sign. *least is the
- * smallest overlap. */
-static void recognise(int *place, double *sign, double *least, const struct scene_family *family,
+ * smallest overlap. Returns 0 if memory is short. */
+static int recognise(int *place, double *sign, double *least, const struct scene_family *family,
                       const struct hawser_modes *anchor, const struct hawser_modes *modes)
 {
 	unsigned char taken[4*HAWSER_ROM_MAX + MORE] = {0};
-	double *own = family->samples, *other = own + 3*PLACES;
+	int all = 3*PLACES;
+	double *own = family->samples, *other = own + (size_t)all*anchor->n;
 
-	for (int k = 0; k < modes->n; k++)
-		sample(other + (size_t)3*PLACES*k, modes, k);
+	if (!sample(own, anchor) || !sample(other, modes))
+		return 0;
 	*least = 1.0;
 	for (int j = 0; j < anchor->n; j++) {
 		double best = -1.0;
 
-		sample(own, anchor, j);
 		for (int k = 0; k < modes->n; k++) {
-			double found = taken[k] ? 0.0 : product(own, other + (size_t)3*PLACES*k);
+			double found = taken[k] ? 0.0 : cblas_ddot(all, own + (size_t)all*j, 1,
+			                                           other + (size_t)all*k, 1);
 
 			if (!taken[k] && fabs(found) > best) {
 				best = fabs(found);
@@ -123,6 +125,7 @@ static void recognise(int *place, double *sign, double *least, const struct scen
 		taken[place[j]] = 1;
 		*least = fmin(*least, best);
 	}
+	return 1;
 }
 
 static int ascending(const void *a, const void *b)
@@ -233,15 +236,17 @@ static enum hawser_status recognised(struct hawser_modes *modes, int *sure,
 {
 	const struct anchor *anchor = nearest(family, p);
 	int place[HAWSER_ROM_MAX];
-	double sign[HAWSER_ROM_MAX], least;
+	double sign[HAWSER_ROM_MAX], least = 1.0;
 	struct hawser_modes all;
 	enum hawser_status status = solve(&all, family, p, report);
 
 	if (status)
 		return status;
-	recognise(place, sign, &least, family, &anchor->modes, &all);
+	if (!recognise(place, sign, &least, family, &anchor->modes, &all))
+		status = hawser__no_memory(report, "frf");
 	*sure = least >= SURE || distance(family, p, anchor->p) <= LEAST;
-	status = arrange(modes, &all, place, sign, family->n, report);
+	if (!status)
+		status = arrange(modes, &all, place, sign, family->n, report);
 	hawser_modes_clear(&all);
 	return status;
 }
@@ -367,7 +372,7 @@ static enum hawser_status make(struct scene_family **made, const struct hawser_s
 		.extent = {extent[0] > 0.0 ? extent[0] : 1.0, extent[1] > 0.0 ? extent[1] : 1.0},
 		.keep = {.make = make_model, .context = family},
 		.n = scene->model.modes};
-	family->samples = calloc((size_t)(2*family->n + MORE + 1)*3*PLACES, sizeof(double));
+	family->samples = calloc((size_t)(3*family->n + MORE)*3*PLACES, sizeof(double));
 	return family->samples ? begin(family, at, report) : hawser__no_memory(report, "frf");
 }
 
