@@ -48,15 +48,15 @@ static void mean(const struct hawser__touchdown *of, double a, double b, double 
 	const double s0[2] = {a, b}, s1[2] = {c, e}, d = 2e-7;
 	double F[2], F_s[2][2];
 
-	hawser__touchdown_mean(F, F_s, of, s0, s1);
+	hawser__touchdown_mean(F, F_s, of, s0, s1, at(of, a, b));
 	close_to((F[0]*(c - a) + F[1]*(e - b))/of->w, (at(of, c, e) - at(of, a, b))/of->w, 1e-10,
 	         "the work is the change of the energy");
 	for (int i = 0; i < 2; i++) {
 		double up[2] = {c + (i ? 0.0 : d), e + (i ? d : 0.0)}, more[2];
 		double down[2] = {c - (i ? 0.0 : d), e - (i ? d : 0.0)}, less[2], unused[2][2];
 
-		hawser__touchdown_mean(more, unused, of, s0, up);
-		hawser__touchdown_mean(less, unused, of, s0, down);
+		hawser__touchdown_mean(more, unused, of, s0, up, at(of, a, b));
+		hawser__touchdown_mean(less, unused, of, s0, down, at(of, a, b));
 		for (int j = 0; j < 2; j++)
 			close_to((more[j] - less[j])/(2.0*d)/of->k, F_s[j][i]/of->k, 1e-5,
 			         "derivative of the mean force");

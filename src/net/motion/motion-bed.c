@@ -71,33 +71,40 @@ static double depth(const struct hawser__motion *motion, const struct hawser__be
 
 void hawser__bed_prepare(struct hawser__motion *motion)
 {
-	for (int i = 0; i < motion->bed->nodes; i++)
-		motion->bed->node[i].s0 = depth(motion, &motion->bed->node[i],
-		                                (const double (*)[3])motion->u0);
+	struct hawser__bed *bed = motion->bed;
+
+	for (int i = 0; i < bed->nodes; i++)
+		bed->node[i].s0 = depth(motion, &bed->node[i], (const double (*)[3])motion->u0);
+	for (int i = 0; i < bed->touchdowns; i++) {
+		struct hawser__touchdown *at = &bed->touchdown[i];
+		double F[2], s[2] = {bed->node[at->end[0]].s0, bed->node[at->end[1]].s0};
+
+		at->energy0 = hawser__touchdown_energy(F, NULL, at, s);
+	}
 }
 
 /* Force of the step, and its derivative by s1. */
 static double force(double *slope, const struct hawser__bed_node *of, const struct hawser__motion_rule *rule,
                     double h)
 {
-	double p0 = fmax(of->s0, 0.0), p1 = fmax(of->s1, 0.0), N = 0.0, ratio;
+	double p0 = fmax(of->s0, 0.0), p1 = fmax(of->s1, 0.0), N = of->more, ratio;
 
-	*slope = 0.0;
+	*slope = of->slope;
 	if (rule->weight >= 0.0) { /* at rest */
-		*slope = p1 > 0.0 ? of->k : 0.0;
-		return of->k*p1;
+		*slope += p1 > 0.0 ? of->k : 0.0;
+		return N + of->k*p1;
 	}
 	if (p0 > 0.0 && p1 > 0.0) {
-		N = 0.5*of->k*(p0 + p1);
-		*slope = 0.5*of->k;
+		N += 0.5*of->k*(p0 + p1);
+		*slope += 0.5*of->k;
 	} else if (p1 > 0.0) {
 		ratio = p1/(of->s1 - of->s0);
-		N = 0.5*of->k*p1*ratio;
-		*slope = of->k*ratio*(1.0 - 0.5*ratio);
+		N += 0.5*of->k*p1*ratio;
+		*slope += of->k*ratio*(1.0 - 0.5*ratio);
 	} else if (p0 > 0.0) {
 		ratio = p0/(of->s0 - of->s1);
-		N = 0.5*of->k*p0*ratio;
-		*slope = 0.5*of->k*ratio*ratio;
+		N += 0.5*of->k*p0*ratio;
+		*slope += 0.5*of->k*ratio*ratio;
 	}
 	N += of->c*(p1 - p0)/h;
 	*slope += p1 > 0.0 ? of->c/h : 0.0;
@@ -188,7 +195,7 @@ static void lay(struct hawser__motion *motion, const struct hawser__touchdown *o
 	if (at_rest)
 		(void)hawser__touchdown_energy(F, F_s, of, s1);
 	else
-		hawser__touchdown_mean(F, F_s, of, s0, s1);
+		hawser__touchdown_mean(F, F_s, of, s0, s1, of->energy0);
 	for (int i = 0; i < 2; i++) {
 		double *block = motion->block[motion->mesh->touch[end[i]->touch].node];
 
@@ -220,9 +227,8 @@ double hawser__bed_residual(struct hawser__motion *motion, const struct hawser__
 	for (int i = 0; i < bed->nodes; i++) {
 		struct hawser__bed_node *at = &bed->node[i];
 		int node = motion->mesh->touch[at->touch].node;
-		double slope, N = force(&slope, at, rule, h) + at->more;
+		double slope, N = force(&slope, at, rule, h);
 
-		slope += at->slope;
 		for (int k = 0; k < 3; k++)
 			motion->r[node][k] -= N*at->n[k];
 		for (int k = 0; k < 9 && tangent; k++)

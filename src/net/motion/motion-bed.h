@@ -18,6 +18,7 @@ struct hawser__bed_node {
 struct hawser__touchdown {
 	int element, end[2]; /* end: of the list of nodes */
 	double k, w, curvature, L;
+	double energy0;      /* J, at the beginning of the step */
 };
 
 struct hawser__bed {
@@ -32,12 +33,12 @@ void hawser__bed_forces(struct hawser__mesh *mesh, const struct hawser__bed *bed
 
 /* motion-touchdown.c: of an element and the plane at both its ends, but for `end`; 0 if there is none.
  * Its energy (J) at the depths s beyond that of the ends, its derivatives F (N) and theirs, or NULL;
- * and the mean force of a step with its derivative by s1. */
+ * and the mean force of a step from s0 with the energy there, and its derivative by s1. */
 int hawser__touchdown_of(struct hawser__touchdown *of, const struct hawser__motion *motion, int e,
                          const struct hawser_surface *plane);
 double hawser__touchdown_energy(double F[2], double (*F_s)[2], const struct hawser__touchdown *of,
                                 const double s[2]);
 void hawser__touchdown_mean(double F[2], double (*F_s)[2], const struct hawser__touchdown *of,
-                            const double s0[2], const double s1[2]);
+                            const double s0[2], const double s1[2], double energy0);
 
 #endif

@@ -53,6 +53,9 @@ struct hawser__water_end {
 /* d: vector along element e. With slopes = 0, by_r and by_d of what is wet are left as they were. */
 void hawser__water_ends(struct hawser__water_end end[2], const struct hawser__mesh *mesh, int e,
                         const double d[3], const struct hawser__water_past past[2], int slopes);
+/* Kinetic energy of the water that moves with it, J, for the heights and velocities of its ends. */
+double hawser__water_carried(const struct hawser__mesh *mesh, int e, const double d[3],
+                             const double height[2], const double *const v[2]);
 /* wind.c: the same of a net in the wind, and what it needs. */
 void hawser__wind_ends(struct hawser__water_end end[2], const struct hawser__mesh *mesh, int e,
                        const double d[3], const struct hawser__water_past past[2], int slopes);
