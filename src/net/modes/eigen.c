@@ -124,7 +124,7 @@ static enum hawser_status count_massive(struct hawser__eigen *eigen, struct haws
 }
 
 /* K + lift*M in place of K: T/(rho*L^2) with the means of tensions and masses over all cables, of
- * length L together, and 10 times more in each further round. */
+ * length L together, or 1 for bodies alone; and 10 times more in each further round. */
 static enum hawser_status lifted(struct hawser__eigen *eigen, int round, struct hawser_report *report)
 {
 	const struct hawser__mesh *mesh = eigen->mesh;
@@ -133,11 +133,11 @@ static enum hawser_status lifted(struct hawser__eigen *eigen, int round, struct 
 	for (int i = 0; i < mesh->nodes; i++)
 		mass += mesh->mass[i];
 	for (int e = 0; e < mesh->elements; e++) {
-		T += fmax(eigen->T[e], 0.0)*mesh->length0[e];
+		T += mesh->net->cable[mesh->cable[e]].rod ? 0.0 : fmax(eigen->T[e], 0.0)*mesh->length0[e];
 		mass += mesh->rho[e]*mesh->length0[e];
 		length += mesh->length0[e];
 	}
-	eigen->lift = round > 1 ? 10.0*eigen->lift : T/(mass*length*length);
+	eigen->lift = round > 1 ? 10.0*eigen->lift : T > 0.0 ? T/(mass*length*length) : 1.0;
 	if (!eigen->work)
 		eigen->work = malloc(((size_t)mesh->unknowns + 1)*sizeof *eigen->work);
 	return eigen->work ? HAWSER_OK : hawser__no_memory(report, "net");
@@ -173,19 +173,16 @@ enum hawser_status hawser__eigen_open(struct hawser__eigen *eigen, const struct 
 	for (int round = 0; round <= LIFTS && !status && !definite; round++) {
 		if (round > 0)
 			status = lifted(eigen, round, report);
-		if (status || !isfinite(eigen->lift) || (round > 0 && !mesh->frame))
+		if (status || !isfinite(eigen->lift) || (round > 0 && !mesh->frame && !mesh->body))
 			break;
 		hawser__sparse_zero(eigen->sparse);
 		hawser__eigen_assemble(eigen->sparse, eigen, 0.0);
 		status = hawser__sparse_factor(eigen->sparse, &definite, report);
-	}
-	if (!status && definite && mesh->body_unknowns) {
+		if (status || !definite || !mesh->body_unknowns)
+			continue;
+		hawser__border_clear(eigen->border);
 		status = hawser__border_open(&eigen->border, &negative, eigen, eigen->sparse, 0.0, report);
-		if (!status && negative)
-			status = hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "net", "%s: nothing holds %d of the "
-			                      "%d motions of the rigid bodies, or they are unstable: they have no "
-			                      "modes; give lines, a hinge, or buoyancy above the weight", net->name,
-			                      negative, mesh->body_unknowns);
+		definite = !negative;
 	}
 	if (!status && !definite)
 		status = no_stiffness(eigen, net, report);

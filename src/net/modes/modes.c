@@ -152,12 +152,18 @@ static enum hawser_status stable(const struct hawser__eigen *eigen, struct hawse
 	for (int j = 0; j < eigen->found && eigen->lift > 0.0; j++) {
 		double value = eigen->value[j] - eigen->lift;
 
-		if (value < -STILL*eigen->lift - corners(eigen->x + (size_t)j*(size_t)eigen->mesh->unknowns,
-		                                         eigen))
+		if (value >= -STILL*eigen->lift - corners(eigen->x + (size_t)j*(size_t)eigen->mesh->unknowns,
+		                                          eigen))
+			continue;
+		if (eigen->mesh->body)
 			return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "net", "%s: the equilibrium is not "
-			                    "stable: along the obstacles it has a mode with omega^2 = %.6g "
-			                    "rad^2/s^2, the net would slide off: look at the sides of obstacles, "
-			                    "or give them friction and contact.modes: stick", eigen->name, value);
+			                    "stable: a mode has omega^2 = %.6g rad^2/s^2; give bodies more "
+			                    "buoyancy above their weight, or lines that hold them", eigen->name,
+			                    value);
+		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "net", "%s: the equilibrium is not "
+		                    "stable: along the obstacles it has a mode with omega^2 = %.6g "
+		                    "rad^2/s^2, the net would slide off: look at the sides of obstacles, "
+		                    "or give them friction and contact.modes: stick", eigen->name, value);
 	}
 	return HAWSER_OK;
 }
