@@ -140,7 +140,7 @@ def main():
         quiet = os.dup(1)  # MoorDyn writes to standard output
         table = ["program\telements\tstep_s\terror\tprocessor_s"]
         reference, _ = of_hawser(program, 160, 0.0125, 60.0)
-        for elements, steps in ((40, (0.05, 0.125, 0.25)), (80, (0.05, 0.125))):
+        for elements, steps in ((24, (0.25,)), (36, (0.125,)), (40, (0.05, 0.125)), (80, (0.05,))):
             for step in steps:
                 rows, spent = of_hawser(program, elements, step, until)
                 table.append("hawser\t%d\t%g\t%.4f\t%.2f" % (elements, step, error(rows, reference), spent))

@@ -88,6 +88,131 @@ int hawser__body_motions(double motion[6][6], double about[3], const struct haws
 	return hinges == 2 && !on_line(net, body, about, axis, size);
 }
 
+/* The displacement of a node by motion j of its body. */
+static void moved(double x[3], const struct hawser__mesh *mesh, int node, int j)
+{
+	const struct hawser__mesh_body *body = &mesh->body[mesh->rigid[node] - 1];
+	const double turn[3] = {body->motion[3][j], body->motion[4][j], body->motion[5][j]};
+	const double *q = mesh->q[node], *at = body->about;
+
+	hawser__cross(x, turn, (const double [3]){q[0] - at[0], q[1] - at[1], q[2] - at[2]});
+	for (int k = 0; k < 3; k++)
+		x[k] += body->motion[k][j];
+}
+
+void hawser__body_place(double x[3], const double *z, const struct hawser__mesh *mesh, int node)
+{
+	double one[3];
+
+	memset(x, 0, 3*sizeof *x);
+	for (int j = 0; j < mesh->body[mesh->rigid[node] - 1].motions; j++) {
+		moved(one, mesh, node, j);
+		for (int k = 0; k < 3; k++)
+			x[k] += z[j]*one[k];
+	}
+}
+
+void hawser__body_push(double *z, const struct hawser__mesh *mesh, int node, const double v[3])
+{
+	double one[3];
+
+	for (int j = 0; j < mesh->body[mesh->rigid[node] - 1].motions; j++) {
+		moved(one, mesh, node, j);
+		z[j] += hawser__dot(one, v);
+	}
+}
+
+/* The line of all that a body has, if there is one through its place: without it 0. */
+static int straight(double axis[3], const struct hawser__mesh *mesh, int number)
+{
+	double size = 0.0, off[3], most = 0.0;
+
+	for (int pass = 0; pass < 2; pass++)
+		for (int i = 0; i < mesh->nodes; i++) {
+			double r[3];
+
+			if (mesh->rigid[i] != number + 1 || (i >= mesh->net->nodes && !(mesh->mass[i] > 0.0)))
+				continue;
+			for (int k = 0; k < 3; k++)
+				r[k] = mesh->q[i][k] - mesh->body[number].about[k];
+			if (pass == 0 && hawser__norm(r) > size) {
+				size = hawser__norm(r);
+				for (int k = 0; k < 3; k++)
+					axis[k] = r[k]/size;
+			}
+			hawser__cross(off, axis, r);
+			most = pass ? fmax(most, hawser__norm(off)) : 0.0;
+		}
+	return size > 0.0 && most <= STRAIGHT*size;
+}
+
+/* Without the turn about an axis: the two turns about those across it. */
+static void two_turns(struct hawser__mesh_body *body, const double axis[3])
+{
+	int first = body->motions - 3, least = 0;
+	double from[3] = {0.0}, across[2][3];
+
+	for (int k = 1; k < 3; k++)
+		least = fabs(axis[k]) < fabs(axis[least]) ? k : least;
+	from[least] = 1.0;
+	hawser__cross(across[0], axis, from);
+	hawser__cross(across[1], axis, across[0]);
+	for (int j = 0; j < 2; j++)
+		for (int k = 0; k < 3; k++)
+			body->motion[3 + k][first + j] = across[j][k]/hawser__norm(across[j]);
+	body->motions--;
+}
+
+/* The moments of the forces that hold the body at rest, as their arms turn. At rest they are
+ * symmetric. */
+static void turns(struct hawser__mesh *mesh, int number, const double (*held)[3])
+{
+	struct hawser__mesh_body *body = &mesh->body[number];
+
+	for (int i = 0; i < mesh->nodes; i++)
+		for (int j = 0; j < body->motions && mesh->rigid[i] == number + 1; j++) {
+			double x[3], moment[3];
+
+			moved(x, mesh, i, j);
+			for (int k = 0; k < 3; k++)
+				x[k] -= body->motion[k][j];
+			hawser__cross(moment, x, held[i]);
+			for (int row = 0; row < body->motions; row++)
+				for (int k = 0; k < 3; k++) {
+					double half = 0.5*body->motion[3 + k][row]*moment[k];
+
+					body->turned[row][j] += half;
+					body->turned[j][row] += half;
+				}
+		}
+}
+
+enum hawser_status hawser__bodies_release(struct hawser__mesh *mesh, const struct hawser_net *net,
+                                          struct hawser_report *report)
+{
+	double (*held)[3], axis[3];
+
+	if (!net->bodies)
+		return HAWSER_OK;
+	mesh->body = hawser__hold(&mesh->hold, (size_t)net->bodies, sizeof *mesh->body);
+	held = hawser__hold(&mesh->hold, (size_t)mesh->nodes + 1, sizeof *held);
+	if (!mesh->body || !held)
+		return hawser__no_memory(report, "net");
+	hawser__mesh_gradient(held, NULL, mesh);
+	for (int b = 0; b < net->bodies; b++) {
+		struct hawser__mesh_body *body = &mesh->body[b];
+
+		body->first = mesh->unknowns;
+		body->motions = hawser__body_motions(body->motion, body->about, net, &net->body[b], NULL);
+		if (body->motions >= 3 && straight(axis, mesh, b))
+			two_turns(body, axis);
+		turns(mesh, b, (const double (*)[3])held);
+		mesh->unknowns += body->motions;
+		mesh->body_unknowns += body->motions;
+	}
+	return HAWSER_OK;
+}
+
 enum hawser_status hawser__bodies_none(const struct hawser_net *net, const char *what,
                                        struct hawser_report *report)
 {

@@ -13,6 +13,7 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/statics/dual.h \
 	%D%/modes/eigen.c \
 	%D%/modes/eigen.h \
+	%D%/modes/eigen-border.c \
 	%D%/modes/eigen-dense.c \
 	%D%/modes/eigen-matrix.c \
 	%D%/statics/elimination.c \

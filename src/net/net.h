@@ -36,6 +36,13 @@ struct hawser__mesh {
 	double (*frame)[3][3]; /* [nodes] rows: these directions, unit vectors at right angles to each
 	                        * other; NULL: the axes. Set for modes alone (hawser__touch_hold) */
 	int *rigid;            /* [nodes] 1 + number of the body it is of, which holds it; 0: none */
+	struct hawser__mesh_body {
+		int first, motions;     /* unknowns */
+		double motion[6][6], about[3]; /* columns: displacement and turn of each, about a place */
+		double turned[6][6];    /* of K: as the arms of the forces at rest turn */
+	} *body;               /* [bodies] their motions as unknowns, after all others; NULL: they are held.
+	                        * Set for modes and linear responses alone (hawser__bodies_release) */
+	int body_unknowns;
 	double *mass;          /* [nodes] point masses, kg, without the cables */
 	double (*damper)[3], (*spring)[3]; /* [nodes] N s/m, N/m: to the ground */
 	double (*force)[3];    /* [nodes] weight (of cables, half to each end, and point masses) and

@@ -37,12 +37,13 @@ static void piece(struct hawser__wet *wet, double from, double to, double p, dou
 
 void hawser__wet_line(struct hawser__wet *wet, double surface, double band, const double y[2])
 {
-	double from = (surface - y[0])/band + 0.5, to = (surface - y[1])/band + 0.5;
-	double knot[4] = {0.0, 0.0, 1.0, 1.0}, a, b;
+	double from, to, knot[4] = {0.0, 0.0, 1.0, 1.0}, a, b;
 
 	*wet = (struct hawser__wet){.part = {0.5, 0.5}};
-	if (from >= 1.0 && to >= 1.0)
+	if (surface - y[0] >= 0.5*band && surface - y[1] >= 0.5*band)
 		return;
+	from = (surface - y[0])/band + 0.5;
+	to = (surface - y[1])/band + 0.5;
 	*wet = (struct hawser__wet){.part = {0.0}};
 	if (from <= 0.0 && to <= 0.0)
 		return;

@@ -15,12 +15,15 @@
 #include <cblas.h>
 
 #include "core/vec3.h"
+#include "net/body.h"
 #include "net/modes/eigen.h"
 #include "net/water/water.h"
 
 /* y += v at a node. */
 static void scatter(double *y, const struct hawser__mesh *mesh, int node, const double v[3])
 {
+	if (mesh->body && mesh->rigid[node])
+		hawser__body_push(y + mesh->body[mesh->rigid[node] - 1].first, mesh, node, v);
 	for (int k = 0; k < 3; k++) {
 		const double *f = mesh->frame ? mesh->frame[node][k] : NULL;
 
@@ -37,10 +40,10 @@ static void added(double *y, const double *x, const struct hawser__mesh *mesh, u
 	double a[3], b[3];
 
 	for (int j = 0; hawser__water_mass(&at, mesh, j); j++) {
-		hawser__eigen_place(a, x, mesh, mesh->end[at.element][at.end]);
+		hawser__eigen_place(a, x, mesh, at.node);
 		for (int k = 0; k < 3; k++)
 			b[k] = along & (1U << k) ? hawser__dot(at.mass[k], a) : 0.0;
-		scatter(y, mesh, mesh->end[at.element][at.end], b);
+		scatter(y, mesh, at.node, b);
 	}
 }
 
@@ -101,6 +104,10 @@ void hawser__eigen_place(double x[3], const double *phi, const struct hawser__me
 {
 	const int *unknown = mesh->unknown[node];
 
+	if (mesh->body && mesh->rigid[node]) {
+		hawser__body_place(x, phi + mesh->body[mesh->rigid[node] - 1].first, mesh, node);
+		return;
+	}
 	if (!mesh->frame) {
 		for (int k = 0; k < 3; k++)
 			x[k] = unknown[k] >= 0 ? phi[unknown[k]] : 0.0;
@@ -150,11 +157,23 @@ static void buoyancy(double *y, const double *x, const struct hawser__mesh *mesh
 
 	for (int j = 0; hawser__water_spring(&at, mesh, j); j++)
 		for (int i = 0; i < 2; i++) {
-			hawser__eigen_place(a, x, mesh, mesh->end[at.element][0]);
-			hawser__eigen_place(b, x, mesh, mesh->end[at.element][1]);
+			hawser__eigen_place(a, x, mesh, at.node[0]);
+			hawser__eigen_place(b, x, mesh, at.node[1]);
 			f[1] = at.k[i][0]*a[1] + at.k[i][1]*b[1];
-			scatter(y, mesh, mesh->end[at.element][i], f);
+			scatter(y, mesh, at.node[i], f);
 		}
+}
+
+/* y += what the forces at rest do as bodies turn. */
+static void turn_bodies(double *y, const double *x, const struct hawser__mesh *mesh)
+{
+	for (int b = 0; mesh->body && b < mesh->net->bodies; b++) {
+		const struct hawser__mesh_body *body = &mesh->body[b];
+
+		for (int i = 0; i < body->motions; i++)
+			for (int j = 0; j < body->motions; j++)
+				y[body->first + i] += body->turned[i][j]*x[body->first + j];
+	}
 }
 
 /* y += lift*M*x. */
@@ -193,6 +212,7 @@ void hawser__eigen_stiffness(double *y, const double *x, const struct hawser__ei
 	springs(y, x, mesh);
 	curvature(y, x, mesh);
 	buoyancy(y, x, mesh);
+	turn_bodies(y, x, mesh);
 	lift(y, x, eigen);
 }
 
@@ -250,6 +270,8 @@ static void add_buoyancy(struct hawser__sparse *sparse, const struct hawser__mes
 	for (int j = 0; hawser__water_spring(&at, mesh, j); j++) {
 		double block[6][6], part[3][3];
 
+		if (mesh->rigid[at.node[0]] && mesh->rigid[at.node[1]])
+			continue;
 		for (int p = 0; p < 4; p++) {
 			const double B[3][3] = {[1] = {0.0, at.k[p/2][p%2], 0.0}};
 
@@ -268,9 +290,9 @@ static void add_water(struct hawser__sparse *sparse, const struct hawser__mesh *
 	double block[3][3];
 
 	for (int j = 0; hawser__water_mass(&at, mesh, j); j++) {
-		int node = mesh->end[at.element][at.end];
-
-		turned(block, mesh, node, at.mass, node);
+		if (mesh->rigid[at.node])
+			continue;
+		turned(block, mesh, at.node, at.mass, at.node);
 		for (int k = 0; k < 9; k++)
 			block[k/3][k%3] *= factor;
 		hawser__sparse_node(sparse, at.element, at.end, (const double (*)[3])block);

@@ -35,6 +35,7 @@ static const double edge = 1e-12;  /* strain at which an element is neither slac
 
 void hawser__eigen_clear(struct hawser__eigen *eigen)
 {
+	hawser__border_clear(eigen->border);
 	hawser__sparse_clear(eigen->sparse);
 	free(eigen->x);
 	free(eigen->value);
@@ -86,7 +87,7 @@ static enum hawser_status look(struct hawser__eigen *eigen, const struct hawser_
 			                    "that its stiffness differs between both directions: there are no "
 			                    "linear modes; change its length0%s", net->name,
 			                    net->cable[mesh->cable[e]].name, strain, more);
-		eigen->slack += eigen->T[e] <= 0.0;
+		eigen->slack += eigen->T[e] <= 0.0 && !net->cable[mesh->cable[e]].rod;
 	}
 	return HAWSER_OK;
 }
@@ -116,13 +117,14 @@ static enum hawser_status count_massive(struct hawser__eigen *eigen, struct haws
 		has[mesh->rotor[i].unknown] |= mesh->rotor[i].mass > 0.0;
 	for (int i = 0; i < mesh->unknowns; i++)
 		eigen->massive += has[i];
+	eigen->massive += mesh->body_unknowns;
 	free(heavy);
 	free(has);
 	return HAWSER_OK;
 }
 
 /* K + lift*M in place of K: T/(rho*L^2) with the means of tensions and masses over all cables, of
- * length L together, and 10 times more in each further round. */
+ * length L together, or 1 for bodies alone; and 10 times more in each further round. */
 static enum hawser_status lifted(struct hawser__eigen *eigen, int round, struct hawser_report *report)
 {
 	const struct hawser__mesh *mesh = eigen->mesh;
@@ -131,11 +133,11 @@ static enum hawser_status lifted(struct hawser__eigen *eigen, int round, struct 
 	for (int i = 0; i < mesh->nodes; i++)
 		mass += mesh->mass[i];
 	for (int e = 0; e < mesh->elements; e++) {
-		T += fmax(eigen->T[e], 0.0)*mesh->length0[e];
+		T += mesh->net->cable[mesh->cable[e]].rod ? 0.0 : fmax(eigen->T[e], 0.0)*mesh->length0[e];
 		mass += mesh->rho[e]*mesh->length0[e];
 		length += mesh->length0[e];
 	}
-	eigen->lift = round > 1 ? 10.0*eigen->lift : T/(mass*length*length);
+	eigen->lift = round > 1 ? 10.0*eigen->lift : T > 0.0 ? T/(mass*length*length) : 1.0;
 	if (!eigen->work)
 		eigen->work = malloc(((size_t)mesh->unknowns + 1)*sizeof *eigen->work);
 	return eigen->work ? HAWSER_OK : hawser__no_memory(report, "net");
@@ -145,9 +147,11 @@ enum hawser_status hawser__eigen_open(struct hawser__eigen *eigen, const struct 
                                       const double *T, const struct hawser_net *net, int n,
                                       struct hawser_report *report)
 {
+	struct hawser__mesh nodes = *mesh; /* without bodies */
 	enum hawser_status status;
-	int definite = 0;
+	int definite = 0, negative = 0;
 
+	nodes.unknowns -= mesh->body_unknowns;
 	*eigen = (struct hawser__eigen){.mesh = mesh, .T = T, .name = net->name, .n = n};
 	status = count_massive(eigen, report);
 	if (!status && eigen->massive == 0)
@@ -165,15 +169,20 @@ enum hawser_status hawser__eigen_open(struct hawser__eigen *eigen, const struct 
 	if (!status)
 		status = look(eigen, net, report);
 	if (!status)
-		status = hawser__sparse_open(&eigen->sparse, mesh, report);
+		status = hawser__sparse_open(&eigen->sparse, &nodes, report);
 	for (int round = 0; round <= LIFTS && !status && !definite; round++) {
 		if (round > 0)
 			status = lifted(eigen, round, report);
-		if (status || !isfinite(eigen->lift) || (round > 0 && !mesh->frame))
+		if (status || !isfinite(eigen->lift) || (round > 0 && !mesh->frame && !mesh->body))
 			break;
 		hawser__sparse_zero(eigen->sparse);
 		hawser__eigen_assemble(eigen->sparse, eigen, 0.0);
 		status = hawser__sparse_factor(eigen->sparse, &definite, report);
+		if (status || !definite || !mesh->body_unknowns)
+			continue;
+		hawser__border_clear(eigen->border);
+		status = hawser__border_open(&eigen->border, &negative, eigen, eigen->sparse, 0.0, report);
+		definite = !negative;
 	}
 	if (!status && !definite)
 		status = no_stiffness(eigen, net, report);
@@ -186,9 +195,9 @@ enum hawser_status hawser__eigen_open(struct hawser__eigen *eigen, const struct 
 
 /* Largest component of x - inv(A)*A*x over that of x: what round-off has done to the factors of A =
  * K - shift*M, where it matters most. */
-static enum hawser_status defect(double *most, struct hawser__sparse *sparse,
-                                 const struct hawser__eigen *eigen, double shift, const double *x,
-                                 struct hawser_report *report)
+static enum hawser_status defect(double *most, struct hawser__border *border,
+                                 struct hawser__sparse *sparse, const struct hawser__eigen *eigen,
+                                 double shift, const double *x, struct hawser_report *report)
 {
 	int n = eigen->mesh->unknowns;
 	double *y = malloc(2*((size_t)n + 1)*sizeof *y), *m = y + n + 1, off = 0.0, size = 0.0;
@@ -199,7 +208,7 @@ static enum hawser_status defect(double *most, struct hawser__sparse *sparse,
 	hawser__eigen_stiffness(y, x, eigen);
 	hawser__eigen_mass(m, x, eigen->mesh, 7U);
 	cblas_daxpy(n, -shift, m, 1, y, 1);
-	status = hawser__sparse_solve(y, sparse, report);
+	status = hawser__border_solve(y, border, sparse, report);
 	for (int i = 0; i < n; i++) {
 		off = fabs(y[i] - x[i]) <= off ? off : fabs(y[i] - x[i]);
 		size = fmax(size, fabs(x[i]));
@@ -213,17 +222,27 @@ enum hawser_status hawser__eigen_count(int *below, int *sure, const struct hawse
                                        double shift, const double *near, struct hawser_report *report)
 {
 	struct hawser__sparse *sparse = NULL;
-	enum hawser_status status = hawser__sparse_open_indefinite(&sparse, eigen->mesh, report);
+	struct hawser__border *border = NULL;
+	struct hawser__mesh nodes = *eigen->mesh; /* without bodies */
+	enum hawser_status status;
 	double off = 1.0;
+	int more = 0;
+
+	nodes.unknowns -= nodes.body_unknowns;
+	status = hawser__sparse_open_indefinite(&sparse, &nodes, report);
 
 	*below = *sure = 0;
 	if (!status) {
 		hawser__eigen_assemble(sparse, eigen, shift);
 		status = hawser__sparse_inertia(below, sure, sparse, report);
 	}
+	if (!status && *sure && nodes.body_unknowns)
+		status = hawser__border_open(&border, &more, eigen, sparse, shift, report);
+	*below += more;
 	if (!status && *sure)
-		status = defect(&off, sparse, eigen, shift, near, report);
+		status = defect(&off, border, sparse, eigen, shift, near, report);
 	*sure = *sure && off < 0.1;
+	hawser__border_clear(border);
 	hawser__sparse_clear(sparse);
 	return status;
 }
@@ -238,13 +257,13 @@ static enum hawser_status solve(double *y, double *r, const double *b, struct ha
 	enum hawser_status status;
 
 	memcpy(y, b, (size_t)n*sizeof *y);
-	status = hawser__sparse_solve(y, eigen->sparse, report);
+	status = hawser__border_solve(y, eigen->border, eigen->sparse, report);
 	if (status)
 		return status;
 	hawser__eigen_stiffness(r, y, eigen);
 	for (int i = 0; i < n; i++)
 		r[i] = b[i] - r[i];
-	status = hawser__sparse_solve(r, eigen->sparse, report);
+	status = hawser__border_solve(r, eigen->border, eigen->sparse, report);
 	cblas_daxpy(n, 1.0, r, 1, y, 1);
 	eigen->iterations += 2;
 	return status;
@@ -265,7 +284,7 @@ enum hawser_status hawser__eigen_bound(struct hawser__eigen *eigen, struct hawse
 		energy = cblas_ddot(n, x, 1, r, 1);
 		cblas_daxpy(n, -eigen->value[j], m, 1, r, 1);
 		memcpy(y, r, (size_t)n*sizeof *y);
-		status = hawser__sparse_solve(y, eigen->sparse, report);
+		status = hawser__border_solve(y, eigen->border, eigen->sparse, report);
 		eigen->error[j] = sqrt(fmax(cblas_ddot(n, r, 1, y, 1), 0.0)/energy)/2.0;
 	}
 	free(r);

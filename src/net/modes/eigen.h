@@ -19,7 +19,8 @@ struct hawser__eigen {
 	double lift;      /* rad^2/s^2: all below is of K + lift*M, whose eigenvalues are higher by it; 0
 	                   * where K is positive definite */
 	double *work;     /* [unknowns] with lift; else NULL */
-	struct hawser__sparse *sparse; /* the factors of K */
+	struct hawser__sparse *sparse; /* the factors of K, without the motions of rigid bodies */
+	struct hawser__border *border; /* with those; NULL: there are none */
 
 	int found;        /* n, and more where modes beyond have the frequency of the last one */
 	double *x;        /* [found][unknowns] x'*M*x = 1 */
@@ -57,6 +58,17 @@ enum hawser_status hawser__eigen_count(int *below, int *sure, const struct hawse
 /* Displacement of a node of the mesh. */
 void hawser__eigen_place(double x[3], const double *phi, const struct hawser__mesh *mesh, int node);
 
+/* eigen-border.c: rigid bodies beside the factors `sparse` of K - shift*M, and how many pivots are
+ * negative there, or round-off; and the solution of K - shift*M by both (`border` may be NULL). */
+enum hawser_status hawser__border_open(struct hawser__border **border, int *negative,
+                                       const struct hawser__eigen *eigen,
+                                       struct hawser__sparse *sparse, double shift,
+                                       struct hawser_report *report) HAWSER_MUST_CHECK;
+void hawser__border_clear(struct hawser__border *border);
+enum hawser_status hawser__border_solve(double *x, struct hawser__border *border,
+                                        struct hawser__sparse *sparse,
+                                        struct hawser_report *report) HAWSER_MUST_CHECK;
+
 /* eigen-dense.c: the same as the next function for few unknowns. */
 enum hawser_status hawser__eigen_dense(struct hawser__eigen *eigen, struct hawser_report *report)
 	HAWSER_MUST_CHECK;
@@ -66,6 +78,7 @@ enum hawser_status hawser__eigen_lanczos(struct hawser__eigen *eigen, struct haw
 
 /* An equilibrium, the factors of K there, and modes. */
 struct hawser__net_modal {
+	struct hawser_net seated;       /* with its bodies in equilibrium */
 	struct hawser__mesh mesh;
 	double *T;                      /* [elements] N */
 	struct hawser__eigen eigen;     /* of mesh: the structure must not be moved. The vectors x of the

@@ -123,7 +123,7 @@ static enum hawser_status image(struct basis *basis, struct hawser_report *repor
 {
 	basis->eigen->iterations++;
 	memcpy(basis->w, basis->mw, (size_t)basis->n*sizeof *basis->w);
-	return hawser__sparse_solve(basis->w, basis->eigen->sparse, report);
+	return hawser__border_solve(basis->w, basis->eigen->border, basis->eigen->sparse, report);
 }
 
 /* Random vectors, the same in each run. B is applied twice: a rough vector has an energy that hides the

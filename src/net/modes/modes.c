@@ -152,12 +152,18 @@ static enum hawser_status stable(const struct hawser__eigen *eigen, struct hawse
 	for (int j = 0; j < eigen->found && eigen->lift > 0.0; j++) {
 		double value = eigen->value[j] - eigen->lift;
 
-		if (value < -STILL*eigen->lift - corners(eigen->x + (size_t)j*(size_t)eigen->mesh->unknowns,
-		                                         eigen))
+		if (value >= -STILL*eigen->lift - corners(eigen->x + (size_t)j*(size_t)eigen->mesh->unknowns,
+		                                          eigen))
+			continue;
+		if (eigen->mesh->body)
 			return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "net", "%s: the equilibrium is not "
-			                    "stable: along the obstacles it has a mode with omega^2 = %.6g "
-			                    "rad^2/s^2, the net would slide off: look at the sides of obstacles, "
-			                    "or give them friction and contact.modes: stick", eigen->name, value);
+			                    "stable: a mode has omega^2 = %.6g rad^2/s^2; give bodies more "
+			                    "buoyancy above their weight, or lines that hold them", eigen->name,
+			                    value);
+		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "net", "%s: the equilibrium is not "
+		                    "stable: along the obstacles it has a mode with omega^2 = %.6g "
+		                    "rad^2/s^2, the net would slide off: look at the sides of obstacles, "
+		                    "or give them friction and contact.modes: stick", eigen->name, value);
 	}
 	return HAWSER_OK;
 }
@@ -213,7 +219,7 @@ static enum hawser_status solve(struct hawser_net_modes *modes, struct hawser__e
 		status = hawser__eigen_solve(eigen, report);
 	if (!status)
 		status = stable(eigen, report);
-	if (!status)
+	if (!status && !mesh->body) /* bodies have no partners */
 		status = hawser__net_maps_open(&maps, mesh, eigen->T, modes->nodes, report);
 	modes->symmetry = maps.found;
 	if (!status)
@@ -264,18 +270,22 @@ void hawser__net_modal_clear(struct hawser__net_modal *modal)
 {
 	hawser__eigen_clear(&modal->eigen);
 	hawser__mesh_clear(&modal->mesh);
+	hawser__bodies_unseat(&modal->seated, &modal->seated);
 	free(modal->T);
 	hawser_net_modes_clear(&modal->modes);
 }
 
-enum hawser_status hawser__net_modal_open(struct hawser__net_modal *modal, const struct hawser_net *net,
-                                          int n, unsigned axes, struct hawser_report *report)
+enum hawser_status hawser__net_modal_open(struct hawser__net_modal *modal,
+                                          const struct hawser_net *given, int n, unsigned axes,
+                                          struct hawser_report *report)
 {
 	struct hawser__mesh *mesh = &modal->mesh;
 	struct hawser_net_modes *modes = &modal->modes;
-	enum hawser_status status = hawser__bodies_none(net, "the question for modes", report);
+	const struct hawser_net *net = &modal->seated;
+	double rest;
+	enum hawser_status status = hawser__bodies_seat(&modal->seated, &rest, given, report);
 
-	*modes = (struct hawser_net_modes){.nodes = net->nodes};
+	*modes = (struct hawser_net_modes){.nodes = given->nodes};
 	modal->eigen = (struct hawser__eigen){.n = 0};
 	modal->T = NULL;
 	if (!status)
@@ -291,6 +301,8 @@ enum hawser_status hawser__net_modal_open(struct hawser__net_modal *modal, const
 	hawser__absorbers_release(mesh, status ? 0 : axes);
 	if (!status && mesh->touches)
 		status = contacts(modes, mesh, modal->T, net, report);
+	if (!status)
+		status = hawser__bodies_release(mesh, net, report);
 	modes->unknowns = mesh->unknowns;
 	if (!status)
 		status = hawser__eigen_open(&modal->eigen, mesh, modal->T, net, n, report);

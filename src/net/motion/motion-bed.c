@@ -29,10 +29,10 @@
  * the depth, of which the friction of moorings feels nothing. */
 static const double STIFFER_ALONG = 10.0;
 
-/* Friction of the step, for the force N across the plane whose derivative by s1 is `slope`, and what
- * it adds to the block of the node. */
+/* Friction of the step, for the force N across the plane, and what it adds to the block of the node
+ * and to what follows N. */
 static void rub(double T[3], double *block, const struct hawser__motion *motion,
-                const struct hawser__bed_node *of, double N, double slope, double h)
+                struct hawser__bed_node *of, double N, double h)
 {
 	const struct hawser__touch *touch = &motion->mesh->touch[of->touch];
 	const struct hawser__motion_touch *now = &motion->contact->touch[of->touch];
@@ -50,11 +50,11 @@ static void rub(double T[3], double *block, const struct hawser__motion *motion,
 		double plane = (i % 4 ? 0.0 : 1.0) - of->n[i/3]*of->n[i % 3];
 
 		block[i] += part*stiff*(plane - along);
-		if (part < 1.0)
-			block[i] += touch->surface->friction*slope*T[i/3]/size*of->n[i % 3];
 	}
-	for (int k = 0; k < 3; k++)
+	for (int k = 0; k < 3; k++) {
+		of->push[k] += part < 1.0 ? touch->surface->friction*T[k]/size : 0.0;
 		T[k] *= part;
+	}
 }
 
 /* Depth of a node with the displacements u. */
@@ -71,33 +71,40 @@ static double depth(const struct hawser__motion *motion, const struct hawser__be
 
 void hawser__bed_prepare(struct hawser__motion *motion)
 {
-	for (int i = 0; i < motion->bed->nodes; i++)
-		motion->bed->node[i].s0 = depth(motion, &motion->bed->node[i],
-		                                (const double (*)[3])motion->u0);
+	struct hawser__bed *bed = motion->bed;
+
+	for (int i = 0; i < bed->nodes; i++)
+		bed->node[i].s0 = depth(motion, &bed->node[i], (const double (*)[3])motion->u0);
+	for (int i = 0; i < bed->touchdowns; i++) {
+		struct hawser__touchdown *at = &bed->touchdown[i];
+
+		hawser__touchdown_begin(at, (const double [2]){bed->node[at->end[0]].s0,
+		                                               bed->node[at->end[1]].s0});
+	}
 }
 
 /* Force of the step, and its derivative by s1. */
 static double force(double *slope, const struct hawser__bed_node *of, const struct hawser__motion_rule *rule,
                     double h)
 {
-	double p0 = fmax(of->s0, 0.0), p1 = fmax(of->s1, 0.0), N = 0.0, ratio;
+	double p0 = fmax(of->s0, 0.0), p1 = fmax(of->s1, 0.0), N = of->more, ratio;
 
-	*slope = 0.0;
+	*slope = of->slope;
 	if (rule->weight >= 0.0) { /* at rest */
-		*slope = p1 > 0.0 ? of->k : 0.0;
-		return of->k*p1;
+		*slope += p1 > 0.0 ? of->k : 0.0;
+		return N + of->k*p1;
 	}
 	if (p0 > 0.0 && p1 > 0.0) {
-		N = 0.5*of->k*(p0 + p1);
-		*slope = 0.5*of->k;
+		N += 0.5*of->k*(p0 + p1);
+		*slope += 0.5*of->k;
 	} else if (p1 > 0.0) {
 		ratio = p1/(of->s1 - of->s0);
-		N = 0.5*of->k*p1*ratio;
-		*slope = of->k*ratio*(1.0 - 0.5*ratio);
+		N += 0.5*of->k*p1*ratio;
+		*slope += of->k*ratio*(1.0 - 0.5*ratio);
 	} else if (p0 > 0.0) {
 		ratio = p0/(of->s0 - of->s1);
-		N = 0.5*of->k*p0*ratio;
-		*slope = 0.5*of->k*ratio*ratio;
+		N += 0.5*of->k*p0*ratio;
+		*slope += 0.5*of->k*ratio*ratio;
 	}
 	N += of->c*(p1 - p0)/h;
 	*slope += p1 > 0.0 ? of->c/h : 0.0;
@@ -178,27 +185,36 @@ void hawser__bed_clear(struct hawser__bed *bed)
 }
 
 /* What an element that lies in part adds at its ends. */
-static void lay(struct hawser__motion *motion, const struct hawser__touchdown *of, int at_rest,
-                int tangent)
+static void lay(struct hawser__bed *bed, struct hawser__touchdown *of, int at_rest)
 {
-	struct hawser__bed_node *end[2] = {&motion->bed->node[of->end[0]], &motion->bed->node[of->end[1]]};
+	struct hawser__bed_node *end[2] = {&bed->node[of->end[0]], &bed->node[of->end[1]]};
 	const double s0[2] = {end[0]->s0, end[1]->s0}, s1[2] = {end[0]->s1, end[1]->s1};
-	double F[2], F_s[2][2], *B[2] = {motion->B[of->element], motion->other[of->element]};
+	double F[2];
 
 	if (at_rest)
-		(void)hawser__touchdown_energy(F, F_s, of, s1);
+		(void)hawser__touchdown_energy(F, of->F_s, of, s1);
 	else
-		hawser__touchdown_mean(F, F_s, of, s0, s1);
+		hawser__touchdown_mean(F, of->F_s, of, s0, s1);
 	for (int i = 0; i < 2; i++) {
-		double *block = motion->block[motion->mesh->touch[end[i]->touch].node];
-
 		end[i]->more += F[i];
-		end[i]->slope += F_s[i][i];
-		for (int k = 0; k < 9 && tangent; k++) {
-			double across = end[0]->n[k/3]*end[0]->n[k % 3];
+		end[i]->slope += of->F_s[i][i];
+	}
+}
 
-			B[i][k] -= F_s[i][!i]*across;
-			block[k] += F_s[i][!i]*across; /* B is there too */
+/* In the matrix, what the depth of one end changes at the other. */
+static void couple(struct hawser__motion *motion, const struct hawser__touchdown *of)
+{
+	double *B[2] = {motion->B[of->element], motion->other[of->element]};
+
+	for (int i = 0; i < 2; i++) {
+		const struct hawser__bed_node *end = &motion->bed->node[of->end[i]];
+		double *block = motion->block[motion->mesh->touch[end->touch].node];
+
+		for (int k = 0; k < 9; k++) {
+			double change = of->F_s[i][!i]*end->push[k/3]*end->n[k % 3];
+
+			B[i][k] -= change;
+			block[k] += change; /* B is there too */
 		}
 	}
 }
@@ -214,30 +230,32 @@ double hawser__bed_residual(struct hawser__motion *motion, const struct hawser__
 
 		at->s1 = at->s0 - hawser__dot(at->n, motion->x[motion->mesh->touch[at->touch].node]);
 		at->more = at->slope = 0.0;
+		memcpy(at->push, at->n, sizeof at->push);
 	}
 	for (int i = 0; i < bed->touchdowns; i++)
-		lay(motion, &bed->touchdown[i], rule->weight >= 0.0, tangent);
+		lay(bed, &bed->touchdown[i], rule->weight >= 0.0);
 	for (int i = 0; i < bed->nodes; i++) {
 		struct hawser__bed_node *at = &bed->node[i];
 		int node = motion->mesh->touch[at->touch].node;
-		double slope, N = force(&slope, at, rule, h) + at->more;
+		double slope, N = force(&slope, at, rule, h);
 
-		slope += at->slope;
 		for (int k = 0; k < 3; k++)
 			motion->r[node][k] -= N*at->n[k];
-		for (int k = 0; k < 9 && tangent; k++)
-			motion->block[node][k] += slope*at->n[k/3]*at->n[k % 3];
 		if (motion->contact) {
 			double *T = motion->contact->touch[at->touch].rubbed;
 
 			motion->contact->touch[at->touch].given = N;
 			if (motion->mesh->touch[at->touch].surface->friction > 0.0 && rule->weight < 0.0)
-				rub(T, tangent ? motion->block[node] : NULL, motion, at, N, slope, h);
+				rub(T, tangent ? motion->block[node] : NULL, motion, at, N, h);
 			for (int k = 0; k < 3; k++)
 				motion->r[node][k] -= T[k];
 		}
+		for (int k = 0; k < 9 && tangent; k++)
+			motion->block[node][k] += slope*at->push[k/3]*at->n[k % 3];
 		most = fmax(most, N);
 	}
+	for (int i = 0; i < bed->touchdowns && tangent; i++)
+		couple(motion, &bed->touchdown[i]);
 	return most;
 }
 

@@ -12,12 +12,15 @@ struct hawser__bed_node {
 	double k, c, n[3];   /* N/m, N s/m, normal */
 	double s0, s1;       /* m, depth at both ends of the step, below 0 above the plane */
 	double more, slope;  /* N, N/m: of touchdowns at it in the step, and by s1 */
+	double push[3];      /* the force of the plane, and of friction that slides, over that across it */
 };
 
 /* An element that may lie in part. */
 struct hawser__touchdown {
 	int element, end[2]; /* end: of the list of nodes */
 	double k, w, curvature, L;
+	double energy0, F0[2]; /* J, N: at the beginning of the step */
+	double F_s[2][2];    /* N/m, of its mean force by s1 */
 };
 
 struct hawser__bed {
@@ -32,11 +35,12 @@ void hawser__bed_forces(struct hawser__mesh *mesh, const struct hawser__bed *bed
 
 /* motion-touchdown.c: of an element and the plane at both its ends, but for `end`; 0 if there is none.
  * Its energy (J) at the depths s beyond that of the ends, its derivatives F (N) and theirs, or NULL;
- * and the mean force of a step with its derivative by s1. */
+ * a step begins at s0; and its mean force to s1 with the derivative by that. */
 int hawser__touchdown_of(struct hawser__touchdown *of, const struct hawser__motion *motion, int e,
                          const struct hawser_surface *plane);
 double hawser__touchdown_energy(double F[2], double (*F_s)[2], const struct hawser__touchdown *of,
                                 const double s[2]);
+void hawser__touchdown_begin(struct hawser__touchdown *of, const double s0[2]);
 void hawser__touchdown_mean(double F[2], double (*F_s)[2], const struct hawser__touchdown *of,
                             const double s0[2], const double s1[2]);
 

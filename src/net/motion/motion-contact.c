@@ -68,7 +68,7 @@ static void across(struct hawser__motion_contact *contact, const struct hawser__
 
 	for (int j = 0; hawser__water_mass(&at, mesh, j); j++) {
 		double e[3], all = at.mass[0][0] + at.mass[1][1] + at.mass[2][2], along = 0.0;
-		int node = mesh->end[at.element][at.end];
+		int node = at.node;
 
 		hawser__mesh_direction(e, mesh, at.element);
 		for (int k = 0; k < 3; k++)

@@ -88,7 +88,7 @@ enum hawser_status hawser__probes_state(struct hawser__probes *probes, struct ha
 		if (motion->mesh->unknown[i/3][i%3] >= 0 || motion->mesh->rigid[i/3])
 			probes->a[i/3][i%3] = acceleration(motion, i/3, i%3);
 	if (motion->water)
-		(void)hawser__water_row(probes->motion, (const double (*)[3])probes->a);
+		hawser__water_row(probes->motion, (const double (*)[3])probes->a);
 	if (!motion->scheme->advance)
 		return HAWSER_OK;
 	for (int i = 0; i < 3*motion->nodes; i++) {

@@ -99,7 +99,10 @@ void hawser__motion_restore(struct hawser__motion *motion, double *h, const doub
 	for (int e = 0, first = numbers(motion->mesh) - motion->elements; e < motion->elements; e++)
 		if (hawser__mesh_creeps(motion->mesh->net))
 			motion->element[e].lag = begin[first + e];
-	motion->added = motion->water ? hawser__water_row(motion, NULL) : 0.0;
+	if (motion->water) { /* with the surface as it is now */
+		hawser__water_row(motion, (const double (*)[3])motion->a);
+		motion->added = hawser__water_kinetic(motion);
+	}
 	motion->least = INFINITY; /* of what follows */
 	motion->slack_at = NAN;
 }

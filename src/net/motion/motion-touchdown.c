@@ -32,8 +32,12 @@
 #include "net/water/water.h"
 
 enum { SWEEPS = 100 };
-/* Of the depth in which a cable lies: of shorter ways the mean force is that of the middle. */
-static const double SHORT = 1e-5;
+/* Of the depth in which a cable lies: ways that are short. */
+static const double SHORT = 1e-3;
+/* Slope of an element that is free from one end on: above it the cable is no parabola. */
+static const double STEEP = 1.0;
+/* Of that depth: what is nearer to it has no force by its square. */
+static const double LIES = 1e-8;
 
 /* The lengths that are free. */
 static void free_lengths(double l[2], const struct hawser__touchdown *of, const double z[2])
@@ -56,13 +60,18 @@ static void free_lengths(double l[2], const struct hawser__touchdown *of, const 
 }
 
 /* 1 if the whole element lies, or is free: the plane acts at its ends. */
-static int plain(const struct hawser__touchdown *of, const double s[2])
+static inline int plain(const struct hawser__touchdown *of, const double s[2])
 {
-	double low = fmax(-s[0], 0.0), high = fmax(-s[1], 0.0);
+	const double lies = 0.5*of->w*of->L*(1.0 - LIES)/of->k, top = 0.5*of->curvature*of->L*of->L;
+	double a, b;
 
-	if (of->k*fmin(s[0], s[1]) >= 0.5*of->w*of->L)
+	if ((s[0] >= lies && s[1] >= lies) || s[0] <= -top || s[1] <= -top)
 		return 1;
-	return sqrt(2.0*low/of->curvature) + sqrt(2.0*high/of->curvature) >= of->L;
+	if (s[0] >= 0.0 || s[1] >= 0.0)
+		return 0;
+	a = s[0] + s[1] + top; /* l/L is the root of -s/top; without roots l_a + l_b >= L is this */
+	b = 4.0*s[0]*s[1];
+	return a <= 0.0 || b >= a*a;
 }
 
 double hawser__touchdown_energy(double F[2], double (*F_s)[2], const struct hawser__touchdown *of,
@@ -99,14 +108,15 @@ double hawser__touchdown_energy(double F[2], double (*F_s)[2], const struct haws
 }
 
 /* The mean force of a step is the gradient in the middle, and what it lacks to the change of the energy
- * along the way (Gonzalez 1996). */
+ * along the way (Gonzalez 1996). On short ways, where round-off would be in that, it is by Simpson's
+ * rule. */
 void hawser__touchdown_mean(double F[2], double (*F_s)[2], const struct hawser__touchdown *of,
                             const double s0[2], const double s1[2])
 {
 	const double d[2] = {s1[0] - s0[0], s1[1] - s0[1]}, square = d[0]*d[0] + d[1]*d[1];
 	const double middle[2] = {0.5*(s0[0] + s1[0]), 0.5*(s0[1] + s1[1])};
 	const double lies = 0.5*of->w*of->L/of->k;
-	double unused[2], end[2], by[2][2], change, part;
+	double end[2], by[2][2], end_by[2][2], change, part;
 
 	memset(F, 0, 2*sizeof *F);
 	memset(F_s, 0, 2*sizeof *F_s);
@@ -114,21 +124,30 @@ void hawser__touchdown_mean(double F[2], double (*F_s)[2], const struct hawser__
 		if ((fmin(s0[0], s0[1]) > 0.0) == (fmin(s1[0], s1[1]) > 0.0))
 			return;
 	(void)hawser__touchdown_energy(F, by, of, middle);
-	for (int i = 0; i < 4; i++)
-		F_s[i/2][i % 2] = 0.5*by[i/2][i % 2];
-	if (square <= SHORT*lies*SHORT*lies)
+	change = hawser__touchdown_energy(end, end_by, of, s1) - of->energy0;
+	if (square <= SHORT*lies*SHORT*lies) {
+		for (int i = 0; i < 2; i++) {
+			F[i] = (of->F0[i] + 4.0*F[i] + end[i])/6.0;
+			for (int j = 0; j < 2; j++)
+				F_s[i][j] = (2.0*by[i][j] + end_by[i][j])/6.0;
+		}
 		return;
-	change = hawser__touchdown_energy(end, NULL, of, s1) - hawser__touchdown_energy(unused, NULL, of, s0);
+	}
 	part = (change - F[0]*d[0] - F[1]*d[1])/square;
 	for (int i = 0; i < 2; i++)
 		for (int j = 0; j < 2; j++) {
 			double turned = 0.5*(by[0][j]*d[0] + by[1][j]*d[1]);
 
-			F_s[i][j] += (i == j ? part : 0.0) +
+			F_s[i][j] = 0.5*by[i][j] + (i == j ? part : 0.0) +
 			             d[i]*(end[j] - F[j] - turned - 2.0*part*d[j])/square;
 		}
 	for (int i = 0; i < 2; i++)
 		F[i] += part*d[i];
+}
+
+void hawser__touchdown_begin(struct hawser__touchdown *of, const double s0[2])
+{
+	of->energy0 = hawser__touchdown_energy(of->F0, NULL, of, s0);
 }
 
 int hawser__touchdown_of(struct hawser__touchdown *of, const struct hawser__motion *motion, int e,
@@ -146,5 +165,5 @@ int hawser__touchdown_of(struct hawser__touchdown *of, const struct hawser__moti
 	*of = (struct hawser__touchdown){.element = e, .k = 0.5*plane->stiffness*d*L, .w = m*mesh->g*n[1],
 	                                 .L = L};
 	of->curvature = of->w/H;
-	return of->k > 0.0 && of->w > 0.0 && H > 0.0 && isfinite(of->curvature);
+	return of->k > 0.0 && of->w > 0.0 && H > 0.0 && of->curvature*L < STEEP;
 }

@@ -135,6 +135,8 @@ enum hawser_status hawser__motion_begin(struct hawser__motion *motion, struct ha
 static void predict(struct hawser__motion *motion, double h)
 {
 	double f = motion->past_h > 0.0 ? h/motion->past_h : 0.0;
+	/* without the velocities of the state, which alternate from step to step where damping is strong */
+	double g = motion->past2_h > 0.0 ? f*(h + motion->past_h)/(motion->past_h + motion->past2_h) : 0.0;
 
 	hawser__motion_supports(motion->u, motion->v, motion, motion->t + h);
 	for (int i = 0; i < motion->nodes; i++)
@@ -142,6 +144,8 @@ static void predict(struct hawser__motion *motion, double h)
 			double v = motion->v0[i][k], mean = motion->past[i][k]*f, x;
 
 			x = h*v + (f > 0.0 ? f*(h*v - mean) : 0.5*h*h*motion->a0[i][k]);
+			if (g > 0.0)
+				x = mean + g*(motion->past[i][k] - motion->past_h/motion->past2_h*motion->past2[i][k]);
 			motion->x[i][k] = motion->mesh->unknown[i][k] < 0 && !motion->mesh->rigid[i]
 				? motion->u[i][k] - motion->u0[i][k] : x;
 		}

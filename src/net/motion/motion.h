@@ -335,8 +335,7 @@ double hawser__bed_energy(const struct hawser__motion *motion);
 void hawser__bed_account(struct hawser__motion *motion, double h);
 /* net/water/water-motion.c: in water. The flow of a step, for motion->x as expected; its part of the
  * residual and of the matrix, which returns the largest force; of the energies and the ledger; and
- * the loads of the mesh in the state with accelerations a [nodes] or NULL, for tensions, with the
- * kinetic energy. */
+ * the loads of the mesh in the state with accelerations a [nodes], for tensions. */
 enum hawser_status hawser__water_motion_open(struct hawser__motion *motion,
                                              struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser__water_motion_clear(struct hawser__water_motion *water);
@@ -349,7 +348,7 @@ double hawser__water_residual(struct hawser__motion *motion, const struct hawser
                               int tangent);
 double hawser__water_kinetic(struct hawser__motion *motion);
 void hawser__water_account(struct hawser__motion *motion, double h);
-double hawser__water_row(struct hawser__motion *motion, const double (*a)[3]);
+void hawser__water_row(struct hawser__motion *motion, const double (*a)[3]);
 
 /* motion-cvode.c */
 struct hawser__cvode;

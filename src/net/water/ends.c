@@ -110,6 +110,27 @@ void hawser__water_ends(struct hawser__water_end end[2], const struct hawser__me
 	}
 }
 
+double hawser__water_carried(const struct hawser__mesh *mesh, int e, const double d[3],
+                             const double height[2], const double *const v[2])
+{
+	const struct hawser__mesh_water *water = mesh->water;
+	const struct hawser_water_line *line = water->line[e];
+	const double radius = 0.5*line->diameter, square = hawser__dot(d, d);
+	struct hawser__wet wet = {.part = {0.0}};
+	double sum = 0.0;
+
+	if (water->section || !(radius > 0.0 && square > 0.0))
+		return 0.0;
+	hawser__wet_line(&wet, 0.0, fmax(HAWSER__WATER_BAND*line->diameter, water->band), height);
+	for (int i = 0; i < 2; i++) {
+		double along = hawser__dot(v[i], d);
+
+		sum += wet.part[i]*(line->added_normal*hawser__dot(v[i], v[i]) +
+		                    (line->added_tangential - line->added_normal)*along*along/square);
+	}
+	return 0.5*water->of->density*M_PI*radius*radius*hawser__mesh_length(mesh, e)*sum;
+}
+
 void hawser__water_buoy(struct hawser__water_end *end, const struct hawser__mesh *mesh,
                         const struct hawser_water_buoy *buoy, const struct hawser__water_past *past)
 {

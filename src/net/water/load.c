@@ -209,18 +209,18 @@ void hawser__water_spread(double (*force)[3], const struct hawser__mesh *mesh, c
 
 int hawser__water_mass(struct hawser__water_mass *at, const struct hawser__mesh *mesh, int j)
 {
-	static const double none[3][3];
 	const struct hawser__mesh_water *water = mesh->water;
 	int buoy = j - 2*mesh->elements;
 
 	if (!water || buoy >= water->buoys)
 		return 0;
 	if (buoy < 0)
-		*at = (struct hawser__water_mass){j/2, j%2, (const double (*)[3])water->mass[j/2][j%2]};
+		*at = (struct hawser__water_mass){mesh->end[j/2][j%2], j/2, j%2,
+		                                  (const double (*)[3])water->mass[j/2][j%2]};
 	else
-		*at = (struct hawser__water_mass){water->buoy[buoy].element, water->buoy[buoy].end,
-		                                  mesh->rigid[water->buoy[buoy].node] ? none
-		                                  : (const double (*)[3])water->buoy[buoy].mass};
+		*at = (struct hawser__water_mass){water->buoy[buoy].node, water->buoy[buoy].element,
+		                                  water->buoy[buoy].end,
+		                                  (const double (*)[3])water->buoy[buoy].mass};
 	return 1;
 }
 
@@ -232,6 +232,8 @@ int hawser__water_spring(struct hawser__water_spring *at, const struct hawser__m
 	if (!water || buoy >= water->buoys)
 		return 0;
 	*at = (struct hawser__water_spring){.element = buoy < 0 ? j : water->buoy[buoy].element};
+	for (int i = 0; i < 2; i++)
+		at->node[i] = buoy < 0 ? mesh->end[j][i] : water->buoy[buoy].node;
 	for (int i = 0; i < 4; i++)
 		at->k[i/2][i%2] = buoy < 0 ? -water->spring[j][i/2][i%2] : 0.0;
 	if (buoy >= 0)

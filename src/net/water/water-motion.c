@@ -243,47 +243,43 @@ double hawser__water_residual(struct hawser__motion *motion, const struct hawser
 	return most;
 }
 
-static double moved(const struct hawser__water_end *end, const double v[3])
+/* To the state: the places. */
+static void stay(struct hawser__motion *motion)
 {
-	return 0.5*(v[0]*hawser__dot(end->mass[0], v) + v[1]*hawser__dot(end->mass[1], v) +
-	            v[2]*hawser__dot(end->mass[2], v));
-}
-
-/* To the state: places, flow and, unless NULL, the loads with the accelerations a, for its
- * tensions. */
-static double state(struct hawser__motion *motion, const double (*a)[3])
-{
-	const struct hawser__mesh *mesh = motion->mesh;
-	const struct hawser__water_motion *water = motion->water;
-	const double (*v)[3] = (const double (*)[3])motion->v;
-	struct hawser__water_past flow[2];
-	struct hawser__water_end end[2];
-	double sum = 0.0;
-
 	for (int i = 0; i < motion->nodes; i++)
 		for (int k = 0; k < 3; k++)
-			water->mid[i][k] = motion->reference[i][k] + motion->u[i][k];
-	for (int e = 0; e < motion->elements; e++) {
-		const struct hawser__motion_element *el = &motion->element[e];
-
-		ends(end, motion, e, v, a ? a : v, flow, 0);
-		sum += moved(&end[0], v[el->a]) + moved(&end[1], v[el->b]);
-		for (int k = 0; a && k < 6; k++)
-			mesh->water->load[e][k/3][k%3] = end[k/3].load[k%3];
-	}
-	for (int i = 0; i < mesh->water->buoys; i++) {
-		const struct hawser__mesh_buoy *buoy = &mesh->water->buoy[i];
-
-		past(flow, water, buoy->node, v[buoy->node], v[buoy->node]);
-		hawser__water_buoy(end, mesh, buoy->of, flow);
-		sum += moved(end, v[buoy->node]);
-	}
-	return sum;
+			motion->water->mid[i][k] = motion->reference[i][k] + motion->u[i][k];
 }
 
 double hawser__water_kinetic(struct hawser__motion *motion)
 {
-	return state(motion, NULL);
+	const struct hawser__mesh *mesh = motion->mesh;
+	const struct hawser__water_motion *water = motion->water;
+	double sum = 0.0;
+
+	stay(motion);
+	for (int e = 0; e < motion->elements; e++) {
+		const int end[2] = {motion->element[e].a, motion->element[e].b};
+		const double *v[2] = {motion->v[end[0]], motion->v[end[1]]};
+		double d[3], height[2];
+
+		for (int i = 0; i < 2; i++)
+			height[i] = water->mid[end[i]][1] - water->surface[end[i]];
+		for (int k = 0; k < 3; k++)
+			d[k] = water->mid[end[1]][k] - water->mid[end[0]][k];
+		sum += hawser__water_carried(mesh, e, d, height, v);
+	}
+	for (int i = 0; i < mesh->water->buoys; i++) {
+		const struct hawser__mesh_buoy *buoy = &mesh->water->buoy[i];
+		const double *v = motion->v[buoy->node];
+		struct hawser__water_past flow;
+		struct hawser__water_end end;
+
+		past(&flow, water, buoy->node, v, v);
+		hawser__water_buoy(&end, mesh, buoy->of, &flow);
+		sum += 0.5*end.mass[0][0]*hawser__dot(v, v);
+	}
+	return sum;
 }
 
 void hawser__water_account(struct hawser__motion *motion, double h)
@@ -296,11 +292,16 @@ void hawser__water_account(struct hawser__motion *motion, double h)
 		motion->energy.work += hawser__dot(motion->water->force[i], motion->x[i]);
 }
 
-double hawser__water_row(struct hawser__motion *motion, const double (*a)[3])
+void hawser__water_row(struct hawser__motion *motion, const double (*a)[3])
 {
-	for (int i = 0; i < motion->nodes; i++)
-		for (int k = 0; k < 3; k++)
-			motion->water->mid[i][k] = motion->reference[i][k] + motion->u[i][k];
+	struct hawser__water_past past[2];
+	struct hawser__water_end end[2];
+
+	stay(motion);
 	flow(motion, NULL, motion->t);
-	return state(motion, a);
+	for (int e = 0; e < motion->elements; e++) {
+		ends(end, motion, e, (const double (*)[3])motion->v, a, past, 0);
+		for (int k = 0; k < 6; k++)
+			motion->mesh->water->load[e][k/3][k%3] = end[k/3].load[k%3];
+	}
 }

@@ -53,6 +53,9 @@ struct hawser__water_end {
 /* d: vector along element e. With slopes = 0, by_r and by_d of what is wet are left as they were. */
 void hawser__water_ends(struct hawser__water_end end[2], const struct hawser__mesh *mesh, int e,
                         const double d[3], const struct hawser__water_past past[2], int slopes);
+/* Kinetic energy of the water that moves with it, J, for the heights and velocities of its ends. */
+double hawser__water_carried(const struct hawser__mesh *mesh, int e, const double d[3],
+                             const double height[2], const double *const v[2]);
 /* wind.c: the same of a net in the wind, and what it needs. */
 void hawser__wind_ends(struct hawser__water_end end[2], const struct hawser__mesh *mesh, int e,
                        const double d[3], const struct hawser__water_past past[2], int slopes);
@@ -71,17 +74,17 @@ void hawser__water_load(struct hawser__mesh *mesh);
 struct hawser__klu;
 void hawser__water_matrix(struct hawser__klu *klu, const struct hawser__mesh *mesh);
 void hawser__water_spread(double (*force)[3], const struct hawser__mesh *mesh, const double (*u)[3]);
-/* Added mass number j of the mesh at its places, kg, of an end of an element; returns 0 beyond the
- * last. */
+/* Added mass number j of the mesh at its places, kg, at a node, which is this end of an element but for
+ * those of bodies; returns 0 beyond the last. */
 struct hawser__water_mass {
-	int element, end;
+	int node, element, end;
 	const double (*mass)[3];
 };
 int hawser__water_mass(struct hawser__water_mass *at, const struct hawser__mesh *mesh, int j);
-/* Stiffness number j of the buoyancy, by the heights of both ends of an element, N/m; returns 0
- * beyond the last. */
+/* Stiffness number j of the buoyancy, by the heights of two nodes, N/m, the ends of an element but for
+ * bodies; returns 0 beyond the last. */
 struct hawser__water_spring {
-	int element;
+	int node[2], element;
 	double k[2][2];
 };
 int hawser__water_spring(struct hawser__water_spring *at, const struct hawser__mesh *mesh, int j);

@@ -15,6 +15,7 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "net/body.h"
 #include "rom/build/net.h"
 
 enum { DEFAULT = 6, CLUSTER = 4 }; /* modes; most that join the default ones */
@@ -130,10 +131,11 @@ static enum hawser_status find_modes(struct hawser__net_source *source,
 {
 	struct hawser__net_modal *modal = &source->modal;
 	int n = o->n == 0 ? -DEFAULT - CLUSTER : o->condensed && !o->kept ? -o->n : o->n;
-	enum hawser_status status = hawser__net_modal_open(modal, source->net, n, HAWSER__NET_SPACE,
-	                                                   report);
 	size_t unknowns;
+	enum hawser_status status = hawser__bodies_none(source->net, "a reduced model", report);
 
+	if (!status)
+		status = hawser__net_modal_open(modal, source->net, n, HAWSER__NET_SPACE, report);
 	if (status)
 		return status;
 	status = check_taut(source, report);
