@@ -73,9 +73,10 @@ struct condensed {
 	int lent;         /* 1: the response is the caller's */
 };
 
-/* Numbers of functions per component, in the order in which they are tried. */
-static const int bases[] = {6, 8, 10, 12, 14, 16, 20, 24};
-enum { BASES = sizeof bases/sizeof *bases };
+/* Numbers of functions per component, in the order in which they are tried; the last one with bending
+ * stiffness alone, where three elements or more share them and many may be the fewest. */
+static const int bases[] = {6, 8, 10, 12, 14, 16, 20, 24, 30};
+enum { BASES = sizeof bases/sizeof *bases, LARGEST = 24 };
 
 /* Whether the basis of the model holds the linear modes and the load. */
 static enum hawser_status resolves(int *good, const struct hawser_rom *full,
@@ -99,8 +100,10 @@ enum hawser_status hawser_accuracy_basis(struct hawser_rom *rom, int *functions,
                                          struct hawser_report *report)
 {
 	enum hawser_status status = HAWSER_OK;
-	int most = of->most > 0 ? of->most : bases[BASES - 1];
+	int most = of->most > 0 ? of->most : LARGEST;
 
+	if (of->modes->statics.bending.EI > 0.0)
+		most += bases[BASES - 1] - LARGEST;
 	*rom = (struct hawser_rom){.n = 0};
 	for (int i = 0; !status && i < BASES && bases[i] <= most; i++) {
 		int good = 0;
@@ -112,7 +115,7 @@ enum hawser_status hawser_accuracy_basis(struct hawser_rom *rom, int *functions,
 		if (!status && rom->n > coordinates)
 			status = resolves(&good, rom, of, bases[i], report);
 		/* the largest basis of all is tried whatever it resolves */
-		if (!status && rom->n > coordinates && (good || (of->most == 0 && i + 1 == BASES)))
+		if (!status && rom->n > coordinates && (good || (of->most == 0 && bases[i] == most)))
 			return HAWSER_OK;
 		hawser_rom_clear(rom);
 	}
@@ -158,7 +161,7 @@ static int retry(enum hawser_status status, int *functions, struct hawser_frf_op
 		(*functions)--;
 		return 1;
 	}
-	return *functions < (options->most_functions > 0 ? options->most_functions : bases[BASES - 1]);
+	return *functions < (options->most_functions > 0 ? options->most_functions : LARGEST);
 }
 
 /* The error of a basis that is small enough. */
