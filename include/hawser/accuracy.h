@@ -36,6 +36,8 @@ struct hawser_accuracy {
 	double asked, estimated;     /* relative error of folds and peaks: requested, estimated. The
 	                              * estimate is at least asked/10, since the tolerances are chosen
 	                              * for the requested accuracy */
+	double largest;              /* part of `estimated` that is of folds and the two largest stable
+	                              * peaks, if it was found for these; 0: not */
 	int slack;                   /* 1: the search ended because the tension is negative at a fifth of
 	                              * the points or more */
 	int reached;                 /* 1: the curve is complete and estimated <= asked */
@@ -141,6 +143,7 @@ struct hawser_accuracy_omission {
 enum { HAWSER_ACCURACY_NAMED = 4 };
 struct hawser_accuracy_fixed {
 	double estimated;  /* total of the following parts, at most 1 */
+	double largest;    /* the same of folds and the two largest stable peaks alone; 0: not known */
 	double rest;       /* sum of the measures of the omitted candidates (choose.h) */
 	double beyond;     /* sum of the measures of the modes above the candidates, extrapolated */
 	double truncation; /* error that no further modes reduce (choose.h) */

@@ -34,6 +34,7 @@ struct hawser_certificate {
 	double distance;       /* largest of all that were found; NAN: none was */
 	double harmonics;      /* largest relative change of an Omega or a size by four more harmonics */
 	double error;          /* of the model, stated: the distance and what is not known of it; NAN */
+	double largest;        /* the same of folds and the two largest stable peaks; 0: not known */
 	int order, unknowns;   /* harmonics; unknowns of the mesh */
 	double lengths;        /* largest relative error that the length of elements leaves, estimated */
 	double foreseen;       /* s of processor time, as counted: within a factor 2 on a core of 2 GHz */

@@ -142,7 +142,8 @@ import json
 r = json.load(open("certified.json"))
 folds = sorted(l["Omega_mesh"] for l in r["certified"]["landmarks"] if l["kind"] == "fold")
 assert abs(folds[0]/1.169214179 - 1) < 1e-6 and abs(folds[1]/1.190553850 - 1) < 1e-6, folds
-assert r["certified"]["refused"] == 0 and 1e-2 < r["model_error"]["estimated"] < 3e-2
+of = r["model_error"] # z moves three times as far as y
+assert r["certified"]["refused"] == 0 and 4e-3 < of["estimated"] < 6e-3 and 1e-2 < of["smaller"] < 3e-2, of
 END
 denies "a form that nets have not" 1 "raw 4: of nets and ropeways, condensed N and multiple-scales N" compare "$crosstie" \
 	--fidelities "raw 4"

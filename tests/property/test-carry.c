@@ -72,10 +72,11 @@ static void compare(struct hawser_rom *rom, const double *map)
 	ok(!hawser__carry(&frf[2], &lost, &rom[1], &orbits, mark, marks, map, &options, &report) && !lost &&
 	   frf[2].points == marks, "%d counterparts, lost %d: %s", frf[2].points, lost, report.message);
 	ok(!hawser__curve_copy(&curve[2], &frf[2], &report) &&
-	   !hawser__curve_points_distance(&carried, &curve[0], NULL, NULL, &curve[2], &report) &&
-	   !hawser__curve_points_distance(&peaks, &curve[0], mark, NULL, &curve[2], &report) &&
+	   !hawser__curve_points_distance(&carried, &curve[0], NULL, NULL, &curve[2], NULL, &report) &&
+	   !hawser__curve_points_distance(&peaks, &curve[0], mark, NULL, &curve[2], NULL, &report) &&
 	   !hawser__curve_distance(&apart, &curve[0], &curve[1], &report) &&
-	   !hawser__curve_points_distance(&again, &curve[1], NULL, NULL, &curve[2], &report), "distances");
+	   !hawser__curve_points_distance(&again, &curve[1], NULL, NULL, &curve[2], NULL, &report),
+	   "distances");
 	/* the curves also differ by what is between their points; three times the distance is stated */
 	ok(carried < 1.1*apart && apart < 2.0*carried, "%.3e by marks, %.3e by curves", carried, apart);
 	ok(peaks > carried && peaks < 2.0*apart, "%.3e with the change of peaks", peaks);
@@ -115,7 +116,8 @@ static void heights(void)
 		beside[4*k + 3] = (1.0 + higher)/(1.0 + (s - shift)*(s - shift));
 	}
 	/* nearest to the top the two differ by a third of that */
-	ok(!hawser__curve_points_distance(&distance, &curve, mark, NULL, &other, &report), "distance");
+	ok(!hawser__curve_points_distance(&distance, &curve, mark, NULL, &other, NULL, &report),
+	   "distance");
 	ok(fabs(distance/higher - 1.0) < 0.15, "peak higher by %.3g, read %.3g", higher, distance);
 }
 

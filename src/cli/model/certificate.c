@@ -77,8 +77,11 @@ enum hawser_status cli_certify(struct cli_frf_result *result, struct hawser_repo
 	error->corrected = 1;
 	error->before = error->fixed.estimated;
 	error->fixed.estimated = fmin(own.own.error, 1.0);
-	if (own.own.refused > 0)
+	error->fixed.largest = own.own.largest;
+	if (own.own.refused > 0) {
 		error->fixed.estimated = fmax(error->before, error->fixed.estimated);
+		error->fixed.largest = 0.0;
+	}
 	return HAWSER_OK;
 }
 

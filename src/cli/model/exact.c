@@ -102,6 +102,7 @@ static void state(struct cli_model_error *error, const struct hawser_accuracy *b
 	*error = (struct cli_model_error){.stated = 1, .compared = 1, .timed = timed,
 	                                  .about = "folds and peaks"};
 	error->fixed.estimated = better->estimated;
+	error->fixed.largest = better->largest;
 	error->fixed.looked_at = better->tries > 0 ? better->attempt[better->tries - 1].checked
 	                         : better->checked;
 	error->fixed.seconds = better->seconds;

@@ -195,10 +195,15 @@ void cli_fixed_comments(struct hawser__table *table, const struct cli_model_erro
 {
 	const struct hawser_accuracy_fixed *fixed = &error->fixed;
 	double first = error->corrected ? error->before : fixed->estimated;
-	char branch[24] = "", text[240];
+	const char *of = error->about;
+	char branch[24] = "", text[240], largest[80] = "";
 
 	if (!error->stated)
 		return;
+	if (fixed->largest > 0.0) {
+		snprintf(largest, sizeof largest, "%.2g of folds and the two largest peaks, ", fixed->largest);
+		of = "smaller ones";
+	}
 	if (number > 1)
 		snprintf(branch, sizeof branch, "branch %d: ", number);
 	if (!isfinite(fixed->estimated)) {
@@ -207,14 +212,14 @@ void cli_fixed_comments(struct hawser__table *table, const struct cli_model_erro
 		return;
 	}
 	if (error->corrected)
-		hawser__table_comment(table, "%serror of the model: %.2g of %s, corrected in the mesh", branch,
-		                      fixed->estimated, error->about);
+		hawser__table_comment(table, "%serror of the model: %s%.2g of %s, corrected in the mesh",
+		                      branch, largest, fixed->estimated, of);
 	if (error->corrected && !isfinite(error->before))
 		return;
 	if (error->compared) {
-		hawser__table_comment(table, "error of the model: %s%.2g of %s, by comparison with a model "
+		hawser__table_comment(table, "error of the model: %s%s%.2g of %s, by comparison with a model "
 		                      "of %d coordinates", fixed->estimated < 1.0 ? "about " : "more than ",
-		                      fixed->estimated, error->about, fixed->looked_at);
+		                      largest, fixed->estimated, of, fixed->looked_at);
 		return;
 	}
 	hawser__table_comment(table, "%s%s: %s%.2g of %s, to first order "
@@ -402,6 +407,18 @@ static int has_omissions(const void *row, const void *parent)
 	return is_weighed(row, parent) && ((const struct cli_model_error *)row)->fixed.omissions > 0;
 }
 
+static int has_smaller(const void *row, const void *parent)
+{
+	return is_known(row, parent) && ((const struct cli_model_error *)row)->fixed.largest > 0.0;
+}
+
+static double stated(const void *row)
+{
+	const struct hawser_accuracy_fixed *fixed = &((const struct cli_model_error *)row)->fixed;
+
+	return fixed->largest > 0.0 ? fixed->largest : fixed->estimated;
+}
+
 static double left_out(const void *row)
 {
 	return fmin(((const struct cli_model_error *)row)->fixed.rest, 1e300);
@@ -415,8 +432,11 @@ static double others(const void *row)
 #define OF(member) HAWSER__AT(struct cli_model_error, member)
 const struct hawser__field cli_fixed_field[] = {
 	{"model_error.estimated", NULL,
-	 "error of folds and peaks, or of one motion, relative, 1 at most; null: not known",
-	 OF(fixed.estimated), .flags = HAWSER__NULL, .given = is_stated},
+	 "error of folds and peaks (of the two largest, if `smaller` is there), or of one motion, "
+	 "relative, 1 at most; null: not known", HAWSER__BY(stated), .flags = HAWSER__NULL,
+	 .given = is_stated},
+	{"model_error.smaller", NULL, "the same of smaller peaks too", OF(fixed.estimated),
+	 .given = has_smaller},
 	{"model_error.before", NULL, "the same to first order, where `estimated` is by correction in the "
 	 "mesh (certified)", OF(before), .flags = HAWSER__NULL, .given = is_corrected},
 	{"model_error.reason", NULL, "why it is not known", OF(unknown), .given = is_unknown},

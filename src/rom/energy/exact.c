@@ -250,12 +250,11 @@ void hawser__exact_springs(const struct hawser_rom_exact *exact, double *restori
 {
 	int n = exact->n;
 
-	for (int j = 0; exact->springs && j < n; j++)
-		for (int k = 0; k < n; k++) {
-			restoring[j] += exact->springs[j*n + k]*u[k];
-			if (tangent)
-				tangent[j*n + k] += exact->springs[j*n + k];
-		}
+	if (exact->springs)
+		cblas_dgemv(CblasRowMajor, CblasNoTrans, n, n, 1.0, exact->springs, n, u, 1, 1.0, restoring,
+		            1);
+	if (exact->springs && tangent)
+		cblas_daxpy(n*n, 1.0, exact->springs, 1, tangent, 1);
 	hawser__cubics_add(restoring, tangent, u, n, exact->cubic, exact->stroke, exact->cubics);
 }
 

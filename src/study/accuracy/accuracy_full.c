@@ -43,6 +43,7 @@
 #include "core/progress.h"
 #include "core/report.h"
 #include "study/accuracy/draft.h"
+#include "study/accuracy/landmark.h"
 
 #define FINEST 1e-9      /* smallest tolerance of the orbits; chosen, far below any accuracy */
 #define COARSEST 1e-6    /* largest one; chosen */
@@ -72,9 +73,10 @@ struct condensed {
 	int lent;         /* 1: the response is the caller's */
 };
 
-/* Numbers of functions per component, in the order in which they are tried. */
-static const int bases[] = {6, 8, 10, 12, 14, 16, 20, 24};
-enum { BASES = sizeof bases/sizeof *bases };
+/* Numbers of functions per component, in the order in which they are tried; the last one with bending
+ * stiffness alone, where three elements or more share them and many may be the fewest. */
+static const int bases[] = {6, 8, 10, 12, 14, 16, 20, 24, 30};
+enum { BASES = sizeof bases/sizeof *bases, LARGEST = 24 };
 
 /* Whether the basis of the model holds the linear modes and the load. */
 static enum hawser_status resolves(int *good, const struct hawser_rom *full,
@@ -98,8 +100,10 @@ enum hawser_status hawser_accuracy_basis(struct hawser_rom *rom, int *functions,
                                          struct hawser_report *report)
 {
 	enum hawser_status status = HAWSER_OK;
-	int most = of->most > 0 ? of->most : bases[BASES - 1];
+	int most = of->most > 0 ? of->most : LARGEST;
 
+	if (of->modes->statics.bending.EI > 0.0)
+		most += bases[BASES - 1] - LARGEST;
 	*rom = (struct hawser_rom){.n = 0};
 	for (int i = 0; !status && i < BASES && bases[i] <= most; i++) {
 		int good = 0;
@@ -111,7 +115,7 @@ enum hawser_status hawser_accuracy_basis(struct hawser_rom *rom, int *functions,
 		if (!status && rom->n > coordinates)
 			status = resolves(&good, rom, of, bases[i], report);
 		/* the largest basis of all is tried whatever it resolves */
-		if (!status && rom->n > coordinates && (good || (of->most == 0 && i + 1 == BASES)))
+		if (!status && rom->n > coordinates && (good || (of->most == 0 && bases[i] == most)))
 			return HAWSER_OK;
 		hawser_rom_clear(rom);
 	}
@@ -157,7 +161,7 @@ static int retry(enum hawser_status status, int *functions, struct hawser_frf_op
 		(*functions)--;
 		return 1;
 	}
-	return *functions < (options->most_functions > 0 ? options->most_functions : bases[BASES - 1]);
+	return *functions < (options->most_functions > 0 ? options->most_functions : LARGEST);
 }
 
 /* The error of a basis that is small enough. */
@@ -191,14 +195,17 @@ static enum hawser_status compare_condensed(struct condensed *condensed,
 	return status;
 }
 
-/* The error of a basis whose marks are moved by the next one: that, and with the factor of safety by
- * what the one after it moves them further, if there is one. */
+/* error [2] of a basis whose marks are moved by the next one: that, and with the factor of safety by
+ * what the one after it moves them further, if there is one. The second one is that of the
+ * displacements with the largest peaks. */
 static enum hawser_status bound_error(double *error, const struct hawser__traced *traced,
+                                      const struct hawser__drawn_curve *chosen,
                                       const struct hawser__draft *next, double moved, int functions,
                                       const struct hawser_accuracy_bases *of,
                                       const struct hawser_frf_options *settled,
                                       struct hawser_report *report)
 {
+	const struct hawser__drawn_curve *curve = &traced->curve, *own = chosen->points ? chosen : NULL;
 	struct hawser__draft last = {.functions = 0};
 	double away = INFINITY, beyond = INFINITY;
 	enum hawser_status status = hawser_accuracy_basis(&last.rom, &functions, of, next->rom.n, report);
@@ -206,17 +213,24 @@ static enum hawser_status bound_error(double *error, const struct hawser__traced
 	last.functions = functions;
 	if (!status && last.rom.n > 0)
 		status = hawser__draft_carry(&last, &away, traced, &of->modes->statics, settled, report);
-	if (!status && away <= NEAR)
-		status = hawser__curve_points_distance(&beyond, &traced->curve, traced->mark, &next->curve,
-		                                       &last.curve, report);
-	*error = fmin(*error, MARGIN*moved + HAWSER__SAFETY_BASIS*beyond);
+	for (int k = 0; k < 2; k++) {
+		const int *column = k ? traced->largest : NULL;
+
+		if (!status && k)
+			status = hawser__curve_points_distance(&moved, curve, traced->mark, own, &next->curve,
+			                                       column, report);
+		if (!status && away <= NEAR)
+			status = hawser__curve_points_distance(&beyond, curve, traced->mark, &next->curve,
+			                                       &last.curve, column, report);
+		error[k] = fmin(HAWSER__SAFETY_BASIS*moved, MARGIN*moved + HAWSER__SAFETY_BASIS*beyond);
+	}
 	hawser__draft_clear(&last);
 	return status;
 }
 
 /* The first bases of which two agree: *chosen is the smaller one, *moved the distance of the two,
- * *error that of the smaller one, and *checked the coordinates of the larger. If no two agree, the last
- * ones. */
+ * error [2] that of the smaller one, of all and of the largest peaks, and *checked the coordinates of
+ * the larger. If no two agree, the last ones. */
 static enum hawser_status choose(struct hawser__draft *chosen, double *moved, double *error,
                                  int *checked, struct condensed *condensed,
                                  struct hawser_accuracy *a, const struct hawser_scene *scene,
@@ -248,7 +262,7 @@ static enum hawser_status choose(struct hawser__draft *chosen, double *moved, do
 			next.work = chosen->work*pow((double)next.rom.n/chosen->rom.n, 2.0);
 			status = hawser__curve_points_distance(moved, &traced.curve, traced.mark,
 			                                       chosen->curve.points ? &chosen->curve : NULL,
-			                                       &next.curve, report);
+			                                       &next.curve, NULL, report);
 			condensed->off += *moved;
 		} else if (!status) {
 			status = hawser__draft_draw(&next, moved, &traced, chosen, a, options, frf, *work, report);
@@ -267,10 +281,11 @@ static enum hawser_status choose(struct hawser__draft *chosen, double *moved, do
 			continue;
 		}
 		*checked = next.rom.n;
-		*error = HAWSER__SAFETY_BASIS**moved;
+		error[0] = error[1] = HAWSER__SAFETY_BASIS**moved;
 		if (status || hawser__accuracy_cut(a) || *error <= enough) {
 			if (!status && away <= NEAR)
-				status = bound_error(error, &traced, &next, *moved, functions, &of, frf, report);
+				status = bound_error(error, &traced, &chosen->curve, &next, *moved, functions, &of,
+				                     frf, report);
 			hawser__draft_clear(&next);
 			break;
 		}
@@ -341,6 +356,24 @@ static int is_right(struct hawser_accuracy *a, struct condensed *condensed, doub
 	return 1;
 }
 
+/* error [2], column [2]: as of choose. */
+static void claim(struct hawser_accuracy *a, const double *error, const int *column,
+                  const struct hawser__marks *marks)
+{
+	struct hawser_landmark largest[2];
+	int same = 1;
+
+	hawser__largest_peaks(largest, &a->frf, marks->item, marks->count);
+	for (int k = 0; k < 2; k++) {
+		int own = hawser__peak_column(&largest[k]);
+
+		same &= own >= 0 && (own == column[0] || own == column[1]);
+	}
+	hawser__accuracy_claim(a, error[same], marks);
+	a->largest = same ? a->estimated : 0.0;
+	hawser__accuracy_claim(a, *error, marks);
+}
+
 static enum hawser_status search(struct hawser_accuracy *a, struct hawser__marks *marks,
                                  struct condensed *condensed, struct hawser__draft *chosen,
                                  const struct hawser_scene *scene,
@@ -348,24 +381,25 @@ static enum hawser_status search(struct hawser_accuracy *a, struct hawser__marks
                                  struct hawser_report *report)
 {
 	struct hawser_frf_options frf = settle(options, a->asked);
-	double moved = INFINITY, error = INFINITY, work = 0.0, start = hawser__wall_seconds();
+	double moved = INFINITY, error[2] = {INFINITY, INFINITY}, work = 0.0;
+	double start = hawser__wall_seconds();
 	int checked = 0;
-	enum hawser_status status = choose(chosen, &moved, &error, &checked, condensed, a, scene, options,
+	enum hawser_status status = choose(chosen, &moved, error, &checked, condensed, a, scene, options,
 	                                   &frf, &work, report);
 
 	if (status || hawser__accuracy_cut(a) || !chosen->functions ||
-	    is_right(a, condensed, error, checked))
+	    is_right(a, condensed, *error, checked))
 		return status;
 	a->foreseen = work + hawser__draft_follows(options, chosen->rom.n, chosen->points, chosen->work);
 	a->costly = options->bearable > 0.0 && !options->partial && a->foreseen > options->bearable;
-	if (a->costly || (options->agreed && !(error <= a->asked)))
+	if (a->costly || (options->agreed && !(*error <= a->asked)))
 		return HAWSER_OK;
 	hawser_rom_clear(&a->rom);
 	a->rom = chosen->rom;
 	a->functions = chosen->functions;
 	chosen->rom = (struct hawser_rom){.n = 0};
 	if (options->after > 0.0) {
-		a->estimated = fmax(error, HAWSER__LEAST_CLAIM*a->asked);
+		a->estimated = fmax(*error, HAWSER__LEAST_CLAIM*a->asked);
 		a->checked = checked;
 		return HAWSER_OK;
 	}
@@ -377,7 +411,7 @@ static enum hawser_status search(struct hawser_accuracy *a, struct hawser__marks
 		this->moved = moved;
 		this->checked = checked;
 		if (!hawser__accuracy_cut(a) && isfinite(moved))
-			hawser__accuracy_claim(a, error, marks);
+			claim(a, error, chosen->largest, marks);
 	}
 	return status;
 }

@@ -22,11 +22,11 @@
 #include "core/hold.h"
 #include "core/report.h"
 #include "study/accuracy/certificate.h"
+#include "study/accuracy/landmark.h"
 #include "study/accuracy/motions.h"
 
 enum { MOST = HAWSER__CERTIFIED_ORDER, MORE = HAWSER__CERTIFIED_MORE }; /* harmonics */
 static const double small = 0.05;  /* least peak over the largest one; chosen */
-enum { NEAR = 5 }; /* points of a curve between peaks of one resonance, at most; chosen */
 static const double trusted = 0.1; /* part of a distance that more harmonics may be, */
 static const double counted = 1e-4; /* of the least distance that counts; chosen */
 static const double speed = 4e9;   /* operations per second with blocks, on a core of 2 GHz */
@@ -92,7 +92,8 @@ static int is_new(const struct hawser__certifying *w, const int *point,
 	int own = point_of(w->frf, peak), good = 1;
 
 	for (int i = 0; i < w->to->count; i++)
-		good = good && (w->to->item[i].kind == HAWSER_LANDMARK_FOLD || abs(point[i] - own) > NEAR);
+		good = good && (w->to->item[i].kind == HAWSER_LANDMARK_FOLD ||
+		                abs(point[i] - own) > HAWSER__CERTIFIED_NEAR);
 	return good;
 }
 
@@ -121,6 +122,7 @@ static enum hawser_status choose(struct hawser__certifying *w, int *point,
 		for (int i = 0; i < peaks; i++)
 			if (peak[i].kind == HAWSER_LANDMARK_PEAK && peak[i].probe >= 0)
 				sorted[displacements++] = peak[i];
+		hawser__largest_peaks(w->largest, w->frf, sorted, displacements);
 		qsort(sorted, (size_t)displacements, sizeof *sorted, larger);
 	}
 	for (int i = 0; i < displacements && sorted[i].size > small*sorted[0].size; i++)
@@ -222,26 +224,6 @@ static enum hawser_status extrapolate(struct hawser__certifying *w, struct hawse
 	return status;
 }
 
-/* The sizes of all displacements of the model at a landmark, by its neighbours. */
-static void take_sizes(struct hawser__certifying *w, double arc, int point)
-{
-	const struct hawser_frf *frf = w->frf;
-	int sizes = 3*frf->probes;
-
-	memset(w->size, 0, (size_t)sizes*sizeof *w->size);
-	for (int i = 0; i < 3; i++) {
-		const struct hawser_frf_point *own = &frf->point[point + i - 1];
-		double weight = 1.0;
-
-		for (int k = 0; k < 3; k++)
-			if (k != i)
-				weight *= (arc - frf->point[point + k - 1].arc)/
-				          (own->arc - frf->point[point + k - 1].arc);
-		cblas_daxpy(sizes, weight, frf->probe + (size_t)(point + i - 1)*(size_t)sizes, 1, w->size,
-		            1);
-	}
-}
-
 static enum hawser_status correct_one(struct hawser__certifying *w, struct hawser_certified *item,
                                       int point, struct hawser_report *report)
 {
@@ -273,11 +255,10 @@ static enum hawser_status correct_one(struct hawser__certifying *w, struct hawse
 	status = extrapolate(w, item, omega, size, report);
 	w->to->refused += isnan(item->exact_omega);
 	item->distance = distance_of(omega, size, item);
-	if (item->kind == HAWSER_LANDMARK_PEAK && w->by->modes && isfinite(item->distance)) {
-		take_sizes(w, w->arc[item - w->to->item], point);
-		w->others = fmax(w->others, hawser__finite_others(&w->first, item, item->exact_size/size,
-		                                                  w->size, w->frf->probes));
-	}
+	if (item->kind == HAWSER_LANDMARK_FOLD)
+		w->folds = fmax(w->folds, item->distance);
+	else if (w->by->modes && isfinite(item->distance))
+		hawser__certifying_others(w, item, omega, size, point);
 	item->exact_omega *= w->rom->time;
 	item->exact_size /= w->rom->length;
 	return status;
@@ -311,7 +292,8 @@ static enum hawser_status correct_all(struct hawser__certifying *w, const int *p
 	enum hawser_status status = HAWSER_OK;
 
 	to->distance = NAN;
-	to->harmonics = w->worst = w->others = 0.0;
+	to->harmonics = w->worst = w->others = w->folds = 0.0;
+	w->off[0] = w->off[1] = NAN;
 	to->lengths = 0.0;
 	to->refused = 0;
 	for (int i = 0; i < to->count && !status; i++) {
@@ -381,7 +363,7 @@ static enum hawser_status find_order(struct hawser__certifying *w, const int *po
 
 	w->row = hawser__hold(&w->hold, HAWSER__CERTIFIED_PHASES*unknowns, sizeof *w->row);
 	w->series = hawser__hold(&w->hold, HAWSER__CERTIFIED_WIDTH*unknowns, sizeof *w->series);
-	w->size = hawser__hold(&w->hold, 3*(size_t)w->frf->probes, sizeof *w->size);
+	w->size = hawser__hold(&w->hold, 6*(size_t)w->frf->probes, sizeof *w->size);
 	w->u = hawser__hold(&w->hold, HAWSER__CERTIFIED_PHASES*
 	                    (size_t)(w->both.turn ? w->both.source.n : w->rom->n), sizeof *w->u);
 	if (w->hold.short_of_memory)
@@ -434,6 +416,11 @@ static enum hawser_status certify(struct hawser__certifying *w, const int *point
 	return status;
 }
 
+static double stated(const struct hawser_certificate *of, double distance)
+{
+	return margin*distance + of->harmonics + of->lengths;
+}
+
 enum hawser_status hawser__certified(struct hawser_certificate *certificate,
                                    const struct hawser__certified_by *by, const struct hawser_rom *rom,
                                    const struct hawser_frf *frf, const struct hawser_landmark *peak,
@@ -461,7 +448,9 @@ enum hawser_status hawser__certified(struct hawser_certificate *certificate,
 	if (!status && certificate->count > 0)
 		status = certify(w, point, bearable, report);
 	certificate->error = certificate->distance < w->others ? w->others : certificate->distance;
-	certificate->error = margin*certificate->error + certificate->harmonics + certificate->lengths;
+	certificate->error = stated(certificate, certificate->error);
+	if (isfinite(w->off[0] + w->off[1]))
+		certificate->largest = stated(certificate, fmax(w->folds, fmax(w->off[0], w->off[1])));
 	clear(w);
 	certificate->seconds = now() - start;
 	return status;

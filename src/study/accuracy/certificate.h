@@ -11,6 +11,8 @@
  * coefficients of its series. */
 enum { HAWSER__CERTIFIED_LEAST = 5, HAWSER__CERTIFIED_ORDER = 11, HAWSER__CERTIFIED_MORE = 4,
        HAWSER__CERTIFIED_PHASES = 32, HAWSER__CERTIFIED_WIDTH = 2*(HAWSER__CERTIFIED_ORDER + 1) + 1 };
+/* Points of a curve between peaks of one resonance, at most; chosen. */
+enum { HAWSER__CERTIFIED_NEAR = 5 };
 /* A point of the model: sum of weights times the motions of nodes, 0 where there are fewer. */
 enum { HAWSER__FINITE_NODES = 4 };
 struct hawser__finite_place {
@@ -79,10 +81,11 @@ enum hawser_status hawser__finite_open(struct hawser__finite *finite, struct haw
                                        struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser__finite_clear(struct hawser__finite *finite);
 struct hawser__corrector hawser__finite_corrector(struct hawser__finite *finite);
-/* Largest relative change, from size [points][3] of a model to those of y, of the sizes along the axis
- * of a peak that are at least half of its own, which grows by the factor `grown`. */
-double hawser__finite_others(struct hawser__finite *finite, const struct hawser_certified *peak,
-                             double grown, const double *size, int points);
+/* off [points][3]: relative changes from sizes [points][3] of a model to those of y, where that of a
+ * peak grows by the factor `grown`; 0: of those that are less than half of that. */
+void hawser__finite_others(double *off, struct hawser__finite *finite,
+                           const struct hawser_certified *peak, double grown, const double *size,
+                           int points);
 /* The motion y of `other`, on this mesh; from: its nodes there, or NULL: the same. */
 void hawser__finite_copy(double *to, const struct hawser__finite *of, const double *y,
                          const struct hawser__finite *other, const int *from);
@@ -99,11 +102,14 @@ struct hawser__certifying {
 	struct hawser__finite first, second, third, checked; /* third: where it is needed */
 	double *row, *series;          /* [PHASES][unknowns], [unknowns][WIDTH] m */
 	double *start[3];              /* [size of first] */
-	double *size;                  /* [probes][3] of the model at a landmark */
+	double *size;                  /* [2][probes][3] of the model at a landmark, and their errors */
 	double arc[HAWSER_CERTIFIED_MOST]; /* of the landmarks on the curve */
 	double *u;                     /* [PHASES][n] */
 	double left;                   /* of the difference of the meshes */
 	double others;                 /* largest relative error at peaks of other points of a span */
+	double folds;                  /* the same of folds, */
+	struct hawser_landmark largest[2]; /* the two largest stable peaks, */
+	double off[2];                 /* and their relative errors alone; NAN: not found */
 	double worst;                  /* largest part of the last harmonics in a motion of `second`: */
 	struct hawser_certified at;    /* its landmark, */
 	double *worst_y, *worst_along, worst_bend; /* motion and tangent */
@@ -114,6 +120,11 @@ struct hawser__certifying {
 enum hawser_status hawser__certifying_lift(struct hawser__certifying *w, const double *state,
                                            double omega, struct hawser_report *report)
 	HAWSER_MUST_CHECK;
+/* certificate_span.c: the errors of other displacements at a peak, which the model has at omega, size
+ * near that point; of the two largest peaks with those by which they are read from the curve, unless it
+ * is this one. */
+void hawser__certifying_others(struct hawser__certifying *w, const struct hawser_certified *item,
+                               double omega, double size, int point);
 int hawser__certifying_order(const struct hawser__certifying *w);
 void hawser__certifying_start(double *y, const struct hawser__certifying *w, double omega);
 

@@ -101,21 +101,20 @@ static double size_of(void *of, double *slope, const struct hawser_certified *pe
 	return fabs(x[0]);
 }
 
-double hawser__finite_others(struct hawser__finite *finite, const struct hawser_certified *peak,
-                             double grown, const double *size, int points)
+void hawser__finite_others(double *off, struct hawser__finite *finite,
+                           const struct hawser_certified *peak, double grown, const double *size,
+                           int points)
 {
-	struct hawser_certified one = *peak;
-	double worst = 0.0, unused, of = size[3*peak->probe + peak->axis];
+	double unused, of = size[3*peak->probe + peak->axis];
 	double larger = size_of(finite, &unused, peak, finite->y, finite->along)/(of*grown);
 
-	for (one.probe = 0; one.probe < points; one.probe++) {
-		double own = size[3*one.probe + one.axis];
+	for (int i = 0; i < 3*points; i++) {
+		const struct hawser_certified one = {.probe = i/3, .axis = i % 3};
 
-		if (own > large_part*of)
-			worst = fmax(worst, fabs(size_of(finite, &unused, &one, finite->y, finite->along)/
-			                         (own*larger) - 1.0));
+		off[i] = size[i] > large_part*of
+		         ? fabs(size_of(finite, &unused, &one, finite->y, finite->along)/(size[i]*larger) - 1.0)
+		         : 0.0;
 	}
-	return worst;
 }
 
 struct hawser__corrector hawser__finite_corrector(struct hawser__finite *finite)

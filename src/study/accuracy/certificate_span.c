@@ -7,6 +7,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <cblas.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -15,6 +16,8 @@
 #include "net/span/span.h"
 #include "statics/frame.h"
 #include "study/accuracy/certificate.h"
+#include "study/accuracy/landmark.h"
+#include "study/accuracy/motions.h"
 
 enum { PARTS = 48, /* elements, half of them in the second mesh; chosen: twice a net's cable's */
        UNIT = 8,  /* of them, in each part between attachments; of the second mesh: net_finer.c */
@@ -157,6 +160,48 @@ static enum hawser_status check(const struct hawser_scene *scene, const struct h
 			                    "oblique", scene->name);
 	}
 	return HAWSER_OK;
+}
+
+/* The sizes of all displacements of the model at a landmark, by its neighbours. */
+static void take_sizes(struct hawser__certifying *w, double arc, int point)
+{
+	const struct hawser_frf *frf = w->frf;
+	int sizes = 3*frf->probes;
+
+	memset(w->size, 0, (size_t)sizes*sizeof *w->size);
+	for (int i = 0; i < 3; i++) {
+		const struct hawser_frf_point *own = &frf->point[point + i - 1];
+		double weight = 1.0;
+
+		for (int k = 0; k < 3; k++)
+			if (k != i)
+				weight *= (arc - frf->point[point + k - 1].arc)/
+				          (own->arc - frf->point[point + k - 1].arc);
+		cblas_daxpy(sizes, weight, frf->probe + (size_t)(point + i - 1)*(size_t)sizes, 1, w->size,
+		            1);
+	}
+}
+
+void hawser__certifying_others(struct hawser__certifying *w, const struct hawser_certified *item,
+                               double omega, double size, int point)
+{
+	int sizes = 3*w->frf->probes;
+	double *off = w->size + sizes;
+
+	take_sizes(w, w->arc[item - w->to->item], point);
+	hawser__finite_others(off, &w->first, item, item->exact_size/size, w->size, w->frf->probes);
+	for (int i = 0; i < sizes; i++)
+		w->others = fmax(w->others, off[i]);
+	for (int k = 0; k < 2; k++) {
+		const struct hawser_landmark *peak = &w->largest[k];
+
+		if (peak->probe == item->probe && peak->axis == item->axis && peak->size == item->size)
+			w->off[k] = item->distance;
+		else if (peak->probe >= 0 && isnan(w->off[k]) && off[hawser__peak_column(peak)] > 0.0 &&
+		         abs(hawser__nearest_point(w->frf, peak->arc) - point) <= HAWSER__CERTIFIED_NEAR)
+			w->off[k] = fmax(off[hawser__peak_column(peak)], fabs(item->exact_omega/omega - 1.0)) +
+			            hawser__peak_unread(peak);
+	}
 }
 
 enum hawser_status hawser_span_certify(struct hawser_certificate *certificate,

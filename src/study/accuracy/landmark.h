@@ -20,6 +20,15 @@ static inline double hawser__peak_unread(const struct hawser_landmark *peak)
 	return omega > size ? omega : size;
 }
 
+/* largest [2] become the two largest stable peaks of displacements of a response; probe -1: none. */
+void hawser__largest_peaks(struct hawser_landmark *largest, const struct hawser_frf *frf,
+                           const struct hawser_landmark *peak, int count);
+/* Which displacement it is of; below 0: none. */
+static inline int hawser__peak_column(const struct hawser_landmark *peak)
+{
+	return 3*peak->probe + peak->axis;
+}
+
 /* The peaks of displacements (of coordinates, if there are no probes) and of tensions, before any
  * is traced again. rest: smallest and largest tension at rest, N; slope [n]: their derivatives by
  * the coordinates, N. */

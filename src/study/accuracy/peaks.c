@@ -69,6 +69,19 @@ static int is_stable(const struct hawser_frf *frf, double arc)
 	return frf->point[next].unstable == 0;
 }
 
+void hawser__largest_peaks(struct hawser_landmark *largest, const struct hawser_frf *frf,
+                           const struct hawser_landmark *peak, int count)
+{
+	largest[0] = largest[1] = (struct hawser_landmark){.probe = -1};
+	for (int k = 0; k < count; k++) {
+		if (peak[k].kind != HAWSER_LANDMARK_PEAK || peak[k].probe < 0 ||
+		    peak[k].size <= largest[1].size || !is_stable(frf, peak[k].arc))
+			continue;
+		largest[1] = peak[k].size > largest[0].size ? largest[0] : peak[k];
+		largest[0] = peak[k].size > largest[0].size ? peak[k] : largest[0];
+	}
+}
+
 enum hawser_status hawser_peaks(struct hawser_landmark **peak, int *count,
                                 const struct hawser_frf *frf, const struct hawser_rom *rom,
                                 const struct hawser_frf_options *options, double wanted,

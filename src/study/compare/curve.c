@@ -327,7 +327,7 @@ enum hawser_status hawser__curve_points_distance(double *distance,
                                                  const int *at_point,
                                                  const struct hawser__drawn_curve *a,
                                                  const struct hawser__drawn_curve *b,
-                                                 struct hawser_report *report)
+                                                 const int *column, struct hawser_report *report)
 {
 	double ends[2] = {HUGE_VAL, -HUGE_VAL}, most = 0.0;
 	enum hawser_status status = HAWSER_OK;
@@ -340,7 +340,8 @@ enum hawser_status hawser__curve_points_distance(double *distance,
 		double scale = largest(curve, c);
 		struct line line = {0};
 
-		if (!(scale > 0.0 && scale >= faintest*most))
+		if (!(scale > 0.0 && scale >= faintest*most) ||
+		    (column && c - 1 != column[0] && c - 1 != column[1]))
 			continue;
 		if (refine(&line, curve, c, scale))
 			status = hawser__no_memory(report, "study");

@@ -28,12 +28,14 @@ enum hawser_status hawser__curve_distance(double *distance, const struct hawser_
 /* The same of the counterparts of some points of a curve, at[a->points], in two other responses a and
  * b: the largest distance of a point of b from the curve, moved by what that of a is off, and at
  * extremes of an amplitude the change of that. a == NULL: from the curve itself, and then at may be
- * NULL, and extremes are points like others. */
+ * NULL, and extremes are points like others. column [2]: of these components; NULL: of all that
+ * count. */
 enum hawser_status hawser__curve_points_distance(double *distance,
                                                  const struct hawser__drawn_curve *curve,
                                                  const int *at,
                                                  const struct hawser__drawn_curve *a,
                                                  const struct hawser__drawn_curve *b,
+                                                 const int *column,
                                                  struct hawser_report *report) HAWSER_MUST_CHECK;
 /* at [curve->points]: points of which the counterparts show a difference, *count of them: the turning
  * points of Omega and of the components that count, and between them points at some distance from
