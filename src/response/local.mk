@@ -77,12 +77,11 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/locus/folds_second.c \
 	%D%/locus/folds_seed.c \
 	%D%/locus/folds_starts.c \
-	%D%/locus/folds_store.c \
-	%D%/locus/folds_store.h \
 	%D%/locus/folds_system.c \
 	%D%/locus/folds_walk.c \
 	%D%/locus/folds_walk.h \
 	%D%/locus/locus_own.c %D%/locus/locus_own.h %D%/locus/own_line.c %D%/locus/own_special.c \
+	%D%/locus/own_section.c %D%/locus/own_section.h %D%/locus/own_tests.c \
 	%D%/locus/locus.c \
 	%D%/locus/locus.h \
 	%D%/locus/locus_begin.c \
@@ -94,7 +93,6 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/locus/locus_sample.c \
 	%D%/locus/locus_second.c \
 	%D%/locus/locus_system.c \
-	%D%/locus/locus_station.c \
 	%D%/locus/locus_terms.c \
 	%D%/locus/locus_torus.c \
 	%D%/locus/locus_walk.c \

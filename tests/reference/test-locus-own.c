@@ -50,6 +50,57 @@ static void special(const struct hawser_locus *locus, const char *name, double f
 	   locus->events ? locus->event[0].parameter : NAN);
 }
 
+/* The first ones are quick. near: of two curves; 0: of the only one. */
+enum { QUICK = 3, MOST = 3 };
+static const struct {
+	const char *name, *key[2];
+	enum hawser_event_kind kind;
+	double first[2], second[2], at, near, step;
+	struct {
+		const char *name;
+		double at[2];
+	} special[MOST];
+} made[] = {
+	{"pleat", {"b1", "b2"}, HAWSER_FOLD, {-0.5, 0.5}, {-0.5, 1.0}, 0.5, 0.0, 0.1,
+	 {{"cusp", {0.0, 0.0}}}},
+	{"flip", {"a", "b"}, HAWSER_PERIOD_DOUBLING, {-1.0, 0.5}, {-0.2, 0.3}, 0.2, 0.0, 0.4,
+	 {{"generalised-period-doubling", {0.0, 0.0}}}},
+	{"roots", {"c", "w"}, HAWSER_TORUS, {-0.3, 0.2}, {0.2, 0.35}, 0.22, 0.0, 0.4,
+	 {{"1:4", {0.0, 0.25}}, {"chenciner", {0.0, 0.29}}, {"1:3", {0.0, 1.0/3.0}}}},
+	{"cusp", {"b1", "b2"}, HAWSER_FOLD, {-0.7, 0.3}, {-0.1, 0.3}, 0.15, 0.0, 0.3,
+	 {{"cusp", {0.0, 0.0}}}},
+	{"equal", {"c", "a"}, HAWSER_TORUS, {-0.3, 0.2}, {-0.05, 0.1}, -0.04, 0.0, 0.2,
+	 {{"1:1", {0.0, 0.0}}}},
+	{"half", {"c", "a"}, HAWSER_TORUS, {-0.3, 0.2}, {-0.02, 0.1}, -0.015, 0.0, 0.1,
+	 {{"1:2", {0.0, 0.0}}}},
+	{"fold-flip", {"b1", "b2"}, HAWSER_FOLD, {-0.2, 1.2}, {-0.4, 0.2}, -0.3, 0.0, 0.5,
+	 {{"fold-flip", {0.0, 0.0}}}},
+	{"fold-flip", {"b1", "b2"}, HAWSER_PERIOD_DOUBLING, {-0.2, 1.2}, {-0.1, 0.11}, 0.1, 0.0067, 0.1,
+	 {{"fold-flip", {0.0, 0.0}}}},
+	{"fold-torus", {"b1", "b2"}, HAWSER_FOLD, {-0.2, 1.2}, {-0.4, 0.2}, -0.3, 0.0, 0.5,
+	 {{"fold-torus", {0.0, 0.0}}}},
+	{"fold-torus", {"b1", "b2"}, HAWSER_TORUS, {-0.2, 1.2}, {-0.1, 0.11}, 0.1, 0.0, 0.1,
+	 {{"fold-torus", {0.0, 0.0}}}},
+};
+
+static void cycles(void)
+{
+	size_t count = getenv("HAWSER_LONG") ? sizeof made/sizeof *made : QUICK;
+	struct hawser_locus locus;
+
+	for (size_t i = 0; i < count; i++) {
+		int traced = trace(&locus, made[i].name, made[i].key, (struct hawser_locus_options){
+			.kind = made[i].kind, .from = made[i].first[0], .to = made[i].first[1],
+			.parameter_from = made[i].second[0], .parameter_to = made[i].second[1],
+			.at = made[i].at, .near = made[i].near, .step_max = made[i].step});
+
+		for (int k = 0; traced && k < MOST && made[i].special[k].name; k++)
+			special(&locus, made[i].special[k].name, made[i].special[k].at[0],
+			        made[i].special[k].at[1]);
+		hawser_locus_clear(&locus);
+	}
+}
+
 CASE(reference_locus_own)
 {
 	struct hawser_locus locus;
@@ -111,5 +162,6 @@ CASE(reference_locus_own)
 			.parameter_to = 2.0, .at = 0.8, .step_max = 0.05}))
 		special(&locus, "bogdanov-takens", -1.0, 0.0);
 	hawser_locus_clear(&locus);
+	cycles();
 	return done_testing();
 }

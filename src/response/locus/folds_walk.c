@@ -13,6 +13,7 @@
 #include <string.h>
 
 #include "continuation/newton.h"
+#include "core/grow.h"
 #include "core/progress.h"
 #include "core/report.h"
 #include "response/time/flow.h"
@@ -368,4 +369,34 @@ enum hawser_status hawser__walk_follow(struct hawser__fold_walk *walk,
 	if ((status = hawser__list_point(list, walk, &walk->here)))
 		return status;
 	return follow(walk);
+}
+
+/* --- orbits that are stored --- */
+
+void hawser__store_add(struct hawser__fold_store *store, const double *y)
+{
+	size_t size = (size_t)store->size;
+
+	if (hawser__more(&store->y, store->count, size*sizeof *store->y)) {
+		store->failed = 1;
+		return;
+	}
+	memcpy(store->y + (size_t)store->count++*size, y, size*sizeof *y);
+}
+
+const double *hawser__store_find(const struct hawser__fold_store *store, double omega)
+{
+	for (int i = 0; i < store->count; i++) {
+		const double *y = store->y + (size_t)i*(size_t)store->size;
+
+		if (y[store->size - 1] == omega)
+			return y;
+	}
+	return NULL;
+}
+
+void hawser__store_clear(struct hawser__fold_store *store)
+{
+	free(store->y);
+	*store = (struct hawser__fold_store){.size = store->size};
 }

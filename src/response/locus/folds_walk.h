@@ -10,7 +10,21 @@
 #include "core/progress.h"
 #include "response/branch/amplitude.h"
 #include "response/locus/folds.h"
-#include "response/locus/folds_store.h"
+
+/* Orbits by harmonic balance, stored by their frequency. The state at one phase determines the orbit
+ * only if an integration over a period is accurate, which it is not for stiff models and strongly
+ * unstable orbits: the complete orbits of folds are stored. */
+struct hawser__fold_store {
+	int size;          /* of an orbit: Fourier coefficients and Omega, the last */
+	int count;
+	double *y;         /* [count][size] */
+	int failed;        /* 1: an orbit was not stored for lack of memory */
+};
+
+void hawser__store_add(struct hawser__fold_store *store, const double *y);
+/* The orbit with exactly this Omega, or NULL. */
+const double *hawser__store_find(const struct hawser__fold_store *store, double omega);
+void hawser__store_clear(struct hawser__fold_store *store);
 
 /* A corrected point of the curve. */
 struct hawser__fold_station {

@@ -275,6 +275,17 @@ static int changes(const struct hawser__locus_walk *walk, int test)
 	return isfinite(a) && isfinite(b) && (a < 0.0) != (b < 0.0);
 }
 
+void hawser__locus_sort(struct hawser__locus_list *list, int first)
+{
+	for (int i = first + 1; i < list->events; i++)
+		for (int k = i; k > first && list->event[k].arc < list->event[k - 1].arc; k--) {
+			struct hawser_locus_event keep = list->event[k];
+
+			list->event[k] = list->event[k - 1];
+			list->event[k - 1] = keep;
+		}
+}
+
 enum hawser_status hawser__locus_find_events(struct hawser__locus_walk *walk)
 {
 	struct hawser__locus_list *list = walk->list;
@@ -293,14 +304,7 @@ enum hawser_status hawser__locus_find_events(struct hawser__locus_walk *walk)
 		if (status)
 			return status;
 	}
-	/* in order along the curve */
-	for (int i = first + 1; i < list->events; i++)
-		for (int k = i; k > first && list->event[k].arc < list->event[k - 1].arc; k--) {
-			struct hawser_locus_event keep = list->event[k];
-
-			list->event[k] = list->event[k - 1];
-			list->event[k - 1] = keep;
-		}
+	hawser__locus_sort(list, first);
 	return HAWSER_OK;
 }
 

@@ -3,7 +3,7 @@
  *
  *    P        a point of the locus, its parameters in units of their ranges
  *    line     through the predicted point, at right angles to the curve: there the bifurcation is that
- *             of a model with one parameter (own_line.c). No system of its own is solved
+ *             of a model with one parameter (own_line.c)
  *
  * Reference: Kuznetsov, Elements of Applied Bifurcation Theory, 3rd ed., chapter 8.
  *
@@ -25,8 +25,8 @@
 #define BEND 0.3      /* rad between chords, at which a step is made again; chosen */
 /* Step in which eigenvalues may change their kind, relative to the longest; chosen. */
 #define UNEXPLAINED 0.01
-#define AWAY 0.2      /* least distance on the first line, in longest steps; chosen */
 #define ASIDE 0.01    /* of the line that gives the first direction, in longest steps; chosen */
+#define TURNED 0.02   /* first step behind a cusp, in longest steps; chosen */
 #define KNOWN 1e-6    /* distance of bifurcations that are one; chosen */
 enum { FEWEST = 8 }; /* points of a closed curve; chosen */
 
@@ -57,8 +57,8 @@ static enum hawser_status add_point(struct hawser__own *own, const struct hawser
 		return hawser__no_memory(report, "locus");
 	list->point[k] = (struct hawser_locus_point){
 		.omega = spot->at[0]*own->line.extent[0], .parameter = spot->at[1]*own->line.extent[1],
-		.angle = spot->angle, .own = spot->omega*own->time/spot->time,
-		.l1 = spot->test[HAWSER__OWN_DEGENERATE],
+		.angle = hawser__own_angle(spot), .own = spot->omega*own->time/spot->time,
+		.l1 = own->line.kind == HAWSER_HOPF ? spot->test[HAWSER__OWN_DEGENERATE] : NAN,
 		.arc = k ? list->point[k - 1].arc + hawser__own_distance(spot->at, own->here.at)
 		         : 0.0,
 		.mesh = spot->error, .unstable = spot->unstable, .iterations = 0};
@@ -113,9 +113,11 @@ static enum hawser_status end_at(struct hawser__own *own, double part, struct ha
 	double direction[2] = {own->next.at[0] - own->here.at[0], own->next.at[1] - own->here.at[1]};
 	double base[2] = {own->here.at[0] + part*direction[0], own->here.at[1] + part*direction[1]};
 	int found;
-	enum hawser_status status = hawser__own_across(own, &own->trial, &found, base, direction,
-	                                 hypot(direction[0], direction[1]), &own->here, report);
+	enum hawser_status status;
 
+	hawser__own_between(&own->trial, &own->here, &own->next, part, own->line.n);
+	status = hawser__own_across(own, &own->trial, &found, base, direction,
+	                            hypot(direction[0], direction[1]), report);
 	if (status || !found)
 		return status;
 	hawser__own_copy(&own->next, &own->trial, own->line.n);
@@ -140,7 +142,10 @@ static enum hawser_status prepare(void *owner, int *ended)
 static int predict(void *owner, double ds)
 {
 	struct hawser__own *own = owner;
+	double last = hawser__own_distance(own->prev.at, own->here.at);
 
+	hawser__own_between(&own->next, &own->prev, &own->here, last > 0.0 ? 1.0 + ds/last : 1.0,
+	                    own->line.n);
 	for (int k = 0; k < 2; k++)
 		own->next.at[k] = own->here.at[k] + ds*own->along[k];
 	return 0;
@@ -153,7 +158,7 @@ static enum hawser_status correct(void *owner, double ds, struct hawser__correct
 	double base[2] = {own->next.at[0], own->next.at[1]};
 	int found;
 	enum hawser_status status = hawser__own_across(own, &own->next, &found, base, own->along, ds,
-	                                               &own->here, own->report);
+	                                               own->report);
 
 	*correction = (struct hawser__correction){.iterations = 1};
 	*failed = !found;
@@ -177,8 +182,10 @@ static enum hawser_status judge(void *owner, double ds, double angle, enum hawse
 {
 	struct hawser__own *own = owner;
 	int unexplained = !hawser__own_explained(own) && ds > UNEXPLAINED*own->o->step_max;
+	/* beside a cusp the other fold */
+	int other = own->line.kind == HAWSER_FOLD && own->here.vanish*own->next.vanish < 0.0;
 
-	*verdict = angle >= BEND || unexplained ? HAWSER__SHORTEN : HAWSER__KEEP;
+	*verdict = angle >= BEND || unexplained || other ? HAWSER__SHORTEN : HAWSER__KEEP;
 	return HAWSER_OK;
 }
 
@@ -208,6 +215,7 @@ static enum hawser_status arrive(void *owner, enum hawser__arrival *arrival, dou
 	set_along(own, own->next.at[0] - own->here.at[0], own->next.at[1] - own->here.at[1]);
 	hawser__own_copy(&own->prev, &own->here, own->line.n);
 	hawser__own_copy(&own->here, &own->next, own->line.n);
+	own->most = fmax(own->most, fabs(own->here.vanish));
 	*arrival = HAWSER__GO_ON;
 	return status;
 }
@@ -217,6 +225,36 @@ static const struct hawser__curve_ops own_ops = {
 	.longest = longest, .arrive = arrive
 };
 
+/* Where the curve is lost. *again: it goes on from a cusp. */
+static enum hawser_status end_curve(struct hawser__own *own, int *again, struct hawser_report *report)
+{
+	struct hawser__locus_list *list = own->list;
+	enum hawser_status status;
+
+	list->end = HAWSER_LOCUS_FAILED;
+	snprintf(list->message, sizeof list->message, "no %s was found near the parameters %.9g, %.9g: the "
+	         "curve may turn sharply or end there", hawser_event_name(own->line.kind),
+	         own->here.at[0]*own->line.extent[0], own->here.at[1]*own->line.extent[1]);
+	status = hawser__own_end(own, again, report);
+	if (status || !*again || own->line.kind != HAWSER_FOLD) {
+		*again = 0;
+		return status;
+	}
+	/* on the other side of the cusp the fold is as far from it, and the coefficient is the negative */
+	hawser__own_between(&own->next, &own->prev, &own->here,
+	                    1.0 + 2.0*own->here.vanish/(own->prev.vanish - own->here.vanish), own->line.n);
+	set_along(own, -own->along[0], -own->along[1]);
+	status = hawser__own_across(own, &own->next, again, own->here.at, own->along, own->o->step_max,
+	                            report);
+	*again &= own->next.vanish*own->here.vanish > 0.0; /* not the same one again */
+	if (status || !*again)
+		return status;
+	*list->message = '\0';
+	hawser__own_copy(&own->here, &own->next, own->line.n);
+	hawser__own_copy(&own->prev, &own->here, own->line.n);
+	return add_point(own, &own->here, report);
+}
+
 static enum hawser_status follow(struct hawser__own *own, struct hawser__locus_list *list,
                                  const double tangent[2], int sign, struct hawser_report *report)
 {
@@ -225,58 +263,54 @@ static enum hawser_status follow(struct hawser__own *own, struct hawser__locus_l
 	enum hawser__outcome outcome;
 	enum hawser_status status;
 
+	int again = 1;
+
 	own->list = list;
 	own->report = report;
 	set_along(own, sign*tangent[0], sign*tangent[1]);
 	hawser__own_copy(&own->here, &own->start, own->line.n);
 	hawser__own_copy(&own->prev, &own->start, own->line.n);
+	if (own->along[1] < 0.0) /* t is the other way than at the start */
+		own->here.vanish *= -1.0;
+	own->most = fabs(own->here.vanish);
 	status = add_point(own, &own->here, report);
-	if (!status)
+	while (!status && again) {
 		status = hawser__curve_follow(&curve, &outcome);
-	if (status || outcome != HAWSER__LOST)
-		return status;
-	list->end = HAWSER_LOCUS_FAILED;
-	snprintf(list->message, sizeof list->message, "no %s was found near the parameters %.9g, %.9g: the "
-	         "curve may turn sharply there, as at a cusp, or end", hawser_event_name(own->line.kind),
-	         own->here.at[0]*own->line.extent[0], own->here.at[1]*own->line.extent[1]);
-	return hawser__own_takens(own, report);
+		again = !status && outcome == HAWSER__LOST;
+		if (again)
+			status = end_curve(own, &again, report);
+		curve.ds = TURNED*own->o->step_max;
+	}
+	return status;
 }
 
 /* --- where curves begin --- */
 
-/* The event of the response, whose parameter is the first one, with a point of the response beside
- * it. */
+/* The event of the response, whose parameter is the first one. */
 static void begin(struct hawser__own *own, const struct hawser_frf *frf, int e)
 {
 	const struct hawser_frf_event *event = &frf->event[e];
 	size_t m = 2*(size_t)own->line.n;
-	int i = event->after;
-	double t;
 
 	own->line.cycles = frf->point[0].omega > 0.0;
-	for (int k = 0; k < 2; k++)
-		own->line.normal[k] = !k;
-	for (;; i--) {
-		t = (frf->point[i].parameter - event->parameter)/own->line.extent[0];
-		if (fabs(t) >= AWAY*own->o->step_max || i == 0)
-			break;
-	}
+	own->line.steps = own->line.gone = 0;
 	own->start.at[0] = event->parameter/own->line.extent[0];
 	own->start.at[1] = own->o->at/own->line.extent[1];
 	own->start.omega = event->kind == HAWSER_HOPF || own->line.cycles ? event->omega : 0.0;
-	for (int k = 0; k < 2; k++) {
-		own->start.beside[k].t = t;
-		own->start.beside[k].omega = frf->point[i].omega;
-		memcpy(own->start.beside[k].state, frf->state + m*(size_t)i, m*sizeof(double));
-	}
+	own->start.angle = 0.0;
 	memcpy(own->start.state, frf->event_state + m*(size_t)e, m*sizeof(double));
 }
 
+/* Whether a curve passes there, at a point of it or between two. */
 static int is_there(const struct hawser_locus *locus, const double extent[2], const double at[2])
 {
 	for (int i = 0; i < locus->points; i++)
 		if (hypot(locus->point[i].omega/extent[0] - at[0],
 		          locus->point[i].parameter/extent[1] - at[1]) < KNOWN)
+			return 1;
+	for (int e = 0; e < locus->events; e++)
+		if (locus->event[e].kind == HAWSER_LOCUS_START &&
+		    fabs(locus->event[e].omega/extent[0] - at[0]) < KNOWN)
 			return 1;
 	return 0;
 }
@@ -290,9 +324,10 @@ static enum hawser_status aim(struct hawser__own *own, double tangent[2], struct
 	              0.5*(own->o->parameter_from + own->o->parameter_to) ? 1.0 : -1.0;
 	double base[2] = {own->start.at[0], own->start.at[1] + side*ASIDE*own->o->step_max};
 	int found;
-	enum hawser_status status = hawser__own_across(own, &own->next, &found, base, along,
-	                                               own->o->step_max, &own->start, report);
+	enum hawser_status status;
 
+	hawser__own_copy(&own->next, &own->start, own->line.n);
+	status = hawser__own_across(own, &own->next, &found, base, along, own->o->step_max, report);
 	for (int k = 0; k < 2; k++)
 		tangent[k] = found ? own->next.at[k] - own->start.at[k] : !k;
 	return status;
@@ -311,9 +346,8 @@ static enum hawser_status trace_one(struct hawser__own *own, const struct hawser
 	begin(own, frf, e);
 	if (is_there(own->locus, own->line.extent, own->start.at))
 		return HAWSER_OK;
-	hawser__own_copy(&own->here, &own->start, own->line.n);
-	status = hawser__own_across(own, &own->start, &found, own->here.at, along, own->o->step_max,
-	                            &own->here, report);
+	status = hawser__own_across(own, &own->start, &found, (double[2]){own->start.at[0],
+	                            own->start.at[1]}, along, own->o->step_max, report);
 	if (status)
 		return status;
 	if (!found) {
@@ -322,14 +356,10 @@ static enum hawser_status trace_one(struct hawser__own *own, const struct hawser
 		own->locus->lost_at[own->locus->lost++] = frf->event[e].parameter;
 		return HAWSER_OK;
 	}
-	own->first_omega = own->start.omega;
 	status = aim(own, tangent, report);
 	for (int side = 0; side < 2 && !status && !own->stopped; side++)
-		if (side == 0 || part[0].end != HAWSER_LOCUS_CLOSED) {
+		if (side == 0 || part[0].end != HAWSER_LOCUS_CLOSED)
 			status = follow(own, &part[side], tangent, side ? -1 : 1, report);
-			for (int k = 0; k < 2; k++)
-				own->line.normal[k] = !k;
-		}
 	if (!status)
 		status = hawser__locus_join(own->locus, part, report);
 	for (int side = 0; side < 2; side++)
@@ -392,11 +422,8 @@ static enum hawser_status open_own(struct hawser__own *own, const struct hawser_
 
 	own->line.n = rom->n;
 	own->time = rom->time;
-	for (size_t i = 0; i < sizeof spot/sizeof *spot; i++) {
+	for (size_t i = 0; i < sizeof spot/sizeof *spot; i++)
 		spot[i]->state = hawser__hold(&own->hold, m, sizeof(double));
-		for (int k = 0; k < 2; k++)
-			spot[i]->beside[k].state = hawser__hold(&own->hold, m, sizeof(double));
-	}
 	own->line.family = (struct hawser_rom_family){0.0, model_on, &own->line};
 	return own->hold.short_of_memory ? hawser__no_memory(report, "locus") : HAWSER_OK;
 }

@@ -3,14 +3,21 @@
 #ifndef HAWSER_RESPONSE_LOCUS_OWN_H
 #define HAWSER_RESPONSE_LOCUS_OWN_H
 
+#include <math.h>
+
 #include "core/hold.h"
 #include "response/locus/locus_walk.h"
 
-/* What changes its sign at special points; NAN where there is none. */
+/* What changes its sign at special points (own_tests.c); NAN where there is none. Multipliers are those
+ * besides the critical ones. */
 enum hawser__own_test {
-	HAWSER__OWN_DEGENERATE = 0, /* l1 of a Hopf point */
-	HAWSER__OWN_REAL,           /* the real eigenvalue next to the axis, but for the critical ones */
-	HAWSER__OWN_PAIR,           /* the real part of the pair next to it */
+	HAWSER__OWN_DEGENERATE = 0, /* l1 of a Hopf point; the third coefficient of a doubling or a torus */
+	HAWSER__OWN_ONE,            /* a multiplier is 1, of an equilibrium an eigenvalue 0 */
+	HAWSER__OWN_MINUS,          /* a multiplier is -1 */
+	HAWSER__OWN_PAIR,           /* a pair on the unit circle, of an equilibrium on the axis */
+	HAWSER__OWN_THIRD,          /* of a torus the angle's cosine less that of 2 pi/3, */
+	HAWSER__OWN_QUARTER,        /* of pi/2 */
+	HAWSER__OWN_START,          /* the second parameter less that of the response */
 	HAWSER__OWN_TESTS
 };
 
@@ -19,14 +26,14 @@ struct hawser__own_spot {
 	double at[2];               /* the parameters, in units of their ranges */
 	double omega;               /* of the critical motion or of the cycle, scaled; 0: equilibrium */
 	double time;                /* unit of time of the model there, s */
-	double angle, error;
+	double angle, error;        /* angle: of tori continued through 0 and pi; 0: not known yet */
+	double vanish;              /* what falls to 0 with the root of the distance from an end: frequency
+	                            * of a Hopf point, sine of a torus' angle, second coefficient of a fold.
+	                            * NAN: nothing */
+	double beside_pair;         /* of the pair next to the unit circle */
 	double test[HAWSER__OWN_TESTS];
 	int unstable;               /* besides the critical ones */
 	double *state;              /* [2n] of it */
-	struct hawser__own_beside {
-		double *state, t, omega; /* [2n] an equilibrium or cycle on the line, beside it */
-	} beside[2];                /* far, from which the branch on the next line begins, and near, from
-	                            * which it does if that fails */
 };
 
 /* A line in the plane of the parameters: base + t normal. */
@@ -38,14 +45,24 @@ struct hawser__own_line {
 	double base[2], normal[2];
 	struct hawser_rom_family family; /* over t */
 	double tolerance;
+	int steps;                  /* of a period; 0: not known yet */
+	int gone;                   /* directions in which a cycle is not determined: along its motion, and
+	                            * the rotation that leaves the model as it is; 0: not known yet */
 };
 
-/* The bifurcation *to on the line, next to t = 0, from that on a line nearby; *found: there is one
+/* The bifurcation on the line next to t = 0, from the guess that the spot has; *found: there is one
  * within `reach`. HAWSER_ERR_MEMORY. */
-enum hawser_status hawser__own_meet(struct hawser__own_spot *to, int *found,
-                                    struct hawser__own_line *line,
-                                    const struct hawser__own_spot *from, double reach,
+enum hawser_status hawser__own_meet(struct hawser__own_spot *spot, int *found,
+                                    struct hawser__own_line *line, double reach,
                                     struct hawser_report *report);
+
+/* own_tests.c: tests and number of unstable multipliers of an equilibrium or a cycle, and the angle of
+ * a torus if it is not known. */
+enum hawser_status hawser__own_judge_rest(struct hawser__own_spot *spot, const struct hawser_rom *rom,
+                                          struct hawser_report *report);
+enum hawser_status hawser__own_judge_cycle(struct hawser__own_spot *spot, const struct hawser_rom *rom,
+                                           const struct hawser__own_line *line,
+                                           struct hawser_report *report);
 
 /* A locus that is being followed. */
 struct hawser__own {
@@ -56,25 +73,33 @@ struct hawser__own {
 	double along[2];            /* direction of the curve here */
 	struct hawser__locus_list *list;
 	struct hawser_report *report;
-	double first_omega, time; /* of the first model, s */
+	double most;              /* of what vanishes, so far */
+	double time;              /* of the first model, s */
 	int stopped;
 	struct hawser__hold hold;
 };
 
 void hawser__own_copy(struct hawser__own_spot *to, const struct hawser__own_spot *from, int n);
+/* From 0 to pi. */
+static inline double hawser__own_angle(const struct hawser__own_spot *spot)
+{
+	return fabs(remainder(spot->angle, 2.0*M_PI));
+}
 double hawser__own_distance(const double a[2], const double b[2]);
-/* The point of the locus on the line through `base` at right angles to the direction. */
-enum hawser_status hawser__own_across(struct hawser__own *own, struct hawser__own_spot *to, int *found,
-                                      const double base[2], const double direction[2], double reach,
-                                      const struct hawser__own_spot *from,
-                                      struct hawser_report *report);
+/* *to is a guess at the part s of the way from a to b, also outside. */
+void hawser__own_between(struct hawser__own_spot *to, const struct hawser__own_spot *a,
+                         const struct hawser__own_spot *b, double s, int n);
+/* The point of the locus on the line through `base` at right angles to the direction, from a guess. */
+enum hawser_status hawser__own_across(struct hawser__own *own, struct hawser__own_spot *spot,
+                                      int *found, const double base[2], const double direction[2],
+                                      double reach, struct hawser_report *report);
 
-/* own_special.c. Whether the tests tell where the count of unstable eigenvalues changes from own->here
- * to own->next; the special points between these two; and, where the curve ends at own->here, the one
- * at which the frequency of Hopf points becomes 0. */
+/* own_special.c. Whether the tests tell where the count of unstable multipliers changes from own->here
+ * to own->next; the special points between these two; and the one at which the curve ends beyond
+ * own->here, where something vanishes: *found. */
 int hawser__own_explained(const struct hawser__own *own);
 enum hawser_status hawser__own_specials(struct hawser__own *own, struct hawser_report *report);
-enum hawser_status hawser__own_takens(struct hawser__own *own, struct hawser_report *report);
+enum hawser_status hawser__own_end(struct hawser__own *own, int *found, struct hawser_report *report);
 
 /* hawser_locus_trace of a plane whose frequency is 0. */
 enum hawser_status hawser__own_locus(struct hawser_locus *locus,

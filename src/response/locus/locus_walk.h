@@ -30,6 +30,8 @@ struct hawser__locus_list {
 	char message[240];
 };
 void hawser__locus_list_clear(struct hawser__locus_list *list);
+/* The events from the first one in order along the curve. */
+void hawser__locus_sort(struct hawser__locus_list *list, int first);
 
 struct hawser__locus_walk {
 	struct hawser__locus *locus;
