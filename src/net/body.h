@@ -23,7 +23,8 @@ int hawser__body_motions(double motion[6][6], double about[3], const struct haws
  * which nothing shows. */
 enum hawser_status hawser__bodies_release(struct hawser__mesh *mesh, const struct hawser_net *net,
                                           struct hawser_report *report) HAWSER_MUST_CHECK;
-/* What the motions z [motions] of the body of a rigid node displace there; and to z, the force v there. */
+/* What the motions z [motions] of the body of a rigid node displace there; and to z, the force v
+ * there. */
 void hawser__body_place(double x[3], const double *z, const struct hawser__mesh *mesh, int node);
 void hawser__body_push(double *z, const struct hawser__mesh *mesh, int node, const double v[3]);
 /* Fail if there are bodies, which `what` does not know. */

@@ -73,7 +73,8 @@ static void free_end(void)
 
 	(void)hawser__touchdown_energy(F, NULL, &of, s);
 	close_to(0.5*WEIGHT*SIZE - TENSION*s[1]/SIZE - F[1], WEIGHT*length, 1e-4, "weight that is held");
-	close_to(0.5 + TENSION*s[1]/SIZE/SIZE/WEIGHT - F[0]/SIZE/WEIGHT, 0.0, 1e-5, "none at the end that lies");
+	close_to(0.5 + TENSION*s[1]/SIZE/SIZE/WEIGHT - F[0]/SIZE/WEIGHT, 0.0, 1e-5,
+	         "none at the end that lies");
 }
 
 CASE(property_net_touchdown)

@@ -29,7 +29,7 @@ static int opened(struct hawser_net *net, const char *text)
 	return ok(!status, "the scene is read: %s", report.message);
 }
 
-/* A spar of mass m with its centre at `low`, free: heave, and pitch with the surge that goes with it. */
+/* A spar of mass m with its centre at `low`, free: heave, and pitch with the surge of it. */
 static void spar(double D, double m, double low, double J)
 {
 	const double a = 1025.0*M_PI*D*D/4.0, h = m/a, up = low - 0.5*h;
@@ -121,7 +121,8 @@ static double of_omega(double K[6][6], double M[6][6], double omega)
 static void lamp(void)
 {
 	static const char text[] = "kind: net\ng: 9.81\n"
-		"nodes: {P: [5, 10, 0], Q: [-3, 10, 4], R: [-2, 10, -5], a: [1, 0, 0], b: [-0.6, 0.2, 0.7], c: [-0.5, -0.1, -0.9]}\n"
+		"nodes: {P: [5, 10, 0], Q: [-3, 10, 4], R: [-2, 10, -5], a: [1, 0, 0], "
+		" b: [-0.6, 0.2, 0.7], c: [-0.5, -0.1, -0.9]}\n"
 		"supports: {P: fixed, Q: fixed, R: fixed}\ncables:\n"
 		"- {name: p, from: P, to: a, length0: 10.8, EA: 1e6, rho: 0, elements: 1}\n"
 		"- {name: q, from: Q, to: b, length0: 10.5, EA: 3e5, rho: 0, elements: 1}\n"
@@ -212,8 +213,8 @@ static void floats(double T)
 	         "- {name: q, from: Q, to: a, length0: 23, EA: 2e6, rho: 9, diameter: 0.05, elements: 4}\n"
 	         "buoys: {b: {volume: 3, CdA: 0, added_mass: 0.5}}\n"
 	         "bodies: {R: {nodes: [a, b], mass: 1200, centre: [0, -7, 0.2], "
-	         "inertia: [900, 900, 900], rods: [{from: a, to: b, diameter: 0.3, added_mass: {normal: 1}, elements: "
-	         "10}]}}\n", T);
+	         "inertia: [900, 900, 900], rods: [{from: a, to: b, diameter: 0.3, "
+	         "added_mass: {normal: 1}, elements: 10}]}}\n", T);
 	if (opened(&net, text) &&
 	    ok(!hawser_net_waves_solve(&waves, &net, &asked, &report), "a float: %s", report.message) &&
 	    ok(!hawser_net_integrate(&m, &net, &options, &report), "it moves: %s", report.message))
@@ -226,7 +227,8 @@ static void floats(double T)
 					s += m.x[i*2 + p][k]*sin(omega*m.time[i])/30.0;
 				}
 				ok(fabs(hypot(c, s)/0.01 - waves.x[3*p + k]) < 0.01*waves.x[3*p],
-				   "node %d, axis %d: %.4f, the motion %.4f m/m", p, k, waves.x[3*p + k], hypot(c, s)/0.01);
+				   "node %d, axis %d: %.4f, the motion %.4f m/m", p, k,
+				   waves.x[3*p + k], hypot(c, s)/0.01);
 			}
 	hawser_net_motion_clear(&m);
 	hawser_net_waves_clear(&waves);

@@ -84,8 +84,8 @@ void hawser__bed_prepare(struct hawser__motion *motion)
 }
 
 /* Force of the step, and its derivative by s1. */
-static double force(double *slope, const struct hawser__bed_node *of, const struct hawser__motion_rule *rule,
-                    double h)
+static double force(double *slope, const struct hawser__bed_node *of,
+                    const struct hawser__motion_rule *rule, double h)
 {
 	double p0 = fmax(of->s0, 0.0), p1 = fmax(of->s1, 0.0), N = of->more, ratio;
 
@@ -282,7 +282,8 @@ double hawser__bed_energy(const struct hawser__motion *motion)
 	}
 	for (int i = 0; i < bed->touchdowns; i++) {
 		const int *end = bed->touchdown[i].end;
-		const double s[2] = {depth(motion, &bed->node[end[0]], u), depth(motion, &bed->node[end[1]], u)};
+		const double s[2] = {depth(motion, &bed->node[end[0]], u),
+		                     depth(motion, &bed->node[end[1]], u)};
 
 		sum += hawser__touchdown_energy(F, NULL, &bed->touchdown[i], s);
 	}

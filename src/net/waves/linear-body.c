@@ -46,7 +46,8 @@ void hawser__linear_push(struct hawser__linear_mesh *linear, int node, const dou
 	                  (const double [3]){cimag(f[0]), cimag(f[1]), cimag(f[2])});
 }
 
-/* What an element with the displacements x of its ends does at one of them, along the unknowns there. */
+/* What an element with the displacements x of its ends does at one of them, along the unknowns
+ * there. */
 static void at_end(double complex f[3], const struct hawser__linear_mesh *linear, int e, int end,
                    const double complex (*x)[3], double omega)
 {

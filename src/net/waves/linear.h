@@ -60,8 +60,8 @@ enum hawser_status hawser__linear_mesh_solve(struct hawser__linear_mesh *linear,
                                              struct hawser_report *report) HAWSER_MUST_CHECK;
 /* x [nodes] of what linear->right has, but at rigid nodes. */
 void hawser__linear_mesh_places(double complex (*x)[3], const struct hawser__linear_mesh *linear);
-/* linear-body.c: memory; to linear->load, a force at a rigid node; and the bodies in linear->x, where they
- * are held, with the forces in linear->load, after linear->re has been factored. */
+/* linear-body.c: memory; to linear->load, a force at a rigid node; and the bodies in linear->x, where
+ * they are held, with the forces in linear->load, after linear->re has been factored. */
 enum hawser_status hawser__linear_bodies_open(struct hawser__linear_mesh *linear,
                                               struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser__linear_push(struct hawser__linear_mesh *linear, int node, const double complex f[3]);
