@@ -3,7 +3,7 @@
 
     bench/moordyn.py build/.libs/hawser libmoordyn.so [SECONDS]     (LD_LIBRARY_PATH=$PWD/build/.libs)
 
-Chains of 880 m in 200 m of water, 40 elements each, on the bed; no waves at the lines themselves. The fairleads have the surge and
+Chains of 880 m in 200 m of water, 24 to 80 elements each, on the bed; no waves at the lines themselves. The fairleads have the surge and
 heave of a JONSWAP sea of 5 m and 11 s (40 components), which MoorDyn is given at each of its steps, and hawser as a table. The reference is
 hawser with 160 elements and short steps, over the first 60 s. Errors are those of the fairlead tensions after 20 s, without their
 mean, over their standard deviation. Processor times are those of the

@@ -218,6 +218,7 @@ enum hawser_status hawser__bodies_none(const struct hawser_net *net, const char 
 {
 	return !net->bodies ? HAWSER_OK
 	       : hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s: %s does not know rigid bodies, "
-	                      "which statics and integrate do: give supports in place of bodies",
+	                      "which statics, modes, integrate and waves of frf do: give supports in place "
+	                      "of bodies",
 	                      net->name ? net->name : "the net", what);
 }

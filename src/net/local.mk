@@ -126,6 +126,7 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/water/water-motion.c \
 	%D%/water/water-statics.c \
 	%D%/waves/linear.c \
+	%D%/waves/linear-body.c \
 	%D%/waves/linear.h \
 	%D%/waves/response.c \
 	%D%/water/water.h \

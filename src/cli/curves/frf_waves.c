@@ -41,13 +41,14 @@ int cli_waves_in(const struct cli_common *common)
 	return waves > 0;
 }
 
-/* Nodes that are not held; else the middles of cables. */
+/* Nodes that can move; else the middles of cables. */
 static void probes(struct result *result)
 {
 	const struct hawser_net *net = &result->mesh.net;
 
 	for (int i = 0; i < net->nodes && result->probes < PROBES; i++) {
-		if (net->node[i].held[0] && net->node[i].held[1] && net->node[i].held[2])
+		if (net->node[i].held[0] && net->node[i].held[1] && net->node[i].held[2] &&
+		    (!net->node[i].body || net->node[i].support))
 			continue;
 		result->probe[result->probes] = (struct hawser_net_probe){i, -1, 0.0};
 		snprintf(result->name[result->probes++], sizeof *result->name, "%s", net->node[i].name);

@@ -279,12 +279,23 @@ enum hawser_status hawser__klu_divide(double *x, int *good, struct hawser__klu *
 	       ? HAWSER_OK : failed(klu, report);
 }
 
+enum hawser_status hawser__klu_again_complex(double *x, struct hawser__klu *re,
+                                             struct hawser_report *report)
+{
+	return !re->unknowns || klu_z_solve(re->symbolic, re->factors, re->unknowns, 1, x, &re->common)
+	       ? HAWSER_OK : failed(re, report);
+}
+
 enum hawser_status hawser__klu_divide_complex(double *x, int *good, struct hawser__klu *re,
                                               const struct hawser__klu *im,
                                               struct hawser_report *report)
 {
 	size_t entries = (size_t)re->p[re->unknowns];
-	int done;
+	int done = !re->unknowns;
+
+	*good = done;
+	if (done)
+		return HAWSER_OK;
 
 	if (!re->z && !(re->z = malloc((2*entries + 1)*sizeof *re->z)))
 		return hawser__no_memory(report, "net");
@@ -302,8 +313,7 @@ enum hawser_status hawser__klu_divide_complex(double *x, int *good, struct hawse
 	*good = done;
 	if (!done)
 		return re->common.status == KLU_SINGULAR ? HAWSER_OK : failed(re, report);
-	return klu_z_solve(re->symbolic, re->factors, re->unknowns, 1, x, &re->common)
-	       ? HAWSER_OK : failed(re, report);
+	return hawser__klu_again_complex(x, re, report);
 }
 
 enum hawser_status hawser__klu_solve(double (*r)[3], int *good, struct hawser__klu *klu,

@@ -136,7 +136,8 @@ static void predict(struct hawser__motion *motion, double h)
 {
 	double f = motion->past_h > 0.0 ? h/motion->past_h : 0.0;
 	/* without the velocities of the state, which alternate from step to step where damping is strong */
-	double g = motion->past2_h > 0.0 ? f*(h + motion->past_h)/(motion->past_h + motion->past2_h) : 0.0;
+	double g = motion->past2_h > 0.0 && motion->damps > 0.0
+		? f*(h + motion->past_h)/(motion->past_h + motion->past2_h) : 0.0;
 
 	hawser__motion_supports(motion->u, motion->v, motion, motion->t + h);
 	for (int i = 0; i < motion->nodes; i++)

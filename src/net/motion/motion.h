@@ -112,6 +112,9 @@ enum hawser_status hawser__klu_divide(double *x, int *good, struct hawser__klu *
 enum hawser_status hawser__klu_divide_complex(double *x, int *good, struct hawser__klu *re,
                                               const struct hawser__klu *im,
                                               struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Once more with that matrix. */
+enum hawser_status hawser__klu_again_complex(double *x, struct hawser__klu *re,
+                                             struct hawser_report *report) HAWSER_MUST_CHECK;
 enum hawser_status hawser__klu_solve(double (*r)[3], int *good, struct hawser__klu *klu,
                                      const struct hawser__blocks_matrix *matrix,
                                      struct hawser_report *report) HAWSER_MUST_CHECK;

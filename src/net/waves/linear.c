@@ -39,6 +39,8 @@ void hawser__linear_mesh_clear(struct hawser__linear_mesh *linear)
 	free(linear->wet);
 	free(linear->right);
 	free(linear->x);
+	hawser__hold_clear(&linear->hold);
+	hawser__bodies_unseat(&linear->seated, &linear->seated);
 }
 
 /* A block over both ends of an element, from the axes x, y, z to the directions of the unknowns. */
@@ -134,13 +136,14 @@ static void wet_buoy(struct hawser__linear_mesh *linear, const struct hawser__me
 
 	volume = hawser__wet_sphere(&by, water->surface, buoy->of->volume, y);
 	part = buoy->of->volume > 0.0 ? volume/buoy->of->volume : y < water->surface;
-	*wet = (struct hawser__wetted){.node = buoy->node, .element = buoy->element, .end = buoy->end};
+	*wet = (struct hawser__wetted){.node = buoy->node, .element = buoy->element, .end = buoy->end,
+	                               .buoy = buoy};
 	wet->displaced = water->density*volume;
 	wet->spring = -water->density*linear->mesh.g*by;
 	wet->added[0] = wet->added[1] = buoy->of->added;
 	wet->drag[0] = wet->drag[1] = 0.5*water->density*buoy->of->CdA*part;
 	hawser__water_current(wet->current, u_y, water, y);
-	for (int i = 0; i < 9; i++)
+	for (int i = 0; i < 9 && !linear->mesh.rigid[buoy->node]; i++)
 		linear->K[buoy->element][3*buoy->end + i/3][3*buoy->end + i%3] -= buoy->slope[i/3][i%3];
 }
 
@@ -155,7 +158,7 @@ static void nodes(struct hawser__linear_mesh *linear)
 
 		for (int j = 2*mesh->elements - 1; node < linear->net->nodes && j > k; j--)
 			first = first && mesh->end[j/2][j%2] != node;
-		if (node >= linear->net->nodes || !first)
+		if (node >= linear->net->nodes || !first || mesh->rigid[node])
 			continue;
 		add_end(linear->M[e], end, mesh->mass[node], 0.0, none);
 		for (int i = 0; i < 3; i++)
@@ -190,7 +193,8 @@ static void fill(struct hawser__linear_mesh *linear)
 		const struct hawser__wetted *wet = &linear->wet[i];
 		double a = wet->displaced*wet->added[0], b = wet->displaced*wet->added[1] - a;
 
-		add_end(linear->M[wet->element], wet->end, a, b, wet->along);
+		if (!wet->buoy || !mesh->rigid[wet->node])
+			add_end(linear->M[wet->element], wet->end, a, b, wet->along);
 	}
 	for (int e = 0; e < mesh->elements; e++) {
 		turn(linear->K[e], mesh, e);
@@ -211,17 +215,19 @@ static enum hawser_status hold(struct hawser__linear_mesh *linear, struct hawser
 }
 
 enum hawser_status hawser__linear_mesh_open(struct hawser__linear_mesh *linear,
-                                            const struct hawser_net *net,
+                                            const struct hawser_net *given,
                                             struct hawser_report *report)
 {
-	struct hawser__mesh *mesh = &linear->mesh;
+	struct hawser__mesh *mesh = &linear->mesh, nodes; /* without bodies */
+	const struct hawser_net *net = &linear->seated;
 	size_t elements;
+	double rest;
 	enum hawser_status status;
 
 	*linear = (struct hawser__linear_mesh){.net = net};
-	status = hawser__mesh_lawless(net, "the linear response", report);
+	status = hawser__mesh_lawless(given, "the linear response", report);
 	if (!status)
-		status = hawser__bodies_none(net, "the response to waves", report);
+		status = hawser__bodies_seat(&linear->seated, &rest, given, report);
 	if (!status && net->absorbers)
 		return hawser__fail(report, HAWSER_ERR_SCENE, "net", "%s: absorbers: the response to waves has "
 		                    "none: leave them out, or give a mass on a soft cable", net->name);
@@ -234,6 +240,11 @@ enum hawser_status hawser__linear_mesh_open(struct hawser__linear_mesh *linear,
 		status = hawser__net_equilibrium(mesh, linear->T, net, report);
 	if (!status && mesh->touches)
 		status = hold(linear, report);
+	nodes = *mesh;
+	if (!status)
+		status = hawser__bodies_release(mesh, net, report);
+	if (!status)
+		status = hawser__linear_bodies_open(linear, report);
 	linear->K = calloc(elements, sizeof *linear->K);
 	linear->M = calloc(elements, sizeof *linear->M);
 	linear->C = calloc(elements, sizeof *linear->C);
@@ -243,9 +254,9 @@ enum hawser_status hawser__linear_mesh_open(struct hawser__linear_mesh *linear,
 	if (!status && !(linear->K && linear->M && linear->C && linear->wet && linear->right && linear->x))
 		status = hawser__no_memory(report, "net");
 	if (!status)
-		status = hawser__klu_open(&linear->re, mesh, report);
+		status = hawser__klu_open(&linear->re, &nodes, report);
 	if (!status)
-		status = hawser__klu_open(&linear->im, mesh, report);
+		status = hawser__klu_open(&linear->im, &nodes, report);
 	if (!status)
 		fill(linear);
 	return status;
@@ -293,6 +304,8 @@ static void force(struct hawser__linear_mesh *linear, const struct hawser__wette
 			f[k] += wet->C[k][j]*wet->u[j];
 	}
 	f[1] += wet->spring*wet->elevation;
+	if (mesh->rigid[wet->node])
+		hawser__linear_push(linear, wet->node, f);
 	for (int k = 0; k < 3; k++) {
 		int unknown = mesh->unknown[wet->node][k];
 		double axis[3];
@@ -305,6 +318,24 @@ static void force(struct hawser__linear_mesh *linear, const struct hawser__wette
 			linear->right[2*unknown + 1] += axis[j]*cimag(f[j]);
 		}
 	}
+}
+
+void hawser__linear_mesh_places(double complex (*x)[3], const struct hawser__linear_mesh *linear)
+{
+	const struct hawser__mesh *mesh = &linear->mesh;
+
+	for (int i = 0; i < mesh->nodes; i++)
+		for (int j = 0; j < 3 && !mesh->rigid[i]; j++) {
+			x[i][j] = 0.0;
+			for (int k = 0; k < 3; k++) {
+				int unknown = mesh->unknown[i][k];
+				double axis[3];
+
+				hawser__mesh_axis(axis, mesh, i, k);
+				if (unknown >= 0)
+					x[i][j] += axis[j]*(linear->right[2*unknown] + I*linear->right[2*unknown + 1]);
+			}
+		}
 }
 
 enum hawser_status hawser__linear_mesh_solve(struct hawser__linear_mesh *linear, double omega,
@@ -322,6 +353,7 @@ enum hawser_status hawser__linear_mesh_solve(struct hawser__linear_mesh *linear,
 		hawser__klu_ends(linear->im, e, (const double (*)[6])linear->C[e], -omega);
 	}
 	memset(linear->right, 0, 2*(size_t)mesh->unknowns*sizeof *linear->right);
+	memset(linear->load, 0, 2*(size_t)mesh->body_unknowns*sizeof *linear->load);
 	for (int i = 0; i < linear->wets; i++) {
 		const struct hawser__wetted *wet = &linear->wet[i];
 		double block[6][6] = {{0.0}};
@@ -329,25 +361,17 @@ enum hawser_status hawser__linear_mesh_solve(struct hawser__linear_mesh *linear,
 		for (int k = 0; k < 9; k++)
 			block[3*wet->end + k/3][3*wet->end + k%3] = wet->C[k/3][k%3];
 		turn(block, mesh, wet->element);
-		hawser__klu_ends(linear->im, wet->element, (const double (*)[6])block, -omega);
+		if (!mesh->rigid[wet->node])
+			hawser__klu_ends(linear->im, wet->element, (const double (*)[6])block, -omega);
 		force(linear, wet, omega);
 	}
 	status = hawser__klu_divide_complex(linear->right, &good, linear->re, linear->im, report);
 	if (!status && !good)
 		return hawser__fail(report, HAWSER_ERR_CONVERGENCE, "net", "%s: the linear equations at %g "
 		                    "rad/s are singular", linear->net->name, omega);
-	for (int i = 0; i < mesh->nodes && !status; i++)
-		for (int j = 0; j < 3; j++) {
-			linear->x[i][j] = 0.0;
-			for (int k = 0; k < 3; k++) {
-				int unknown = mesh->unknown[i][k];
-				double axis[3];
-
-				hawser__mesh_axis(axis, mesh, i, k);
-				if (unknown >= 0)
-					linear->x[i][j] += axis[j]*(linear->right[2*unknown] +
-					                            I*linear->right[2*unknown + 1]);
-			}
-		}
-	return status;
+	if (status)
+		return status;
+	memset(linear->x, 0, (size_t)mesh->nodes*sizeof *linear->x);
+	hawser__linear_mesh_places(linear->x, linear);
+	return mesh->body_unknowns ? hawser__linear_bodies(linear, omega, report) : HAWSER_OK;
 }

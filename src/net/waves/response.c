@@ -363,8 +363,10 @@ enum hawser_status hawser_net_waves_solve(struct hawser_net_waves *waves, const 
 	if ((status = check(net, &solver.options, report)) != HAWSER_OK)
 		return status;
 	*waves = (struct hawser_net_waves){
-		.points = solver.options.points, .probes = solver.options.probes, .cables = net->cables,
+		.points = solver.options.points, .probes = solver.options.probes,
 		.height = is_sea ? middle.Hs : middle.height};
+	while (waves->cables < net->cables && !net->cable[waves->cables].rod)
+		waves->cables++; /* rods of bodies are behind them, and have no tensions */
 	middle.seed = HAWSER_NONE;
 	if (is_sea) {
 		hawser_jonswap_of(&spectrum, middle.Hs, middle.Tp, middle.gamma > 0.0 ? middle.gamma : 3.3);
