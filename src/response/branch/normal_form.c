@@ -1,7 +1,7 @@
 /* response/branch/normal_form.c - coefficients of normal forms of the period map.
  *
- *   c is the coefficient in the section's map (return_map.h), by differences over the amplitude at which
- *   it differs least from that over half of it.
+ *   c is the coefficient in the section's map (return_map.h), by differences over the amplitude at
+ *   which it differs least from that over half of it.
  *
  * Reference: Kuznetsov, Elements of Applied Bifurcation Theory, 5.4.
  *

@@ -41,8 +41,8 @@ void hawser__return_close(struct hawser__return *section);
 /* Whether the direction [m] of the rotation is not that of the motion. */
 int hawser__apart(const double *rotation, const double *motion, int m);
 
-/* *c: the coefficient of the normal form (hawser/normal_form.h) of the multiplier `which`, by differences
- * over the amplitude a; NAN where it has a pole. */
+/* *c: the coefficient of the normal form (hawser/normal_form.h) of the multiplier `which`, by
+ * differences over the amplitude a; NAN where it has a pole, and where the model can be turned. */
 enum hawser_status hawser__return_form(struct hawser__return *section, double *c, int which,
                                        enum hawser_event_kind kind, double a,
                                        struct hawser_report *report);
