@@ -81,7 +81,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/locus/folds_walk.c \
 	%D%/locus/folds_walk.h \
 	%D%/locus/locus_own.c %D%/locus/locus_own.h %D%/locus/own_line.c %D%/locus/own_special.c \
-	%D%/locus/own_section.c %D%/locus/own_section.h %D%/locus/own_tests.c \
+	%D%/locus/own_tests.c \
 	%D%/locus/locus.c \
 	%D%/locus/locus.h \
 	%D%/locus/locus_begin.c \
@@ -141,7 +141,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/floquet/monodromy_rest.c \
 	%D%/floquet/monodromy_step.c \
 	%D%/orbit/newton.c \
-	%D%/branch/normal_form.c \
+	%D%/branch/normal_form.c %D%/branch/return_map.c %D%/branch/return_map.h \
 	%D%/branch/orbits.c \
 	%D%/time/nystrom.c \
 	%D%/time/nystrom.h \

@@ -46,6 +46,7 @@
 #define SAFETY 3.0
 #define REAL 0.4        /* largest size of the logarithm of a real multiplier that counts as near 1 or
                          * -1; others are those of strong damping; chosen */
+#define MOVES 8.0       /* the same, in ways that both go within a step; chosen */
 #define CLOSE 1.0       /* distance at both ends, rad, above which pairs do not collide within a
                          * step; chosen */
 
@@ -110,11 +111,31 @@ static double complex reflect(double complex lambda)
 	return creal(lambda) + I*(angle > M_PI ? 2.0*M_PI - angle : angle);
 }
 
-/* Order next [count] like expected [count]; room is [count]. Those that are nearest to each other are
- * identified first: in the order of the list, a pair would take the place of another that it only
- * passes. Arguments turn by the step; moduli of pairs that don't take part in anything hardly change,
- * and tell them apart where their damping differs (a conductor with a damping ratio: a third of the
- * alarms were of pairs that had been exchanged). Returns the largest distance. */
+/* The index of what is next to z, of those that are numbers and, unless `partner` is NULL, have none
+ * yet; -1: none. Arguments turn by the step; moduli of pairs that don't take part in anything hardly
+ * change, and tell them apart where their damping differs (a conductor with a damping ratio: a third of
+ * the alarms were of pairs that had been exchanged). */
+static int nearest_to(double complex z, const double complex *of, const double complex *partner,
+                      int count)
+{
+	double least = INFINITY;
+	int best = -1;
+
+	for (int i = 0; i < count; i++) {
+		double radial = MODULUS*(creal(of[i]) - creal(z)), turned = cimag(of[i]) - cimag(z);
+		double square = radial*radial + turned*turned;
+
+		if (square < least && (!partner || isnan(creal(partner[i])))) {
+			least = square;
+			best = i;
+		}
+	}
+	return best;
+}
+
+/* Order next [count] like expected [count]; room is [count]. Those that are nearest to each
+ * other are identified first: in the order of the list, a pair would take the place of another that it
+ * only passes. Returns the largest distance. */
 static double match(double complex *next, const double complex *expected, double complex *room,
                     int count)
 {
@@ -122,28 +143,20 @@ static double match(double complex *next, const double complex *expected, double
 
 	for (int i = 0; i < count; i++)
 		room[i] = NAN;
-	for (int k = 0; k < count; k++) {
-		double least = INFINITY;
-		int to = 0, from = 0;
-
-		/* the parts that are identified already are NaN, which is not less than anything */
-		for (int i = 0; i < count; i++)
-			for (int j = 0; j < count && isnan(creal(room[i])); j++) {
-				double complex gap = next[j] - expected[i];
-				double radial = MODULUS*creal(gap);
-				double square = radial*radial + cimag(gap)*cimag(gap);
-
-				if (square < least) {
-					least = square;
-					to = i;
-					from = j;
-				}
-			}
-		if (isinf(least))
+	for (int left = count, before = 0; left > 0;) {
+		if (left == before)
 			return INFINITY;
-		room[to] = next[from];
-		next[from] = NAN;
-		worst = fmax(worst, cabs(room[to] - expected[to]));
+		before = left;
+		for (int i = 0; i < count; i++) {
+			int j = isnan(creal(room[i])) ? nearest_to(expected[i], next, NULL, count) : -1;
+
+			if (j < 0 || nearest_to(next[j], expected, room, count) != i)
+				continue;
+			room[i] = next[j];
+			next[j] = NAN;
+			worst = fmax(worst, cabs(room[i] - expected[i]));
+			left--;
+		}
 	}
 	memcpy(next, room, (size_t)count*sizeof *next);
 	return worst;
@@ -236,15 +249,13 @@ static double complex cosh_of(double complex lambda, double half)
 /* Whether pairs i and j, which are inside the unit circle at both ends of the step, may be outside
  * between them; lambda [4][count]. */
 static int grows_together(const double complex *lambda, int count, int i, int j, const double *s,
-                          const struct hawser__station *const station[4], int step, int m)
+                          const double *within, int step)
 {
 	double complex D[4], M[4], S[4];
-	double bound = bound_within(lambda, count, i, station, step, m);
-	double other = bound_within(lambda, count, j, station, step, m);
+	double bound = fmax(within[i], within[j]);
 
-	if (bound < 0.0 || other < 0.0)
+	if (within[i] < 0.0 || within[j] < 0.0)
 		return 0;
-	bound = fmax(bound, other);
 	for (int k = 0; k < 4; k++) {
 		double complex a = lambda[k*count + i], b = lambda[k*count + j];
 		double half = 0.5*creal(a + b);
@@ -330,11 +341,10 @@ static int pass(const double complex *a, const double complex *b, const double *
 /* The same as grows_together, of complex pairs that don't meet their own conjugates within the step: by
  * the square of the difference of lambda, a parabola where arguments turn evenly, as D is not. */
 static int passes_by(const double complex *lambda, int count, int i, int j, const double *s,
-                     const struct hawser__station *const station[4], int step, int m)
+                     const double *within, int step)
 {
 	double complex a[4], b[4], conjugate[4];
-	double bound = fmax(bound_within(lambda, count, i, station, step, m),
-	                    bound_within(lambda, count, j, station, step, m));
+	double bound = fmax(within[i], within[j]);
 
 	if (!unroll(a, lambda, count, i, s, step) || !unroll(b, lambda, count, j, s, step))
 		return 0;
@@ -343,20 +353,32 @@ static int passes_by(const double complex *lambda, int count, int i, int j, cons
 	return pass(a, b, s, step, bound) && pass(a, conjugate, s, step, bound);
 }
 
-/* lambda [2][count]: at both ends of the step. */
-static int near_by(const double complex *lambda, int count, int i, int j)
+/* How far pair i goes from one station to the next, at most; lambda [4][count]. */
+static double move_of(const double complex *lambda, int count, int i)
 {
-	return cabs(lambda[i] - lambda[j]) < CLOSE || cabs(lambda[count + i] - lambda[count + j]) < CLOSE;
+	double most = 0.0;
+
+	for (int k = 0; k < 3; k++)
+		most = fmax(most, cabs(lambda[(k + 1)*count + i] - lambda[k*count + i]));
+	return most;
+}
+
+/* Whether the pairs may meet within the step; lambda [2][count]: at both ends of it. */
+static int near_by(const double complex *lambda, int count, int i, int j, double moves)
+{
+	double apart = fmin(cabs(lambda[i] - lambda[j]), cabs(lambda[count + i] - lambda[count + j]));
+
+	return apart < CLOSE && apart < MOVES*moves;
 }
 
 /* Whether the multipliers of pair i, which are inside the unit circle at both ends of the step, may
  * have met at 1 or -1, separated and left it. */
 static int grows_alone(const double complex *lambda, int count, int i, const double *s,
-                       const struct hawser__station *const station[4], int step, int m)
+                       const double *within, int step)
 {
 	double from = cimag(lambda[step*count + i]), to = cimag(lambda[(step + 1)*count + i]);
 	double centre = from + to > M_PI ? M_PI : 0.0;
-	double bound = bound_within(lambda, count, i, station, step, m);
+	double bound = within[i];
 	double complex D[4], S[4];
 
 	if (bound < 0.0 || fmin(fabs(from - centre), fabs(to - centre)) >= 0.5*CLOSE)
@@ -383,7 +405,8 @@ int hawser__collide(int *followed, const struct hawser__station *const station[4
                     double complex *lambda)
 {
 	double complex *expected = lambda + 4*(m/2);
-	double s[4];
+	/* [count] of bound_within and move_of, once all are matched */
+	double s[4], *within = (double *)expected, *move = within + m/2;
 	int count = 0, found = 0;
 	int undecided = station[step]->circle.undecided > 0 && station[step + 1]->circle.undecided > 0;
 
@@ -403,15 +426,19 @@ int hawser__collide(int *followed, const struct hawser__station *const station[4
 			count = 0;
 	}
 	*followed = count > 0;
+	for (int i = 0; i < count; i++) {
+		within[i] = bound_within(lambda, count, i, station, step, m);
+		move[i] = move_of(lambda, count, i);
+	}
 	for (int i = 0; i < count && !found; i++) {
-		int alone = grows_alone(lambda, count, i, s, station, step, m);
+		int alone = grows_alone(lambda, count, i, s, within, step);
 
 		found = alone && undecided;
 		*followed &= !alone;
 		for (int j = 0; j < i && !found; j++)
-			found = near_by(lambda + step*count, count, i, j) &&
-			        grows_together(lambda, count, i, j, s, station, step, m) &&
-			        !passes_by(lambda, count, i, j, s, station, step, m);
+			found = near_by(lambda + step*count, count, i, j, move[i] + move[j]) &&
+			        grows_together(lambda, count, i, j, s, within, step) &&
+			        !passes_by(lambda, count, i, j, s, within, step);
 	}
 	return found;
 }

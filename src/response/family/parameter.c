@@ -11,16 +11,33 @@
 
 #include "core/append.h"
 #include "core/report.h"
+#include "rom/file/read.h"
 
 #define MODELS 10 /* kept at the same time: the first, and those of the last calls */
 
 struct family {
 	struct hawser_rom_source source; /* its text is not owned */
+	json_t *root;        /* of the text; NULL: not read yet, or a function of a library */
 	const char *name[2]; /* the second one may be NULL */
 	int next, count;
 	double value[MODELS][2];
 	struct hawser_rom rom[MODELS]; /* [count] */
 };
+
+/* The text is read once. */
+static enum hawser_status own_model(struct hawser_rom *rom, struct family *family,
+                                    struct hawser_report *report)
+{
+	const struct hawser_rom_source *from = &family->source;
+	enum hawser_status status = HAWSER_OK;
+
+	if (from->plugin)
+		return hawser_rom_source_model(rom, from, report);
+	if (!family->root)
+		status = hawser__rom_load(&family->root, from->text, from->size, from->name, report);
+	return status ? status : hawser__rom_read(rom, family->root, from->name, from->parameter,
+	                                          from->parameters, report);
+}
 
 static enum hawser_status model_of_two(void *context, const struct hawser_rom **rom,
                                        const double p[2], struct hawser_report *report)
@@ -37,7 +54,8 @@ static enum hawser_status model_of_two(void *context, const struct hawser_rom **
 		}
 	for (int k = 0; k < 2 && family->name[k]; k++)
 		hawser_rom_source_set(&family->source, family->name[k], p[k], &known);
-	if ((status = hawser_rom_source_model(&made, &family->source, report)))
+	status = own_model(&made, family, report);
+	if (status)
 		return status;
 	hawser_rom_clear(&family->rom[i]);
 	family->rom[i] = made;
@@ -60,8 +78,10 @@ static void end(void *context)
 
 	for (int i = 0; own && i < own->count; i++)
 		hawser_rom_clear(&own->rom[i]);
-	if (own)
+	if (own) {
+		json_decref(own->root);
 		free(own->source.parameter);
+	}
 	free(own);
 }
 

@@ -31,7 +31,8 @@
 #include "core/report.h"
 #include "response/cycle/cycle.h"
 #include "response/cycle/hopf.h"
-#include "response/locus/own_section.h"
+#include "response/branch/return_map.h"
+#include "response/locus/locus_own.h"
 #include "response/orbit/shooting.h"
 #include "response/time/flow.h"
 
@@ -117,7 +118,7 @@ static enum hawser_status open_system(struct system *s, const struct hawser__own
 		if (turns)
 			rotate(s, s->around, s->anchor);
 		if (s->line->gone == 0)
-			s->line->gone = 1 + (turns && hawser__own_apart(s->around, s->along, s->m));
+			s->line->gone = 1 + (turns && hawser__apart(s->around, s->along, s->m));
 		s->k = s->m + s->line->gone;
 	}
 	s->rows = s->line->kind == HAWSER_PERIOD_DOUBLING || s->torus ? s->m : s->k;

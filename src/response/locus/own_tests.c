@@ -1,7 +1,7 @@
 /* response/locus/own_tests.c - what changes its sign at special points of the loci of autonomous
  * models.
  *
- *    mu       multipliers of the cycle without those that are 1 along the motion (own_section.c); of
+ *    mu       multipliers of the cycle without those that are 1 along the motion (return_map.h); of
  *             an equilibrium exp(x/r), with the eigenvalues x and the largest modulus r of them
  *    passage  the product of mu - 1 over all but the critical ones changes its sign where a real one
  *             passes 1, and not where two real ones become a pair; as mu + 1 for -1, and mu_i mu_j - 1
@@ -24,10 +24,12 @@
 #include "core/hold.h"
 #include "core/report.h"
 #include "response/cycle/cycle.h"
-#include "response/locus/own_section.h"
+#include "response/branch/return_map.h"
+#include "response/locus/locus_own.h"
 
 #define OUTSIDE 1e-7 /* of a modulus that counts as unstable, beyond 1 */
 #define BESIDE 0.5   /* distance of a critical multiplier from 1 or -1 that is elsewhere; chosen */
+#define AMPLITUDE 0.01 /* of the motion, for differences: errors 1e-9 by round-off; chosen */
 #define NEAR_END 1e-3 /* of sin(angle) at 1:1 and 1:2, where a pair is nearly double; chosen */
 
 /* --- tests from multipliers --- */
@@ -159,10 +161,10 @@ enum hawser_status hawser__own_judge_cycle(struct hawser__own_spot *spot, const 
                                            struct hawser_report *report)
 {
 	enum hawser_event_kind kind = line->kind;
-	struct hawser__own_section section;
+	struct hawser__return section;
 	struct multipliers of;
-	enum hawser_status status = hawser__own_section_open(&section, rom, spot->state, spot->omega,
-	                                                     line->steps, report);
+	enum hawser_status status = hawser__return_open(&section, rom, spot->state, spot->omega, 1,
+	                                                line->steps, report);
 
 	if (!status) {
 		of = (struct multipliers){.mu = section.mu, .count = section.size};
@@ -177,9 +179,9 @@ enum hawser_status hawser__own_judge_cycle(struct hawser__own_spot *spot, const 
 		set_tests(spot, &of, 1);
 		if (kind == HAWSER_PERIOD_DOUBLING ||
 		    (kind == HAWSER_TORUS && fabs(sin(spot->angle)) > NEAR_END))
-			status = hawser__own_third(&section, &spot->test[HAWSER__OWN_DEGENERATE], of.critical[0],
-			                           report);
+			status = hawser__return_form(&section, &spot->test[HAWSER__OWN_DEGENERATE],
+			                             of.critical[0], kind, AMPLITUDE*section.extent, report);
 	}
-	hawser__own_section_close(&section);
+	hawser__return_close(&section);
 	return status;
 }

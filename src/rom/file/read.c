@@ -110,6 +110,10 @@ enum hawser_status hawser__read_array(const struct hawser__parser *reader, doubl
 	for (size_t i = 0; !status && i < shape[0]; i++) {
 		const json_t *item = json_array_get(value, i);
 
+		if (rank == 1 && json_is_number(item)) { /* finite, and without its place a tenth of the time */
+			out[i] = json_number_value(item);
+			continue;
+		}
 		snprintf(inner, sizeof inner, "%s[%zu]", where, i);
 		status = rank == 1 ? hawser__read_number(reader, out + i, item, inner)
 		         : hawser__read_array(reader, out + i*below, item, shape + 1, rank - 1, inner);

@@ -63,8 +63,13 @@ enum hawser_status hawser__read_range(const struct hawser__parser *reader, struc
 enum hawser_status hawser__read_extras(const struct hawser__parser *reader, struct hawser_rom *rom,
                                        const json_t *root);
 
-/* A whole model from text [size], with these values [sets] of its parameters in place of those of the
- * text. */
+/* *root, which is to be released, from text [size]; a whole model from it, with these values [sets] of
+ * its parameters in place of those of the text; and both. */
+enum hawser_status hawser__rom_load(json_t **root, const char *text, size_t size, const char *name,
+                                    struct hawser_report *report);
+enum hawser_status hawser__rom_read(struct hawser_rom *rom, json_t *root, const char *name,
+                                    const struct hawser_parameter *set, int sets,
+                                    struct hawser_report *report);
 enum hawser_status hawser__rom_parse(struct hawser_rom *rom, const char *text, size_t size,
                                      const char *name, const struct hawser_parameter *set, int sets,
                                      struct hawser_report *report);
