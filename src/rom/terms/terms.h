@@ -21,8 +21,8 @@ struct hawser__more {
 };
 void hawser__rom_more_add(const struct hawser_rom *rom, const struct hawser__more *to,
                           const double *u, const double *v, const double *tau, double omega);
-/* The same and the drag on the left side, with derivatives of the sign -1 and of stride 1, at `count` states u, v
- * [count][n] of a period at equal distances, the first at the phase 0. */
+/* The same and the drag on the left side, with derivatives of the sign -1 and of stride 1, at `count`
+ * states u, v [count][n] of a period at equal distances, the first at the phase 0. */
 void hawser__rom_more_left(const struct hawser_rom *rom, const struct hawser__more *all,
                            const double *u, const double *v, int count, double omega);
 
