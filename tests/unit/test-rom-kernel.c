@@ -5,6 +5,7 @@
 
 #include "rom/energy/kernel.h"
 #include "rom/build/model.h"
+#include "rom/terms/terms.h"
 #include "tests/tap.h"
 
 static double uniform(void)
@@ -165,6 +166,67 @@ static void check_model(int n, int potential)
 	if (potential)
 		ok(distance(fp, force, n) < 1e-8, "n %d: the force is the gradient of the energy", n);
 	check_block(&rom);
+	for (int i = 0; i < rom.cubics; i++)
+		rom.C[i].value *= potential ? 0.385 : uniform();
+	rom.K[0] *= 1.7;
+	rom.D[0] = 0.0;
+	by_definition(&rom, want, u);
+	ok(!hawser__rom_refill(&rom, NULL), "n %d: other values of the same entries", n);
+	hawser_rom_restoring(&rom, force, u);
+	ok(distance(force, want, n) < 1e-13, "n %d: and their force: %.1e", n, distance(force, want, n));
+	check_block(&rom);
+	hawser_rom_clear(&rom);
+}
+
+/* Terms of velocities, of which there are enough for matrices, against their definition: one state, as
+ * many as lanes, and states of a period. */
+static void check_rates(void)
+{
+	enum { n = 3, count = 50, states = 5 };
+	struct hawser_rom rom;
+	double v[states*n], u[states*n] = {0.0}, want[states*n] = {0.0}, slope[states*n*n] = {0.0};
+	double force[states*n] = {0.0}, by_v[states*n*n] = {0.0}, lanes[3][n*n*HAWSER_LANES] = {{0.0}};
+	double tau[HAWSER_LANES] = {0.0}, worst = 0.0;
+	const struct hawser__more left = {.force = force, .by_v = by_v, .sign = -1.0, .stride = 1};
+	const struct hawser__more side = {.force = lanes[1], .by_v = lanes[2], .sign = -1.0,
+	                                  .stride = HAWSER_LANES};
+
+	random_model(&rom, n, 0);
+	rom.term = calloc(count, sizeof *rom.term);
+	for (int i = 0; i < states*n; i++)
+		v[i] = uniform();
+	for (; rom.terms < count; rom.terms++) {
+		struct hawser_term *term = &rom.term[rom.terms];
+
+		*term = (struct hawser_term){.j = rand()%n, .factors = 2 + rand()%2, .value = uniform(),
+		                             .factor = {rand()%n, rand()%n, rand()%n}};
+		term->rates = term->factors;
+		for (int r = 0; r < states; r++)
+			for (int gone = -1; gone < term->factors; gone++) {
+				double product = term->value;
+
+				for (int f = 0; f < term->factors; f++)
+					product *= f == gone ? 1.0 : v[r*n + term->factor[f]];
+				if (gone < 0)
+					want[r*n + term->j] += product;
+				else
+					slope[(r*n + term->j)*n + term->factor[gone]] += product;
+			}
+	}
+	ok(!hawser_rom_compile(&rom, NULL) && rom.kernel->rates && rom.kernel->others == 0,
+	   "terms of velocities have matrices");
+	hawser__rom_more_left(&rom, &left, u, v, states, 1.0);
+	for (int i = 0; i < n*HAWSER_LANES; i++)
+		lanes[0][i] = v[i%HAWSER_LANES*n + i/HAWSER_LANES];
+	hawser__rom_more_add(&rom, &side, u, lanes[0], tau, 1.0);
+	for (int i = 0; i < n*n*HAWSER_LANES; i++) {
+		int lane = i%HAWSER_LANES, j = i/HAWSER_LANES;
+
+		worst = fmax(worst, fabs(lanes[2][i] - slope[lane*n*n + j]));
+		worst = fmax(worst, j < n ? fabs(lanes[1][i] + want[lane*n + j]) : 0.0);
+	}
+	ok(distance(force, want, states*n) < 1e-14 && distance(by_v, slope, states*n*n) < 1e-14 &&
+	   worst < 1e-14, "and the forces and derivatives of their products: %.1e", worst);
 	hawser_rom_clear(&rom);
 }
 
@@ -252,6 +314,7 @@ CASE(unit_rom_kernel)
 		check_model(n, 0);
 	}
 	check_forced();
+	check_rates();
 	check_errors();
 	return done_testing();
 }

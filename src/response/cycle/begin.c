@@ -50,7 +50,7 @@ static enum hawser_status settle(struct hawser__trace *trace, struct hawser_repo
 enum { MANY = 200 }; /* terms; those of a wind on 6 modes are more; chosen */
 
 /* Balance of large models, or where it is asked for: where modes are quick against the range, or there
- * are many terms, or the exact force of a wind, with which shooting takes twice as long. Equations of
+ * are many terms or the exact force of a wind, with which shooting takes twice as long. Equations of
  * first order are stiff by their relaxation alone, and only shooting has a row for rotations of the
  * model. */
 static enum hawser_status cycle_method(const struct hawser__orbit_method **method,
