@@ -23,8 +23,9 @@
 #define UNSEEN 0.035    /* distance of two drafts, relative to the accuracy, that is not seen between
                          * their points: 4.9e-4 at a peak of deep-sag where 4.4e-5 was */
 #define TURNED 100      /* points without an advance, */
-#define IN_VAIN 0.05    /* and work, of what can be borne, after which a curve may be said to wander;
-                         * chosen */
+#define IN_VAIN 0.05    /* and work, of what can be borne, after which a curve may be said to wander; */
+#define CREEPING 40     /* points with steps that are shorter */
+#define SHORT 0.02      /* than this on the average: then at once; chosen */
 #define BEGINNING 0.25  /* of what can be borne, for the first orbit of a draft; chosen */
 #define FIRST_POINTS 24 /* of a trace, before anything is foreseen; chosen */
 
@@ -81,18 +82,23 @@ static int is_costly(const struct hawser__draft_watch *watch, int points, double
 	return fmax(spent, watch->a->foreseen/DOUBT) > bearable;
 }
 
-/* Whether the curve has turned back and come no farther in as much work as it took to get there. */
+/* Whether the curve has turned back and come no farther in as much work as it took to get there, or
+ * creeps since. */
 static int wanders(struct hawser__draft_watch *watch, const struct hawser_frf *frf, double work)
 {
-	double reach = hawser__draft_reach(frf, frf->points, &watch->options->frf);
+	double reach = hawser__draft_reach(frf, frf->points, &watch->options->frf), since;
+	int points;
 
 	if (reach != watch->farthest) {
 		watch->farthest = reach;
 		watch->turned = frf->points;
 		watch->until = work;
 	}
-	watch->vain = frf->points - watch->turned > TURNED && work > 2.0*watch->until &&
-	              work - watch->until > IN_VAIN*watch->options->bearable;
+	points = frf->points - watch->turned;
+	since = frf->point[frf->points - 1].arc - frf->point[watch->turned - 1].arc;
+	watch->vain = (points > TURNED && work > 2.0*watch->until &&
+	               work - watch->until > IN_VAIN*watch->options->bearable) ||
+	              (points > CREEPING && since < SHORT*points);
 	return watch->vain;
 }
 
@@ -160,7 +166,7 @@ static int ends_range(struct hawser_accuracy *a, const struct hawser__draft_watc
 	           (watch->options->frf.to > watch->options->frf.from ? 1.0 - aside : 1.0 + aside);
 	snprintf(a->beyond, sizeof a->beyond, "%s", failed ? why->message
 	         : watch->vain ? "there the curve turns back, and comes no farther in as much work as it "
-	           "took to get there; --set model.energy=exact follows it" : "");
+	           "took to get there, or by very short steps only; --set model.energy=exact follows it" : "");
 	a->frf.end = HAWSER_END_RANGE;
 	return 1;
 }

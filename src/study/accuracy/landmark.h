@@ -43,8 +43,12 @@ struct hawser__sharpening {
 	                * shorter window */
 	double step;   /* longest step relative to the window's range of Omega; 0: 0.01 */
 	int reach;     /* number of points of the window on either side of the peak; 0: 2 */
-	double known;  /* peaks with a smaller relative error by interpolation are not traced again */
+	double known;  /* peaks with a smaller relative error by interpolation, with a factor of safety,
+	                * are not traced again; 0: all are */
 };
+
+/* The factor of safety on the error by interpolation of a peak that is not traced again. */
+void hawser__peak_allow(struct hawser_landmark *peak);
 
 /* Trace the branch again in short steps about every peak, and once more about those whose error is
  * still too large. A peak for which this fails keeps its value and its error. */

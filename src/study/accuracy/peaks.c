@@ -21,10 +21,6 @@ static const double small = 1e-6; /* scaled increment of a coordinate for this d
 static const double step = 0.2, shorter = 0.1;
 /* Required relative errors below which windows are wider and steps shorter, and shorter still. */
 static const double fine = 5e-4, finest = 1e-4;
-/* Safety factor on the estimated interpolation error between the points of the response. Of 52
- * peaks of the chairlift's response, traced again in steps ten times shorter, two had errors of up
- * to 1.15 times the estimate. */
-static const double safety = 2.0;
 
 static enum hawser_status tension_at_rest(double rest[2], double **slope,
                                           const struct hawser_rom *rom,
@@ -45,12 +41,6 @@ static enum hawser_status tension_at_rest(double rest[2], double **slope,
 	failed = !u || !*slope;
 	free(u);
 	return failed ? hawser__no_memory(report, "study") : HAWSER_OK;
-}
-
-static void allow(struct hawser_landmark *peak)
-{
-	peak->omega_error += (safety - 1.0)*(peak->omega_error - peak->omega_orbits);
-	peak->size_error += (safety - 1.0)*(peak->size_error - peak->size_orbits);
 }
 
 /* From the nearest point such that no event lies between it and the peak. */
@@ -88,21 +78,17 @@ enum hawser_status hawser_peaks(struct hawser_landmark **peak, int *count,
                                 struct hawser_report *report)
 {
 	struct hawser_frf_options again = *options;
-	double rest[2], *slope, *unread = NULL;
+	double rest[2], *slope;
 	enum hawser_status status = tension_at_rest(rest, &slope, rom, report);
 
 	*peak = NULL;
 	*count = 0;
 	if (!status)
 		status = hawser__landmark_peaks(peak, count, frf, rest, slope, report);
-	if (!status && !(unread = malloc(((size_t)*count + 1)*sizeof *unread)))
-		status = hawser__no_memory(report, "study");
-	for (int k = 0; !status && k < *count; k++)
-		unread[k] = hawser__peak_unread(&(*peak)[k]);
 	if (!status && wanted > 0.0) {
 		/* a shallow copy: the response stays with the caller */
 		struct hawser_study_curve curve = {.frf = *frf, .landmark = *peak, .landmarks = *count};
-		const struct hawser__sharpening how = {.wanted = wanted, .known = wanted/safety,
+		const struct hawser__sharpening how = {.wanted = wanted, .known = wanted,
 			.step = wanted < finest ? 0.0 : wanted < fine ? shorter : step,
 			.reach = wanted < fine ? 2 : 1};
 
@@ -113,12 +99,10 @@ enum hawser_status hawser_peaks(struct hawser_landmark **peak, int *count,
 		status = hawser__study_sharpen(&curve, rom, &again, &how, report);
 	}
 	for (int k = 0; !status && k < *count; k++) {
-		/* peaks that are not traced again */
-		if (hawser__peak_unread(&(*peak)[k]) >= unread[k])
-			allow(&(*peak)[k]);
+		if (!(wanted > 0.0))
+			hawser__peak_allow(&(*peak)[k]);
 		(*peak)[k].stable = is_stable(frf, (*peak)[k].arc);
 	}
-	free(unread);
 	free(slope);
 	if (status) {
 		free(*peak);

@@ -65,7 +65,7 @@ enum hawser_status hawser__marks_find(struct hawser__marks *marks, const struct 
 		/* a shallow copy: the response stays with the caller */
 		struct hawser_study_curve curve = {.frf = *frf, .landmark = marks->item,
 			.landmarks = marks->count};
-		const struct hawser__sharpening how = {.wanted = wanted};
+		const struct hawser__sharpening how = {.wanted = wanted, .known = wanted};
 
 		status = hawser__study_sharpen(&curve, rom, options, &how, report);
 	}
