@@ -1,5 +1,6 @@
 /* Collisions of multipliers between stations: pairs that pass each other are no collision, pairs that
- * meet and separate along the radius are one, and condensed coordinates take no part.
+ * meet and separate along the radius are one, and condensed coordinates take no part; nor do pairs
+ * of one kind, and of two that are weakly coupled.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -9,14 +10,14 @@
 #include <string.h>
 
 #include "response/branch/collide.h"
+#include "response/floquet/floquet.h"
 #include "tests/tap.h"
 
 #define PAIRS 3
 #define DECAY (-0.02) /* logarithm of the modulus of every pair before a collision */
 
 static struct hawser__station station[4];
-static double logs[4][2*PAIRS], arguments[4][2*PAIRS], bounds[4][2*PAIRS];
-static unsigned char condensed[4][2*PAIRS];
+static double logs[4][2*PAIRS], arguments[4][2*PAIRS], bounds[4][2*PAIRS], kinds[4][2*PAIRS];
 static double arc[4] = {0.0, 0.385, 0.77, 1.155};
 static int followed;
 
@@ -26,7 +27,7 @@ static void set_pair(int k, int i, double log_modulus, double argument)
 		logs[k][2*i + side] = log_modulus;
 		arguments[k][2*i + side] = side ? -argument : argument;
 		bounds[k][2*i + side] = 1e-9;
-		condensed[k][2*i + side] = 0;
+		kinds[k][2*i + side] = 0.0;
 	}
 }
 
@@ -39,7 +40,7 @@ static int collide(int step)
 		station[k].log_modulus = logs[k];
 		station[k].argument = arguments[k];
 		station[k].bound = bounds[k];
-		station[k].condensed = condensed[k];
+		station[k].kind = kinds[k];
 		station[k].arc = arc[k];
 		all[k] = &station[k];
 	}
@@ -101,8 +102,9 @@ static void check_beside_one(void)
 	memcpy(arc, (double[4]){0.0, 0.385, 0.77, 1.155}, sizeof arc);
 }
 
-/* A pair runs through another at a rate that changes so much that the interpolation is not sure. */
-static void check_condensed(int marked)
+/* A pair of one kind runs through another at a rate that changes so much that the interpolation is not
+ * sure. */
+static void check_kinds(double kind, double other, int expected, const char *what)
 {
 	static const double off[4] = {-0.5, -0.45, -0.17, 0.17};
 
@@ -110,10 +112,10 @@ static void check_condensed(int marked)
 		set_pair(k, 0, DECAY, 1.2385);
 		set_pair(k, 1, DECAY, 2.2);
 		set_pair(k, 2, DECAY, 1.2385 + off[k]);
-		condensed[k][4] = condensed[k][5] = (unsigned char)marked;
+		kinds[k][4] = kinds[k][5] = kind;
+		kinds[k][0] = kinds[k][1] = other;
 	}
-	ok(collide(2) == !marked, "a pair that runs irregularly through another is %s",
-	   marked ? "left out where it is condensed" : "looked at");
+	ok(collide(2) == expected, "a pair that runs irregularly through another is %s", what);
 }
 
 /* A damped pair passes -1 with other rates of growth within `width` of it: log mu = DECAY +- width
@@ -146,8 +148,12 @@ CASE(unit_collide)
 	check_collision(0.0009, 2, 0, "so slightly that they stay inside the circle, they are not");
 	check_collision(0.0009, 1, 0, "and with stations on both sides");
 	check_beside_one();
-	check_condensed(0);
-	check_condensed(1);
+	check_kinds(0.0, 0.0, 1, "looked at");
+	check_kinds(HAWSER__CONDENSED, 0.0, 0, "left out where it is condensed");
+	check_kinds(-0.93, -0.71, 0, "left out where both are of one kind");
+	check_kinds(0.93, -0.71, 1, "looked at where they are not");
+	check_kinds(0.93, 0.3, 1, "or where the kind of one is not sure");
+	check_kinds(0.999, -0.93, 0, "left out where they are weakly coupled");
 	check_alone(0.0, 1, "a damped pair that passes -1 is followed");
 	check_alone(0.015, 1, "also if it meets the real axis less far than the damping reaches");
 	check_alone(0.03, 0, "if it may leave the circle there within the step, it is not");

@@ -35,6 +35,7 @@
 #include <string.h>
 
 #include "response/branch/collide.h"
+#include "response/floquet/floquet.h"
 
 #define MODULUS 20.0    /* weight of a logarithm of a modulus beside an argument: moduli change
                          * slowly, and tell which pair is which; chosen */
@@ -47,6 +48,8 @@
 #define REAL 0.4        /* largest size of the logarithm of a real multiplier that counts as near 1 or
                          * -1; others are those of strong damping; chosen */
 #define MOVES 8.0       /* the same, in ways that both go within a step; chosen */
+#define DEFINITE 0.5    /* least size of a kind that tells something; chosen */
+#define COUPLED 2.0     /* factor on the growth that follows from the kinds at one station; chosen */
 #define CLOSE 1.0       /* distance at both ends, rad, above which pairs do not collide within a
                          * step; chosen */
 
@@ -60,7 +63,7 @@ static int list_real(double *rank_th, int rank, const struct hawser__station *st
 	for (int i = 0; i < m; i++) {
 		double angle = fabs(station->argument[i]);
 
-		if (station->condensed[i] || !(negative ? angle >= M_PI : angle == 0.0) ||
+		if (station->kind[i] == HAWSER__CONDENSED || !(negative ? angle >= M_PI : angle == 0.0) ||
 		    !(fabs(station->log_modulus[i]) < REAL))
 			continue;
 		if (count == rank)
@@ -78,7 +81,8 @@ static int list(double complex *lambda, const struct hawser__station *station, i
 	int count = 0;
 
 	for (int i = 0; i < m; i++)
-		if (station->argument[i] > 0.0 && station->argument[i] < M_PI && !station->condensed[i])
+		if (station->argument[i] > 0.0 && station->argument[i] < M_PI &&
+		    station->kind[i] != HAWSER__CONDENSED)
 			lambda[count++] = station->log_modulus[i] + I*station->argument[i];
 	for (int negative = 0; negative < 2; negative++) {
 		double larger = 0.0, smaller = 0.0;
@@ -187,21 +191,22 @@ static double turning_point(const double complex *g, const double *s, int a, int
 	return fmax(s[b], fmin(s[c], at));
 }
 
-/* Error of pair lambda of the station: of the larger multiplier of a real one. */
-static double bound_of(const struct hawser__station *station, int m, double complex lambda)
+/* Index of the multiplier of pair lambda of the station: of the larger one of a real pair. */
+static int index_of(const struct hawser__station *station, int m, double complex lambda)
 {
-	double argument = fmax(0.0, fmin(cimag(lambda), M_PI)), least = INFINITY, bound = 0.0;
+	double argument = fmax(0.0, fmin(cimag(lambda), M_PI)), least = INFINITY;
+	int best = 0;
 
 	for (int i = 0; i < m; i++) {
 		double off = fabs(station->log_modulus[i] - creal(lambda) - apart(lambda));
 		double angle = fmin(fabs(station->argument[i]), M_PI);
 
-		if (angle == argument && !station->condensed[i] && off < least) {
+		if (angle == argument && station->kind[i] != HAWSER__CONDENSED && off < least) {
 			least = off;
-			bound = station->bound[i];
+			best = i;
 		}
 	}
-	return bound;
+	return best;
 }
 
 /* Error of the multipliers of pair i at both ends of the step, lambda [4][count]; -1 if it is outside
@@ -212,13 +217,45 @@ static double bound_within(const double complex *lambda, int count, int i,
 	double bound = 0.0;
 
 	for (int k = step; k < step + 2; k++) {
-		double here = bound_of(station[k], m, lambda[k*count + i]);
+		double here = station[k]->bound[index_of(station[k], m, lambda[k*count + i])];
 
 		if (creal(lambda[k*count + i]) + apart(lambda[k*count + i]) > here)
 			return -1.0;
 		bound = fmax(bound, here);
 	}
 	return bound;
+}
+
+/* Largest growth of pairs a and b where they meet, by the station: none of pairs of one kind. The
+ * share r^2 of the other kind in an eigenvector is that of all pairs of that kind, which is the
+ * larger, the nearer and the more strongly coupled they are: with the distance g of two that are
+ * alone, the growth where they meet is g r/(1 - r^2). Infinite where the kinds tell nothing. */
+static double growth_of(const struct hawser__station *station, int m, double complex a,
+                        double complex b)
+{
+	double of_a = station->kind[index_of(station, m, a)];
+	double of_b = station->kind[index_of(station, m, b)];
+	double sure = fmax(fabs(of_a), fabs(of_b)), r2 = (1.0 - sure)/(1.0 + sure);
+
+	if (fmin(fabs(of_a), fabs(of_b)) < DEFINITE)
+		return INFINITY;
+	return of_a*of_b > 0.0 ? 0.0 : COUPLED*fabs(cimag(a - b))*sqrt(r2)/(1.0 - r2);
+}
+
+/* Whether pairs i and j are too weakly coupled to leave the unit circle within the step. */
+static int are_apart(const double complex *lambda, int count, int i, int j,
+                     const struct hawser__station *const station[4], const double *within,
+                     int step, int m)
+{
+	double bound = fmax(within[i], within[j]);
+
+	for (int k = step; k < step + 2; k++) {
+		double complex a = lambda[k*count + i], b = lambda[k*count + j];
+
+		if (!(0.5*creal(a + b) + growth_of(station[k], m, a, b) < bound))
+			return 0;
+	}
+	return 1;
 }
 
 /* Position of sample e within the step; the first is where D has its extreme. */
@@ -437,6 +474,7 @@ int hawser__collide(int *followed, const struct hawser__station *const station[4
 		*followed &= !alone;
 		for (int j = 0; j < i && !found; j++)
 			found = near_by(lambda + step*count, count, i, j, move[i] + move[j]) &&
+			        !are_apart(lambda, count, i, j, station, within, step, m) &&
 			        grows_together(lambda, count, i, j, s, within, step) &&
 			        !passes_by(lambda, count, i, j, s, within, step);
 	}

@@ -21,7 +21,7 @@
 /* Error to which events are located, of Omega. That of a model with exact energy is far larger, by
  * its basis, and an orbit takes a tenth of a second. */
 #define LOCATED 1e-10
-#define LOCATED_EXACT 1e-7
+#define LOCATED_LARGE 1e-7
 #define MOST_RETRIES 3 /* repetitions of a step with an unresolved event, each a quarter as long;
                         * chosen */
 #define SURE_STEP 1e-6 /* arclength; in a shorter step a gap is not resolved further; chosen */
@@ -443,7 +443,7 @@ static enum hawser_status trace_own(struct hawser_frf *frf, const struct hawser_
 	if (rom->drag && !hawser__drag_smooth(rom->drag))
 		hawser__settle(&settled.tolerance, HAWSER__DRAG_TOLERANCE);
 	hawser_frf_settle(&settled);
-	hawser__settle(&settled.event_tolerance, rom->exact ? LOCATED_EXACT : LOCATED);
+	hawser__settle(&settled.event_tolerance, hawser__is_large(rom) ? LOCATED_LARGE : LOCATED);
 	if ((status = hawser__frf_check(rom, &settled, report)))
 		return status;
 	shorter = settled;

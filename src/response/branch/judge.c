@@ -16,6 +16,7 @@
 #include "core/report.h"
 #include "response/branch/collide.h"
 #include "response/branch/trace.h"
+#include "response/floquet/floquet.h"
 
 #define WORST_ANGLE 0.4        /* largest angle between successive tangents, rad; chosen */
 #define WORST_DISTANCE 5e-2    /* largest distance of the prediction from the branch, relative to
@@ -109,7 +110,8 @@ static int is_near(const struct hawser__station *station, int i, double c)
 {
 	double r = exp(station->log_modulus[i]);
 
-	return !station->condensed[i] && 1.0 - 2.0*c*r*cos(station->argument[i]) + r*r <= NEAR*NEAR;
+	return station->kind[i] != HAWSER__CONDENSED &&
+	       1.0 - 2.0*c*r*cos(station->argument[i]) + r*r <= NEAR*NEAR;
 }
 
 /* Product of (1 - c mu), c = 1 or -1, over the multipliers near c; returns their number. It is
@@ -253,7 +255,7 @@ static enum hawser_status hides_behind(struct hawser__trace *trace, int *hidden,
 
 	*hidden = trace->known > 1 && all[step + 1]->arc - all[step]->arc > HAWSER__SORTING_STEP &&
 	          hides_in(trace, all, step, FEW);
-	return *hidden && trace->rom->exact && !trace->orbit->unjudged && trace->known > 2
+	return *hidden && hawser__is_large(trace->rom) && !trace->orbit->unjudged && trace->known > 2
 	       ? look_between(trace, hidden, all, step) : HAWSER_OK;
 }
 

@@ -21,24 +21,21 @@ enum hawser_status hawser__station_init(struct hawser__station *station,
 	size_t size = (size_t)orbit->size, m = (size_t)orbit->m;
 
 	memset(station, 0, sizeof *station);
-	station->memory = calloc(2*size + 3*m, sizeof *station->memory);
-	station->condensed = calloc(m, 1);
-	if (!station->memory || !station->condensed) {
-		hawser__station_clear(station);
+	station->memory = calloc(2*size + 4*m, sizeof *station->memory);
+	if (!station->memory)
 		return hawser__no_memory(report, "frf");
-	}
 	station->y = station->memory;
 	station->t = station->y + size;
 	station->log_modulus = station->t + size;
 	station->argument = station->log_modulus + m;
 	station->bound = station->argument + m;
+	station->kind = station->bound + m;
 	return HAWSER_OK;
 }
 
 void hawser__station_clear(struct hawser__station *station)
 {
 	free(station->memory);
-	free(station->condensed);
 	memset(station, 0, sizeof *station);
 }
 
@@ -210,7 +207,7 @@ static enum hawser_status count_as_stable(struct hawser__orbit *orbit)
 	for (int i = 0; i < orbit->m; i++) {
 		orbit->log_modulus[i] = INSIDE;
 		orbit->argument[i] = 0.0;
-		orbit->condensed[i] = 0;
+		orbit->kind[i] = 0.0;
 	}
 	orbit->product_error = orbit->product_round_off = orbit->multiplier_error = 0.0;
 	orbit->det_sign = 1.0;
@@ -235,7 +232,7 @@ enum hawser_status hawser__station_judge(struct hawser__station *station,
 	orbit->cost.judged += !orbit->unjudged;
 	memcpy(station->log_modulus, orbit->log_modulus, (size_t)m*sizeof(double));
 	memcpy(station->argument, orbit->argument, (size_t)m*sizeof(double));
-	memcpy(station->condensed, orbit->condensed, (size_t)m);
+	memcpy(station->kind, orbit->kind, (size_t)m*sizeof(double));
 	station->circle = hawser__circle_count(station->bound, station->log_modulus, station->argument, m,
 	                                       orbit->product_error, orbit->multiplier_error);
 	station->trivial = orbit->trivial;

@@ -53,8 +53,7 @@ struct hawser__station {
 	/* of the multipliers and of the orbit, see method.h */
 	double product_error, product_round_off, multiplier_error, round_off;
 	struct hawser__correction correction;
-	double *log_modulus, *argument, *bound; /* [m]; error of a logarithm */
-	unsigned char *condensed; /* [m] see method.h */
+	double *log_modulus, *argument, *bound, *kind; /* [m]; error of a logarithm; see method.h */
 	double *memory;
 };
 

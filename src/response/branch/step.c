@@ -16,7 +16,7 @@
 #define LARGEST_STEP 0.4       /* largest relative change of the orbit in one step; chosen */
 #define LARGEST_TURN 0.01      /* largest relative change of Omega in a step: resonances are this
                                 * narrow; chosen */
-#define EXACT_TURN 0.03        /* the same of a model with exact energy; chosen */
+#define LARGE_TURN 0.03        /* the same of a large model; chosen */
 #define COARSE_TURN 0.1        /* the same on a detour, whose points are of no interest, and for a
                                 * curve of which only the shape matters; chosen */
 #define TRUSTED_STEP 1e-6      /* a step as short as this is accepted in any case; chosen */
@@ -127,7 +127,7 @@ double hawser__trace_longest(void *owner)
 	const struct hawser__orbit *orbit = trace->orbit;
 	double extent = hawser__orbit_extent(orbit, trace->here.y);
 	int coarse = (trace->watch && trace->watch->coarse) || trace->options.unjudged;
-	double part = coarse ? COARSE_TURN : trace->rom->exact ? EXACT_TURN : LARGEST_TURN;
+	double part = coarse ? COARSE_TURN : hawser__is_large(trace->rom) ? LARGE_TURN : LARGEST_TURN;
 	double turn = fmin(orbit->own ? INFINITY : part*extent,
 	                   trace->options.step_max*(trace->hi - trace->lo));
 	/* Omega changes by |t_Omega| ds; if the branch is steep, only the change of the orbit limits
@@ -211,7 +211,7 @@ static int refused(const struct hawser__trace *trace, double angle, double ds)
 	const struct hawser__step_settings *goal = ds == trace->aim ? &hawser__known_steps
 	                                                            : &hawser__exact_steps;
 
-	if (trace->rom->exact)
+	if (hawser__is_large(trace->rom))
 		angle *= hawser__frf_steps.goal_angle/goal->goal_angle;
 	return ds > TRUSTED_STEP && !hawser__trace_trusted(&trace->next.correction, angle);
 }

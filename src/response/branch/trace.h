@@ -25,6 +25,13 @@
 
 struct hawser__trace;
 
+/* Whether an orbit takes so much that steps are longer and events less exact: with exact energy, and
+ * with tensors from as many coordinates on, of which a point takes 5 ms; chosen. */
+static inline int hawser__is_large(const struct hawser_rom *rom)
+{
+	return rom->exact || rom->n >= 12;
+}
+
 /* One orbit and the tangent of its curve. */
 struct hawser__series {
 	double arc;

@@ -274,7 +274,7 @@ static enum hawser_status multipliers(struct hawser__orbit *orbit, struct hawser
 
 	memcpy(orbit->log_modulus, inner->log_modulus, m*sizeof(double));
 	memcpy(orbit->argument, inner->argument, m*sizeof(double));
-	memcpy(orbit->condensed, inner->condensed, m);
+	memcpy(orbit->kind, inner->kind, m*sizeof(double));
 	orbit->idle = inner->idle;
 	orbit->trivial = inner->trivial;
 	orbit->product_error = inner->product_error;

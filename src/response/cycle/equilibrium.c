@@ -266,7 +266,7 @@ static enum hawser_status multipliers(struct hawser__orbit *orbit, struct hawser
 	for (int i = 0; i < m; i++)
 		set_multiplier(orbit, i, of->rate, of->re[i], of->im[i]);
 	hawser__orbit_idle(orbit, m);
-	hawser__floquet_sort(orbit->log_modulus, orbit->argument, m);
+	hawser__floquet_sort(orbit->log_modulus, orbit->argument, NULL, m);
 	for (int i = 0; i < m; i++)
 		trace -= of->re[i];
 	orbit->drained = fabs(trace)/of->rate;

@@ -180,10 +180,10 @@ static int width(const double *argument, int i)
 }
 
 /* Insertion sort by falling modulus that moves pairs whole; m is small. */
-void hawser__floquet_sort(double *log_modulus, double *argument, int m)
+void hawser__floquet_sort(double *log_modulus, double *argument, double *kind, int m)
 {
 	for (int i = 0, w; i < m; i += w) {
-		double modulus = log_modulus[i], angle[2] = {argument[i], 0.0};
+		double modulus = log_modulus[i], angle[2] = {argument[i], 0.0}, own = kind ? kind[i] : 0.0;
 		int to = i;
 
 		w = width(argument, i);
@@ -194,10 +194,14 @@ void hawser__floquet_sort(double *log_modulus, double *argument, int m)
 		for (int k = i - 1; k >= to; k--) {
 			log_modulus[k + w] = log_modulus[k];
 			argument[k + w] = argument[k];
+			if (kind)
+				kind[k + w] = kind[k];
 		}
 		for (int k = 0; k < w; k++) {
 			log_modulus[to + k] = modulus;
 			argument[to + k] = angle[k];
+			if (kind)
+				kind[to + k] = own;
 		}
 	}
 }
@@ -236,7 +240,7 @@ enum hawser_status hawser__floquet(double *log_modulus, double *argument, double
 			argument[i] = 0.0;
 		}
 	}
-	hawser__floquet_sort(log_modulus, argument, m);
+	hawser__floquet_sort(log_modulus, argument, NULL, m);
 	return HAWSER_OK;
 }
 

@@ -11,7 +11,16 @@ size_t hawser__floquet_work(int segments, int m);
 enum hawser_status hawser__floquet(double *log_modulus, double *argument, double *segment,
                                    int segments, int m, double *work, struct hawser_report *report);
 
-/* Sort [m] by falling modulus; complex pairs stay together. */
-void hawser__floquet_sort(double *log_modulus, double *argument, int m);
+/* The kind of a multiplier (Krein's signature): v* i J v over the square of the norm of its
+ * eigenvector v, where K and D are symmetric and D is constant. On one side of the real axis it is
+ * near 1 or near -1; multipliers of one sign do not leave the unit circle where they meet, and the
+ * share of the other sign in v, (1 - |kind|)/2, tells how strongly they are coupled (Yakubovich and
+ * Starzhinskii, Linear Differential Equations with Periodic Coefficients (1975), ch. III). 0: not
+ * defined, or not known. */
+#define HAWSER__CONDENSED 2.0 /* of the free motion of a coordinate that was condensed: it decays,
+                               * and takes no part in any event */
+
+/* Sort [m] by falling modulus; complex pairs stay together. kind [m], or NULL, goes with them. */
+void hawser__floquet_sort(double *log_modulus, double *argument, double *kind, int m);
 
 #endif

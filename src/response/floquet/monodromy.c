@@ -43,7 +43,7 @@ enum hawser_status hawser__monodromy_init(struct hawser__monodromy *monodromy, i
 	monodromy->pivot = calloc(wide, sizeof(int));
 	monodromy->memory = next = calloc(room, sizeof *next);
 	monodromy->slow = calloc(2*(size_t)n, sizeof(int));
-	monodromy->frequency = calloc(2*(size_t)n, sizeof(double));
+	monodromy->frequency = calloc(4*(size_t)n, sizeof(double));
 	monodromy->block = calloc((size_t)n, sizeof *monodromy->block);
 	if (!monodromy->part || !monodromy->pivot || !next || !monodromy->slow ||
 	    !monodromy->frequency || !monodromy->block) {
@@ -54,6 +54,7 @@ enum hawser_status hawser__monodromy_init(struct hawser__monodromy *monodromy, i
 	monodromy->sign = monodromy->member + n;
 	monodromy->fast = monodromy->slow + n;
 	monodromy->reach = monodromy->frequency + n;
+	monodromy->kind = monodromy->reach + n;
 	monodromy->scale = next;
 	monodromy->stiff = next += n;
 	monodromy->damp = next += S*n2;
@@ -218,32 +219,10 @@ static int halves(struct hawser__monodromy *monodromy, const struct hawser__vari
 	       hawser__monodromy_repeats(monodromy->sign, system, c);
 }
 
-/* R M of the product M over half a period, R the signs: that over the whole period is (R M)^2. */
-static void reverse(struct hawser__factors *factors, const int *sign)
-{
-	int m = factors->m, w = m/2;
-	double *last = factors->at + (size_t)(factors->count - 1)*m*m;
-
-	for (int row = 0; row < m; row++)
-		if (sign[row%w] < 0)
-			cblas_dscal(m, -1.0, last + (size_t)row*m, 1);
-}
-
-/* The multipliers of the square of a matrix; the first of a pair has the positive argument. */
-static void square(double *log_modulus, double *argument, int m)
-{
-	for (int i = 0; i < m; i++) {
-		double twice = fabs(remainder(2.0*argument[i], 2.0*M_PI));
-
-		log_modulus[i] *= 2.0;
-		argument[i] = argument[i] < 0.0 ? -twice : twice;
-	}
-}
-
 /* The multipliers of one component, 2 w of them from log_modulus[0]; adds to the estimated error. There
  * are none where the error exceeds what is allowed. */
 static enum hawser_status solve_component(struct hawser__monodromy *monodromy, double *log_modulus,
-                                          double *argument,
+                                          double *argument, double *kind,
                                           const struct hawser__variational *system,
                                           struct hawser__component *c, struct hawser_report *report)
 {
@@ -270,10 +249,10 @@ static enum hawser_status solve_component(struct hawser__monodromy *monodromy, d
 	}
 	monodromy->error = fmax(monodromy->error, parts*error);
 	if (parts > 1)
-		reverse(&factors, monodromy->sign);
-	status = hawser__factors_multipliers(monodromy, log_modulus, argument, &factors, report);
+		hawser__factors_reverse(&factors, monodromy->sign);
+	status = hawser__factors_multipliers(monodromy, log_modulus, argument, kind, c, &factors, report);
 	if (parts > 1)
-		square(log_modulus, argument, m);
+		hawser__factors_square(log_modulus, argument, kind, m);
 	loss = parts*hawser__factors_loss(m, steps, monodromy->stretch, error);
 	round_off = parts*hawser__factors_loss(m, steps, monodromy->stretch, 0.0);
 	monodromy->loss = fmax(monodromy->loss, loss);
@@ -305,8 +284,8 @@ static enum hawser_status solve_all(struct hawser__monodromy *monodromy, double 
 		while (begin + c.w < n && monodromy->part[c.member[c.w]] ==
 		                          monodromy->part[c.member[0]])
 			c.w++;
-		status = solve_component(monodromy, log_modulus + 2*begin, argument + 2*begin, system,
-		                         &c, report);
+		status = solve_component(monodromy, log_modulus + 2*begin, argument + 2*begin,
+		                         monodromy->kind + 2*begin, system, &c, report);
 		begin += c.w;
 	}
 	return status;
@@ -472,6 +451,8 @@ enum hawser_status hawser__monodromy_multipliers(struct hawser__monodromy *monod
 	if (status)
 		return status;
 	monodromy->rest = rom->exact && !monodromy->finer ? rom->K : NULL;
+	monodromy->kinds = system.order_d == 0 && hawser__fast_symmetric(T, order, n) &&
+	                   hawser__fast_symmetric(system.D, 0, n);
 	hawser__monodromy_parts(monodromy, &system);
 	hawser__monodromy_limits(monodromy, &system, widest(monodromy, n));
 	status = hawser__monodromy_condense(monodromy, &system, &kept, report);
@@ -489,8 +470,10 @@ enum hawser_status hawser__monodromy_multipliers(struct hawser__monodromy *monod
 
 		hawser__monodromy_free_motion(log_modulus + at, argument + at, monodromy, rom, f, omega);
 		argument[at + 1] = -argument[at];
+		monodromy->kind[at] = monodromy->kind[at + 1] =
+			log_modulus[at] == log_modulus[at + 1] ? HAWSER__CONDENSED : 0.0;
 	}
 	group(monodromy, log_modulus, argument, n, kept);
-	hawser__floquet_sort(log_modulus, argument, monodromy->rough ? 2*kept : 2*n);
+	hawser__floquet_sort(log_modulus, argument, monodromy->kind, monodromy->rough ? 2*kept : 2*n);
 	return HAWSER_OK;
 }

@@ -123,6 +123,8 @@ struct hawser__monodromy {
 	double *floquet_work;
 	double *grouped;        /* [2][2n] logarithms and arguments of the last multipliers: those of a
 	                         * component at 2 j and 2 j + 1 of its coordinates j */
+	double *kind;           /* [2n] of the last multipliers (floquet.h) */
+	int kinds;              /* 1: they have kinds */
 	double *memory;
 	double *damping;        /* D of the model, as a series */
 	size_t damping_room;
@@ -158,6 +160,8 @@ static inline int hawser__monodromy_factors(int n)
 
 /* --- monodromy_factors.c --- */
 
+struct hawser__component;
+
 struct hawser__factors {
 	double *at;      /* [most][m][m] */
 	int m, count, most;
@@ -172,12 +176,20 @@ struct hawser__factors {
  * grow much more than others, a new factor begins. */
 void hawser__factors_add(struct hawser__monodromy *monodromy, struct hawser__factors *factors);
 
-/* log_modulus and argument [m] of the product, which is overwritten, divided by
+/* log_modulus, argument and kind [m] of the product, which is overwritten, divided by
  * exp(factors->taken). */
 enum hawser_status hawser__factors_multipliers(struct hawser__monodromy *monodromy,
                                                double *log_modulus, double *argument,
+                                               double *kind,
+                                               const struct hawser__component *c,
                                                struct hawser__factors *factors,
                                                struct hawser_report *report);
+
+/* R M of the product M over half a period, R the signs: that over the whole period is (R M)^2. */
+void hawser__factors_reverse(struct hawser__factors *factors, const int *sign);
+
+/* The multipliers of the square of a matrix; the first of a pair has the positive argument. */
+void hawser__factors_square(double *log_modulus, double *argument, double *kind, int m);
 
 /* Error of a product of m by m matrices: that of the steps, `error`, and round-off. */
 double hawser__factors_loss(int m, int steps, double stretch, double error);
@@ -305,8 +317,8 @@ double hawser__fast_split(struct hawser__monodromy *monodromy,
 /* Of a model with rest: the number of coordinates below the widest gap of their frequencies above
  * which all are at least `least`; n if there is none. */
 int hawser__fast_gap(const struct hawser__monodromy *monodromy, int n, double least);
-/* Whether K is symmetric at all phases. */
-int hawser__fast_symmetric(const struct hawser__variational *system);
+/* Whether a series [2 order + 1][n][n] is symmetric at all phases. */
+int hawser__fast_symmetric(const double *series, int order, int n);
 /* Whether all combinations of the nf fast coordinates are fast. */
 int hawser__fast_separate(struct hawser__monodromy *monodromy,
                           const struct hawser__variational *system, int nf);

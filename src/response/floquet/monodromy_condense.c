@@ -390,7 +390,7 @@ enum hawser_status hawser__monodromy_condense(struct hawser__monodromy *monodrom
 	if (monodromy->haste) /* a strict computation includes the inertia of slow motions beyond their
 	                       * resonance */
 		monodromy->fastest += ASIDE*system->omega;
-	work.symmetric = system->order_d == 0 && hawser__fast_symmetric(system);
+	work.symmetric = system->order_d == 0 && hawser__fast_symmetric(system->K, system->order, n);
 	work.next_D = system->order_d > 0 ? (size_t)n*n : 0;
 	status = descend(&work, monodromy, system, guess*limit, most, report);
 	if (status)

@@ -105,15 +105,36 @@ double hawser__factors_error(const double *log_modulus, const double *argument, 
 	return worst;
 }
 
+/* The kind of pair i, whose eigenvector is the columns i and i + 1 of v [m][m]: displacements, which
+ * are scaled, and velocities. */
+static double kind_of(const struct hawser__monodromy *monodromy, const struct hawser__component *c,
+                      const double *v, int i)
+{
+	int m = 2*c->w, w = c->w;
+	const double *re = v + (size_t)i*m, *im = re + m;
+	double form = 0.0, norm = 0.0;
+
+	for (int p = 0; p < w; p++) {
+		double weight = 1.0/monodromy->scale[c->member[p]];
+
+		form += 2.0*weight*(re[p]*im[w + p] - im[p]*re[w + p]);
+		norm += weight*(re[p]*re[p] + im[p]*im[p] + re[w + p]*re[w + p] + im[w + p]*im[w + p]);
+	}
+	return form/norm;
+}
+
 /* Eigenvalues of a single factor (overwritten): the QR algorithm of LAPACK is more reliable than
- * the periodic one. */
+ * the periodic one. The rows of the factor are columns there, and the vectors from the left those of
+ * the factor from the right, for the conjugate. */
 static enum hawser_status eigenvalues(struct hawser__monodromy *monodromy, double *log_modulus,
-                                      double *argument, double *factor, int m,
+                                      double *argument, double *kind,
+                                      const struct hawser__component *c, double *factor, int m,
                                       struct hawser_report *report)
 {
 	double *re = monodromy->floquet_work, *im = re + m, *work = im + m, unused;
-	int info = LAPACKE_dgeev_work(LAPACK_COL_MAJOR, 'N', 'N', m, factor, m, re, im, &unused, 1,
-	                              &unused, 1, work, HAWSER__EIGEN_WORK*m);
+	double *v = monodromy->product;
+	int info = LAPACKE_dgeev_work(LAPACK_COL_MAJOR, monodromy->kinds ? 'V' : 'N', 'N', m, factor, m,
+	                              re, im, v, m, &unused, 1, work, HAWSER__EIGEN_WORK*m);
 
 	if (info)
 		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "floquet", info, 0.0,
@@ -122,6 +143,8 @@ static enum hawser_status eigenvalues(struct hawser__monodromy *monodromy, doubl
 	for (int i = 0; i < m; i++) {
 		log_modulus[i] = log(hypot(re[i], im[i]));
 		argument[i] = atan2(im[i], re[i]);
+		if (monodromy->kinds && im[i] > 0.0)
+			kind[i] = kind[i + 1] = kind_of(monodromy, c, v, i);
 	}
 	return HAWSER_OK;
 }
@@ -137,12 +160,16 @@ static int all_finite(const double *x, size_t count)
 /* The periodic QR iteration sometimes fails to converge; it is then repeated with fewer factors. */
 enum hawser_status hawser__factors_multipliers(struct hawser__monodromy *monodromy,
                                                double *log_modulus, double *argument,
+                                               double *kind,
+                                               const struct hawser__component *c,
                                                struct hawser__factors *factors,
                                                struct hawser_report *report)
 {
 	int m = factors->m;
 	size_t block = (size_t)m*m;
 	double *copy = monodromy->factor + (size_t)factors->most*block;
+
+	memset(kind, 0, (size_t)m*sizeof *kind);
 
 	/* LAPACK would print a message to standard error about a NaN */
 	if (!all_finite(factors->at, (size_t)factors->count*block))
@@ -161,6 +188,26 @@ enum hawser_status hawser__factors_multipliers(struct hawser__monodromy *monodro
 		pair_up(monodromy, factors);
 		monodromy->stretch *= 2.0;
 	}
-	return eigenvalues(monodromy, log_modulus, argument, factors->at, m, report);
+	return eigenvalues(monodromy, log_modulus, argument, kind, c, factors->at, m, report);
 }
 
+void hawser__factors_reverse(struct hawser__factors *factors, const int *sign)
+{
+	int m = factors->m, w = m/2;
+	double *last = factors->at + (size_t)(factors->count - 1)*m*m;
+
+	for (int row = 0; row < m; row++)
+		if (sign[row%w] < 0)
+			cblas_dscal(m, -1.0, last + (size_t)row*m, 1);
+}
+
+void hawser__factors_square(double *log_modulus, double *argument, double *kind, int m)
+{
+	for (int i = 0; i < m; i++) {
+		double twice = remainder(2.0*fabs(argument[i]), 2.0*M_PI);
+
+		log_modulus[i] *= 2.0;
+		kind[i] = twice < 0.0 ? -kind[i] : kind[i];
+		argument[i] = argument[i] < 0.0 ? -fabs(twice) : fabs(twice);
+	}
+}

@@ -155,20 +155,17 @@ double hawser__fast_split(struct hawser__monodromy *monodromy,
 	return top;
 }
 
-int hawser__fast_symmetric(const struct hawser__variational *system)
+int hawser__fast_symmetric(const double *series, int order, int n)
 {
-	int n = system->n;
-
-	for (int r = 0; r <= 2*system->order; r++)
+	for (int r = 0; r <= 2*order; r++)
 		for (int i = 0; i < n; i++)
 			for (int j = 0; j < i; j++) {
-				const double *K = system->K + (size_t)r*n*n;
+				const double *K = series + (size_t)r*n*n;
 
 				if (fabs(K[i*n + j] - K[j*n + i]) >
 				    1e-10*(fabs(K[i*n + i]) + fabs(K[j*n + j])))
 					return r != 0 && fabs(K[i*n + j] - K[j*n + i]) <
-					       1e-10*(fabs(system->K[i*n + i]) +
-					              fabs(system->K[j*n + j]));
+					       1e-10*(fabs(series[i*n + i]) + fabs(series[j*n + j]));
 			}
 	return 1;
 }

@@ -137,8 +137,9 @@ enum hawser_status hawser__monodromy_plan(struct hawser__monodromy *monodromy,
 
 	if (stiff)
 		plan_stiff(monodromy, system);
-	if (monodromy->sharper) /* the phases of the fast coordinates of a stiff model need more steps */
-		monodromy->steps += stiff ? 3*monodromy->steps : monodromy->steps/3 + 1;
+	if (monodromy->sharper) /* unresolved coordinates of a stiff model need more steps */
+		monodromy->steps += !stiff ? monodromy->steps/3 + 1
+		                    : monodromy->resolved ? monodromy->steps : 3*monodromy->steps;
 	return monodromy->finer ? strict(monodromy, system, stiff, report) : HAWSER_OK;
 }
 

@@ -14,7 +14,6 @@
  * matrix that is factorised. */
 #define MOST_HARMONICS 120
 #define MOST_COEFFICIENTS 6000
-#define SAME 1e-12 /* round-off of a multiplier's logarithm and argument that is computed twice */
 /* Lowest limit of the harmonics of a full-order model: a taut span needs this many for 1e-6. */
 #define LEAST_RESOLVED 24
 
@@ -233,25 +232,6 @@ static double defects(struct hawser__orbit *orbit, const double *y, int derive)
 	return sqrt(solved)/orbit->X;
 }
 
-/* Mark the multipliers of the condensed coordinates, which monodromy.c has sorted with the others. */
-static void mark_condensed(struct hawser__balance *balance)
-{
-	const struct hawser__monodromy *monodromy = &balance->monodromy;
-	struct hawser__orbit *orbit = &balance->base;
-
-	memset(orbit->condensed, 0, (size_t)orbit->m);
-	for (int f = 0; f < orbit->n - monodromy->kept; f++) {
-		double log_modulus[2], turn;
-
-		hawser__monodromy_free_motion(log_modulus, &turn, monodromy, orbit->rom, f,
-		                              hawser__orbit_omega(orbit, balance->at));
-		for (int i = 0; i < orbit->m && log_modulus[0] == log_modulus[1]; i++)
-			if (fabs(orbit->log_modulus[i] - log_modulus[0]) <= SAME &&
-			    fabs(fabs(orbit->argument[i]) - turn) <= SAME)
-				orbit->condensed[i] = 1;
-	}
-}
-
 /* Leave out the multiplier of a cycle that is 1: the nearest to it. */
 static void take_trivial(struct hawser__orbit *orbit)
 {
@@ -265,9 +245,9 @@ static void take_trivial(struct hawser__orbit *orbit)
 	for (int i = least; i + 1 < orbit->m; i++) {
 		orbit->log_modulus[i] = orbit->log_modulus[i + 1];
 		orbit->argument[i] = orbit->argument[i + 1];
-		orbit->condensed[i] = orbit->condensed[i + 1];
+		orbit->kind[i] = orbit->kind[i + 1];
 	}
-	orbit->condensed[orbit->m - 1] = 0;
+	orbit->kind[orbit->m - 1] = 0.0;
 	hawser__orbit_idle(orbit, orbit->m - 1);
 }
 
@@ -287,7 +267,7 @@ static enum hawser_status multipliers(struct hawser__orbit *orbit, struct hawser
 	orbit->product_round_off = balance->monodromy.round_off;
 	if (status)
 		return status;
-	mark_condensed(balance);
+	memcpy(orbit->kind, balance->monodromy.kind, (size_t)orbit->m*sizeof(double));
 	if (orbit->freely)
 		take_trivial(orbit);
 	else

@@ -78,8 +78,7 @@ struct hawser__orbit {
 	                       * the model as it is (cycle/turn.c); NULL: there are none */
 	const double *anchor; /* [size] with `turn`: y from which corrections do not turn */
 	int held;             /* 1: solve corrects what has been turned, too */
-	unsigned char *condensed; /* [m] 1: the multiplier belongs to the free motion of a coordinate that
-	                           * was condensed. It decays, and takes no part in any event */
+	double *kind;         /* [m] of the last multipliers (floquet.h) */
 	/* Of the last multipliers, without the error of the orbit: the error of the matrix whose
 	 * eigenvalues they are, its part that is due to round-off, and a further error of their
 	 * logarithms. */

@@ -55,9 +55,9 @@ enum hawser_status hawser__orbit_init(struct hawser__orbit *orbit, const struct 
 	orbit->spare = calloc((size_t)size, sizeof(double));
 	orbit->log_modulus = calloc((size_t)orbit->m, sizeof(double));
 	orbit->argument = calloc((size_t)orbit->m, sizeof(double));
-	orbit->condensed = calloc((size_t)orbit->m, 1);
+	orbit->kind = calloc((size_t)orbit->m, sizeof(double));
 	if (!orbit->weight || !orbit->step || !orbit->spare || !orbit->log_modulus ||
-	    !orbit->argument || !orbit->condensed)
+	    !orbit->argument || !orbit->kind)
 		return hawser__no_memory(report, "orbit");
 	return HAWSER_OK;
 }
@@ -139,7 +139,7 @@ void hawser__orbit_free(struct hawser__orbit *orbit)
 	free(orbit->spare);
 	free(orbit->log_modulus);
 	free(orbit->argument);
-	free(orbit->condensed);
+	free(orbit->kind);
 }
 
 /* Of the harmonics' D only those that are constant have a mean. */
