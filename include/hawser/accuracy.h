@@ -73,7 +73,8 @@ struct hawser_accuracy_options {
 	                          * takes this many times as long as the coarse curve that chooses it */
 	/* hawser_accuracy_exact: a reduced model whose error is not known, and its response, or NULL.
 	 * Where that is right to `near` (0: accuracy) it is the answer: `functions` is 0, `estimated` is
-	 * its error, and `rom` and `frf` are not set. */
+	 * its error, and `rom` and `frf` are not set; also, but for `functions`, where more than `bearable`
+	 * is foreseen. */
 	const struct hawser_rom *rom;
 	const struct hawser_frf *response;
 	double near;

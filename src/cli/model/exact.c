@@ -67,7 +67,9 @@ static void take(struct cli_model *model, struct hawser_accuracy *better,
 {
 	model->exact = (struct cli_exact){.modes = model->modes.n, .functions = better->functions,
 	                                  .coordinates = better->rom.n,
-	                                  .before = error->stated ? error->fixed.estimated : NAN,
+	                                  .before = error->stated && error->unweighed
+	                                            ? better->attempt[0].moved
+	                                            : error->stated ? error->fixed.estimated : NAN,
 	                                  .beyond = error->stated ? error->fixed.truncation : NAN};
 	hawser_rom_clear(&model->rom);
 	model->rom = better->rom;
@@ -158,8 +160,10 @@ static enum hawser_status search(struct hawser_accuracy *better, struct cli_mode
 		return status;
 	}
 	if (!status && better->reached) {
-		if (better->functions)
+		if (better->rom.n > 0)
 			take(model, better, error);
+		else if (better->functions > 0)
+			explain(model, better, status, "no two bases agree");
 		state(error, better);
 		if (result)
 			shorten(result, model, better, choice.bearable);

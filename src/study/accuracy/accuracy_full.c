@@ -390,10 +390,16 @@ static enum hawser_status search(struct hawser_accuracy *a, struct hawser__marks
 	if (status || hawser__accuracy_cut(a) || !chosen->functions ||
 	    is_right(a, condensed, *error, checked))
 		return status;
+	if (condensed->lent)
+		a->attempt[0].moved = condensed->off;
 	a->foreseen = work + hawser__draft_follows(options, chosen->rom.n, chosen->points, chosen->work);
 	a->costly = options->bearable > 0.0 && !options->partial && a->foreseen > options->bearable;
-	if (a->costly || (options->agreed && !(*error <= a->asked)))
+	if (a->costly || (options->agreed && !(*error <= a->asked))) {
+		condensed->near = 1.0; /* far off, and stated */
+		if (condensed->lent && is_right(a, condensed, *error, checked))
+			a->functions = chosen->functions;
 		return HAWSER_OK;
+	}
 	hawser_rom_clear(&a->rom);
 	a->rom = chosen->rom;
 	a->functions = chosen->functions;
@@ -485,9 +491,9 @@ enum hawser_status hawser_accuracy_exact(struct hawser_accuracy *accuracy,
 		status = begin(accuracy, &marks, statics, scene, options, report);
 	if (!status)
 		status = hawser__accuracy_full(accuracy, &marks, scene, options, report);
-	accuracy->reached = accuracy->estimated <= (options->response && !accuracy->full
-	                                            ? fmax(options->near, accuracy->asked)
-	                                            : accuracy->asked) && !hawser__accuracy_cut(accuracy);
+	accuracy->reached = (options->response && !accuracy->full
+	                     ? accuracy->estimated < 1.0 : accuracy->estimated <= accuracy->asked) &&
+	                    !hawser__accuracy_cut(accuracy);
 	accuracy->seconds = hawser__wall_seconds() - start;
 	hawser__marks_clear(&marks);
 	return status;

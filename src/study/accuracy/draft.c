@@ -62,11 +62,13 @@ double hawser__draft_follows(const struct hawser_accuracy_options *options, int 
 	       : work + JUDGING*pow(n, 3.0)*HAWSER__MORE_POINTS*points;
 }
 
-/* Work of the search and the response, if the range ended where the draft is now. */
+/* Work of the search and the response, if the range ended where the draft is now. Where the error of a
+ * response is wanted, that is mostly the answer. */
 static double so_far(const struct hawser__draft_watch *watch, int points, double work)
 {
 	return watch->before + work*(1.0 + watch->next) +
-	       hawser__draft_follows(watch->options, watch->n, points, work);
+	       (watch->options->response ? 0.0
+	        : hawser__draft_follows(watch->options, watch->n, points, work));
 }
 
 /* Whether a draft is more than can be borne, of which a part is of no use either. The range of one that
