@@ -163,7 +163,8 @@ static int ends_range(struct hawser_accuracy *a, const struct hawser__draft_watc
 	           (watch->options->frf.to > watch->options->frf.from ? 1.0 - aside : 1.0 + aside);
 	snprintf(a->beyond, sizeof a->beyond, "%s", failed ? why->message
 	         : watch->vain ? "there the curve turns back, and comes no farther in as much work as it "
-	           "took to get there, or by very short steps only; --set model.energy=exact follows it" : "");
+	           "took to get there, or by very short steps only; "
+	           "--set model.energy=exact follows it" : "");
 	a->frf.end = HAWSER_END_RANGE;
 	return 1;
 }
