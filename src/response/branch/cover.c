@@ -112,8 +112,8 @@ static enum hawser_status add(struct hawser_cover *cover, struct hawser_frf **fr
 	return HAWSER_OK;
 }
 
-/* From the middle of a gap to each of its ends: to the second one from the orbit with which the curve to
- * the first one began. *found: 0 where no orbit was found there. */
+/* From the middle of a gap to each of its ends: to the second one from the orbit with which the
+ * curve to the first one began. *found: 0 where no orbit was found there. */
 static enum hawser_status both_ways(struct hawser_cover *cover, int *found, struct gaps *gaps, int g,
                                     const struct hawser_rom *rom,
                                     const struct hawser_frf_options *options,

@@ -26,10 +26,11 @@
 struct hawser__trace;
 
 /* Whether an orbit takes so much that events are less exact: with exact energy, and with tensors from
- * as many coordinates on, of which a point takes 5 ms; chosen. */
+ * this number of coordinates on, of which a point takes 5 ms; chosen. */
+#define HAWSER__MANY 12
 static inline int hawser__is_large(const struct hawser_rom *rom)
 {
-	return rom->exact || rom->n >= 12;
+	return rom->exact || rom->n >= HAWSER__MANY;
 }
 
 /* One orbit and the tangent of its curve. */
