@@ -182,7 +182,8 @@ struct hawser_frf_options {
 	                        * continue that trace */
 	double tolerance;      /* of the defect and of the integration error of an orbit, each relative
 	                        * to the size of the orbit; `error` of a point may be larger; 0: 1e-9 */
-	double event_tolerance; /* relative, in Omega; 0: 1e-10, of models with exact energy 1e-7 */
+	double event_tolerance; /* relative, in Omega; 0: 1e-10; with exact energy, or 12
+	                         * coordinates and more, 1e-7 */
 	int segments;          /* shooting: number of segments; 0: chosen from the growth of the flow */
 	int max_points;        /* 0: 20000 */
 	double step_max;       /* largest change of Omega in a step, relative to the range; 0: 0.02 */

@@ -112,7 +112,8 @@ static enum hawser_status add(struct hawser_cover *cover, struct hawser_frf **fr
 	return HAWSER_OK;
 }
 
-/* From the middle of a gap to each of its ends. *found: 0 where no orbit was found there. */
+/* From the middle of a gap to each of its ends: to the second one from the orbit with which the
+ * curve to the first one began. *found: 0 where no orbit was found there. */
 static enum hawser_status both_ways(struct hawser_cover *cover, int *found, struct gaps *gaps, int g,
                                     const struct hawser_rom *rom,
                                     const struct hawser_frf_options *options,
@@ -129,11 +130,15 @@ static enum hawser_status both_ways(struct hawser_cover *cover, int *found, stru
 
 		part.from = way ? options->from : options->to;
 		part.to = way ? options->to : options->from;
-		if ((status = add(cover, &frf, rom, &part, report)))
+		status = add(cover, &frf, rom, &part, report);
+		if (!status && !frf && part.start) {
+			part.start = NULL;
+			status = add(cover, &frf, rom, &part, report);
+		}
+		if (status || !frf)
 			return status;
-		if (!frf)
-			return HAWSER_OK;
 		*found = 1;
+		part.start = frf->state;
 		if (cut(gaps, frf))
 			return hawser__no_memory(report, "frf");
 		if (frf->end == HAWSER_END_INTERRUPTED || frf->end == HAWSER_END_CLOSED || cover->costly)

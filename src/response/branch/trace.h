@@ -25,11 +25,12 @@
 
 struct hawser__trace;
 
-/* Whether an orbit takes so much that steps are longer and events less exact: with exact energy, and
- * with tensors from as many coordinates on, of which a point takes 5 ms; chosen. */
+/* Whether an orbit takes so much that events are less exact: with exact energy, and with tensors from
+ * this number of coordinates on, of which a point takes 5 ms; chosen. */
+#define HAWSER__MANY 12
 static inline int hawser__is_large(const struct hawser_rom *rom)
 {
-	return rom->exact || rom->n >= 12;
+	return rom->exact || rom->n >= HAWSER__MANY;
 }
 
 /* One orbit and the tangent of its curve. */
@@ -58,6 +59,7 @@ struct hawser__trace_watch {
 	const struct hawser__orbits *known; /* of this curve, from its beginning; NULL: none are known */
 	int direct; /* 1: no detours are tried for the first orbit */
 	int coarse; /* 1: longer steps: the trace is a detour itself (detour.c) */
+	int aside;  /* 1: of its points only the folds are of interest: longer steps, too */
 	double first; /* most work for the first orbit, s (hawser_orbit_work); 0: as much as by default */
 };
 
@@ -100,6 +102,12 @@ static inline double hawser__trace_parameter(const struct hawser__trace *trace,
                                          const struct hawser__station *station)
 {
 	return station->y[trace->orbit->size - 1];
+}
+
+/* Whether the steps are the longer ones, between which the points tell less. */
+static inline int hawser__trace_strides(const struct hawser__trace *trace)
+{
+	return hawser__is_large(trace->rom) || (trace->watch && trace->watch->aside);
 }
 
 /* frf.c: hawser_frf_trace with a receiver of events (or NULL). */

@@ -23,6 +23,8 @@
 
 #define BELOW 0.97 /* first load examined below the least known load, relative to it; chosen */
 #define FIRST_PART 0.3 /* of the whole search, done before these loads; measured, see folds.c */
+#define ASIDE 1e-8 /* error to which the folds of these responses are located: they are corrected as
+                    * folds; chosen */
 #define RATIO 0.6  /* ratio of successive loads; chosen */
 
 /* The least load at which a fold has been found. */
@@ -49,6 +51,7 @@ static enum hawser_status respond(struct hawser__fold_search *search, struct haw
 		.stage = reverse ? "response in reverse" : "response", .other = other};
 	struct hawser_frf_options choice = hawser__fold_response(search, &watch);
 	struct hawser_report local = {.status = HAWSER_OK};
+	struct hawser_rom rom = load->rom;
 	int up = choice.to > choice.from;
 	double middle = 0.5*(search->part[0] + search->part[1]);
 	enum hawser_status status;
@@ -67,9 +70,15 @@ static enum hawser_status respond(struct hawser__fold_search *search, struct haw
 		choice.to = keep;
 	}
 	choice.samples = HAWSER_NONE;
-	if (load->factor != 1.0)
+	search->aside = load->factor != 1.0;
+	if (search->aside) {
 		choice.most_unstable = search->options->most_unstable;
-	status = hawser__fold_trace(search, frf, &load->rom, &choice, &local);
+		choice.event_tolerance = ASIDE;
+		memset(&rom.shapes, 0, sizeof rom.shapes);
+		memset(&rom.line, 0, sizeof rom.line);
+	}
+	status = hawser__fold_trace(search, frf, &rom, &choice, &local);
+	search->aside = 0;
 	if (status == HAWSER_ERR_MEMORY) {
 		if (search->report)
 			*search->report = local;

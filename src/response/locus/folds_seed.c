@@ -25,7 +25,8 @@ enum hawser_status hawser__fold_trace(struct hawser__fold_search *search, struct
                                       const struct hawser_frf_options *choice,
                                       struct hawser_report *report)
 {
-	const struct hawser__trace_watch watch = {.event = keep_fold, .context = search};
+	const struct hawser__trace_watch watch = {.event = keep_fold, .context = search,
+		.aside = search->aside};
 	enum hawser_status status;
 
 	hawser__store_clear(&search->seeds);
