@@ -395,13 +395,15 @@ static enum hawser_status trace_cycles(struct hawser__own *own, int *any,
 {
 	const struct hawser_frf *rests = &own->locus->response;
 	enum hawser_status status = HAWSER_OK;
-	int hopf = 0;
+	int hopf = 0, unstable = 0;
 
+	for (int i = 0; i < rests->points; i++)
+		unstable |= rests->point[i].unstable > 0;
 	for (int e = 0; e <= rests->events && !status; e++) {
 		struct hawser_frf cycles = {.n = 0};
 		int last = e == rests->events;
 
-		if (last ? hopf : rests->event[e].kind != HAWSER_HOPF)
+		if (last ? hopf || !unstable : rests->event[e].kind != HAWSER_HOPF)
 			continue;
 		hopf = 1;
 		status = hawser_branch_switch(&cycles, rom, rests, last ? -1 : e, choice, report);
