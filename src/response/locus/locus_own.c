@@ -110,14 +110,9 @@ static int is_closed(const struct hawser__own *own)
 /* The last point, at the end of the ranges. */
 static enum hawser_status end_at(struct hawser__own *own, double part, struct hawser_report *report)
 {
-	double direction[2] = {own->next.at[0] - own->here.at[0], own->next.at[1] - own->here.at[1]};
-	double base[2] = {own->here.at[0] + part*direction[0], own->here.at[1] + part*direction[1]};
 	int found;
-	enum hawser_status status;
+	enum hawser_status status = hawser__own_at(own, part, &found, report);
 
-	hawser__own_between(&own->trial, &own->here, &own->next, part, own->line.n);
-	status = hawser__own_across(own, &own->trial, &found, base, direction,
-	                            hypot(direction[0], direction[1]), report);
 	if (status || !found)
 		return status;
 	hawser__own_copy(&own->next, &own->trial, own->line.n);
