@@ -51,7 +51,7 @@ static void special(const struct hawser_locus *locus, const char *name, double f
 }
 
 /* The first ones are quick. near: of two curves; 0: of the only one. */
-enum { QUICK = 3, MOST = 3 };
+enum { QUICK = 4, MOST = 3 };
 static const struct {
 	const char *name, *key[2];
 	enum hawser_event_kind kind;
@@ -61,6 +61,8 @@ static const struct {
 		double at[2];
 	} special[MOST];
 } made[] = {
+	{"lorenz84", {"F", "G"}, HAWSER_HOPF, {0.5, 4.0}, {0.05, 3.0}, 0.5, 0.0, 0.05,
+	 {{"zero-hopf", {1.68405172414, 1.68296855266}}}},
 	{"pleat", {"b1", "b2"}, HAWSER_FOLD, {-0.5, 0.5}, {-0.5, 1.0}, 0.5, 0.0, 0.1,
 	 {{"cusp", {0.0, 0.0}}}},
 	{"flip", {"a", "b"}, HAWSER_PERIOD_DOUBLING, {-1.0, 0.5}, {-0.2, 0.3}, 0.2, 0.0, 0.4,

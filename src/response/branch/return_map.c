@@ -32,7 +32,7 @@
 #define STEP_ERROR 1e-12 /* of the integration over the period, relative; chosen, near round-off */
 #define MOST_STEPS 4000 /* of a period, so that the result takes seconds; chosen */
 #define ALONG 1e-3      /* part of a direction that is its own beside the motion's; chosen */
-enum { ANGLES = 8, MEETS = 5, SIZES = 3 };
+enum { ANGLES = 6, MEETS = 5, SIZES = 3 };
 static const double share[SIZES] = {1.5, -0.6, 0.1}; /* of amplitudes 1, 2, 3: even, to order 6 */
 
 /* --- the section --- */

@@ -110,14 +110,9 @@ static int is_closed(const struct hawser__own *own)
 /* The last point, at the end of the ranges. */
 static enum hawser_status end_at(struct hawser__own *own, double part, struct hawser_report *report)
 {
-	double direction[2] = {own->next.at[0] - own->here.at[0], own->next.at[1] - own->here.at[1]};
-	double base[2] = {own->here.at[0] + part*direction[0], own->here.at[1] + part*direction[1]};
 	int found;
-	enum hawser_status status;
+	enum hawser_status status = hawser__own_at(own, part, &found, report);
 
-	hawser__own_between(&own->trial, &own->here, &own->next, part, own->line.n);
-	status = hawser__own_across(own, &own->trial, &found, base, direction,
-	                            hypot(direction[0], direction[1]), report);
 	if (status || !found)
 		return status;
 	hawser__own_copy(&own->next, &own->trial, own->line.n);
@@ -395,13 +390,15 @@ static enum hawser_status trace_cycles(struct hawser__own *own, int *any,
 {
 	const struct hawser_frf *rests = &own->locus->response;
 	enum hawser_status status = HAWSER_OK;
-	int hopf = 0;
+	int hopf = 0, unstable = 0;
 
+	for (int i = 0; i < rests->points; i++)
+		unstable |= rests->point[i].unstable > 0;
 	for (int e = 0; e <= rests->events && !status; e++) {
 		struct hawser_frf cycles = {.n = 0};
 		int last = e == rests->events;
 
-		if (last ? hopf : rests->event[e].kind != HAWSER_HOPF)
+		if (last ? hopf || !unstable : rests->event[e].kind != HAWSER_HOPF)
 			continue;
 		hopf = 1;
 		status = hawser_branch_switch(&cycles, rom, rests, last ? -1 : e, choice, report);

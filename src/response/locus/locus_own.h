@@ -93,6 +93,9 @@ void hawser__own_between(struct hawser__own_spot *to, const struct hawser__own_s
 enum hawser_status hawser__own_across(struct hawser__own *own, struct hawser__own_spot *spot,
                                       int *found, const double base[2], const double direction[2],
                                       double reach, struct hawser_report *report);
+/* own->trial becomes the point at the part s of the way from own->here to own->next. */
+enum hawser_status hawser__own_at(struct hawser__own *own, double s, int *found,
+                                  struct hawser_report *report);
 
 /* own_special.c. Whether the tests tell where the count of unstable multipliers changes from own->here
  * to own->next; the special points between these two; and the one at which the curve ends beyond

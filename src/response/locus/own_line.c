@@ -1,18 +1,19 @@
 /* response/locus/own_line.c - a bifurcation of an autonomous model on a line across its locus, by
- * Newton's method; of a Hopf point that of cycle/hopf.c.
+ * Newton's method.
  *
  *    y        unknowns [k]: of an equilibrium its coordinates; of a cycle its state at the phase 0 [m],
  *             its frequency and, where rotations leave the model as it is, a rotation in a period
  *    F(y, t)  defects: accelerations; or the change of the state over a period, and rows that hold the
  *             cycle where it was along its motion (and the rotation); J = dF/dy
  *    B        what is singular: J at folds and branch points; A + 1 at doublings and A - exp(i theta)
- *             at tori, with the derivative A [m][m] of the state after a period, a part of J
+ *             at tori, with the derivative A [m][m] of the state after a period, a part of J; at Hopf
+ *             points A - i omega, with the matrix A of u' = A u or (u, u')' = A (u, u')
  *    g        [B b; c^H 0] [v; g] = [0; 1], and w of the adjoint: g = 0 where B is singular. Its
  *             derivative is - w^H (dB) v, that by y - w^H (J(y + h v) - J(y - h v))/2h, since second
  *             derivatives are symmetric
  *
- * Equations: F = 0 and g = 0 for y, t and, of a torus, theta. At a branch point w^T dF/dt is 0, and the
- * matrix has a kernel, v: the shortest step is taken.
+ * Equations: F = 0 and g = 0 for y, t and, of a pair, theta or omega. At a branch point w^T dF/dt is
+ * 0, and the matrix has a kernel, v: the shortest step is taken.
  *
  * Reference: Govaerts, Numerical Methods for Bifurcations of Dynamical Equilibria, 2000, chapters 3
  * and 4.
@@ -40,6 +41,7 @@
 #define ALONG_V 1e-4  /* of y, by which it is moved for second derivatives; chosen */
 #define ASIDE_T 1e-5  /* of the line, in units of the ranges, for derivatives by t; chosen */
 #define ARRIVED_AT 1e-10 /* last step, relative; the next would be its square */
+#define WORSE 2.0     /* factor of a step from the last one at which it is given up; chosen */
 #define KERNEL 1e-7   /* singular value of a branch point's kernel, relative; chosen */
 #define MESH 0.1      /* error of a period, in tolerances, at which its mesh is fine enough; chosen */
 enum { MOST_STEPS = 8, INVERSE_STEPS = 3, FINEST = 1 << 16 };
@@ -47,10 +49,11 @@ enum { MOST_STEPS = 8, INVERSE_STEPS = 3, FINEST = 1 << 16 };
 struct system {
 	struct hawser__own_line *line;
 	const struct hawser_rom *rom;
-	int cycle, torus;
+	int cycle, torus, hopf, pair; /* pair: of the last two, theta and omega */
 	int n, m, k, rows;           /* rows: of B */
-	double *y, *F, *J;
+	double *y, *F, *J;           /* of an equilibrium the derivative by u' is behind that by u in J */
 	double *side, *spare, *plus, *minus; /* [k], [k], [k][k], [k][k] of other places */
+	double *rates;               /* [n] u' of an equilibrium, 0 but for differences */
 	double *anchor, *along, *turn, *around; /* [m] old state, its motion; [n][n]; [m] rotated */
 	double *A, *by_omega, *work;
 	double complex *B, *v, *w, *b, *c, *g_y; /* [rows + 1]^2, [rows + 1] */
@@ -85,6 +88,7 @@ static enum hawser_status open_system(struct system *s, const struct hawser__own
 	s->B = hawser__hold(&s->hold, r*r + 5*r, sizeof(double complex));
 	s->pivot = hawser__hold(&s->hold, r + 1, sizeof *s->pivot);
 	s->matrix = hawser__hold(&s->hold, (k + 2)*(k + 4), sizeof(double));
+	s->rates = hawser__hold(&s->hold, n, sizeof(double));
 	if (!status && s->hold.short_of_memory)
 		status = hawser__no_memory(report, "locus");
 	if (status)
@@ -123,6 +127,10 @@ static enum hawser_status open_system(struct system *s, const struct hawser__own
 	}
 	s->rows = s->line->kind == HAWSER_PERIOD_DOUBLING || s->torus ? s->m : s->k;
 	s->mu = s->rows == s->k ? 0.0 : s->torus ? cexp(I*spot->angle) : -1.0;
+	if (s->hopf) {
+		s->rows = s->rom->first ? s->n : s->m;
+		s->mu = I*spot->omega;
+	}
 	return status;
 }
 
@@ -165,7 +173,6 @@ static int derive(struct system *s, double *F, double *J, const double *y, doubl
 {
 	const struct hawser_rom_family *family = &s->line->family;
 	int n = s->n;
-	double *rest = s->work;
 
 	if (family->model(family->context, &s->rom, t, NULL))
 		return 1;
@@ -173,12 +180,22 @@ static int derive(struct system *s, double *F, double *J, const double *y, doubl
 		return 1;
 	if (s->cycle)
 		derive_cycle(s, F, J, y);
-	else {
-		memset(rest, 0, (size_t)n*sizeof *rest);
-		hawser_rom_acceleration_jacobian(s->rom->first ? s->rom->first : s->rom, F, J, rest + n,
-		                                 rest + n + n*n, y, rest, 0.0, 1.0);
-	}
+	else
+		hawser_rom_acceleration_jacobian(s->rom->first ? s->rom->first : s->rom, F, J, J + n*n,
+		                                 s->work, y, s->rates, 0.0, 1.0);
 	return !isfinite(cblas_dnrm2(s->k, F, 1));
+}
+
+/* An entry of B, without mu, from J. */
+static double entry(const struct system *s, const double *J, int i, int j)
+{
+	int n = s->n;
+
+	if (!s->hopf || s->rows == n) /* A of a cycle is J with 1 more */
+		return J[(size_t)i*s->k + j] + (i == j && s->cycle && s->rows != s->k ? 1.0 : 0.0);
+	if (i < n)
+		return j == n + i;
+	return j < n ? J[(size_t)(i - n)*n + j] : J[(size_t)n*n + (size_t)(i - n)*n + j - n];
 }
 
 /* v, w and g, from J; 1 where the bordered matrix is singular. */
@@ -187,11 +204,8 @@ static int set_vectors(struct system *s)
 	int r = s->rows, size = r + 1;
 
 	for (int j = 0; j < r; j++)
-		for (int i = 0; i < r; i++) {
-			double shift = i == j && r != s->k ? 1.0 : 0.0; /* of A, which J has less 1 */
-
-			s->B[(size_t)j*size + i] = s->J[(size_t)i*s->k + j] + shift*(1.0 - s->mu);
-		}
+		for (int i = 0; i < r; i++)
+			s->B[(size_t)j*size + i] = entry(s, s->J, i, j) - (i == j ? s->mu : 0.0);
 	for (int i = 0; i < r; i++) {
 		s->B[(size_t)r*size + i] = s->b[i];
 		s->B[(size_t)i*size + r] = conj(s->c[i]);
@@ -230,6 +244,7 @@ static void set_borders(struct system *s, int first)
 static int add_second(struct system *s, double t, int imaginary)
 {
 	double size = 0.0, h;
+	int moved = s->rows < s->k ? s->rows : s->k, above = s->hopf ? s->rows - s->n : 0;
 
 	for (int i = 0; i < s->rows; i++)
 		size = hypot(size, imaginary ? cimag(s->v[i]) : creal(s->v[i]));
@@ -238,14 +253,17 @@ static int add_second(struct system *s, double t, int imaginary)
 	h = ALONG_V*fmax(cblas_dnrm2(s->k, s->y, 1), SMALL_Y)/size;
 	for (int sign = -1; sign <= 1; sign += 2) {
 		memcpy(s->side, s->y, (size_t)s->k*sizeof *s->side);
-		for (int i = 0; i < s->rows; i++)
+		for (int i = 0; i < moved; i++)
 			s->side[i] += sign*h*(imaginary ? cimag(s->v[i]) : creal(s->v[i]));
+		for (int i = 0; i < above; i++)
+			s->rates[i] = sign*h*(imaginary ? cimag(s->v[s->n + i]) : creal(s->v[s->n + i]));
 		if (derive(s, s->spare, sign > 0 ? s->plus : s->minus, s->side, t))
 			return 1;
 	}
-	for (int i = 0; i < s->rows; i++)
+	memset(s->rates, 0, (size_t)s->n*sizeof *s->rates);
+	for (int i = above; i < s->rows; i++)
 		for (int j = 0; j < s->k; j++) {
-			size_t at = (size_t)i*s->k + j;
+			size_t at = (size_t)(i - above)*s->k + j;
 
 			s->g_y[j] -= (imaginary ? I : 1.0)*conj(s->w[i])*(s->plus[at] - s->minus[at])/(2.0*h);
 		}
@@ -265,7 +283,7 @@ static int by_line(struct system *s, double t)
 		cblas_daxpy(s->k, share, s->spare, 1, s->side, 1);
 		for (int i = 0; i < s->rows; i++)
 			for (int j = 0; j < s->rows; j++)
-				s->g_t -= share*conj(s->w[i])*s->plus[(size_t)i*s->k + j]*s->v[j];
+				s->g_t -= share*conj(s->w[i])*entry(s, s->plus, i, j)*s->v[j];
 	}
 	return 0;
 }
@@ -273,11 +291,11 @@ static int by_line(struct system *s, double t)
 /* The matrix of Newton's method (row-major) and its right side; 1 where there is none. */
 static int fill_system(struct system *s, double t)
 {
-	int k = s->k, size = k + 1 + s->torus;
+	int k = s->k, size = k + 1 + s->pair;
 	double complex turned = 0.0;
 
 	memset(s->g_y, 0, (size_t)k*sizeof *s->g_y);
-	if (add_second(s, t, 0) || (s->torus && add_second(s, t, 1)) || by_line(s, t))
+	if (add_second(s, t, 0) || (s->pair && add_second(s, t, 1)) || by_line(s, t))
 		return 1;
 	memset(s->matrix, 0, (size_t)size*size*sizeof *s->matrix);
 	for (int i = 0; i < k; i++) {
@@ -287,15 +305,15 @@ static int fill_system(struct system *s, double t)
 	}
 	for (int i = 0; i < s->rows; i++)
 		turned += conj(s->w[i])*s->v[i];
-	for (int part = 0; part <= s->torus; part++) {
+	for (int part = 0; part <= s->pair; part++) {
 		double *row = s->matrix + (size_t)(k + part)*size;
 		const double complex turn = part ? -I : 1.0;
 
 		for (int j = 0; j < k; j++)
 			row[j] = creal(turn*s->g_y[j]);
 		row[k] = creal(turn*s->g_t);
-		if (s->torus)
-			row[k + 1] = creal(turn*I*s->mu*turned);
+		if (s->pair)
+			row[k + 1] = creal(turn*I*(s->torus ? s->mu : 1.0)*turned);
 		s->rhs[k + part] = -creal(turn*s->g);
 	}
 	return 0;
@@ -304,7 +322,7 @@ static int fill_system(struct system *s, double t)
 /* rhs becomes the step; 1 where the matrix is singular. */
 static int solve_system(struct system *s)
 {
-	int size = s->k + 1 + s->torus, rank;
+	int size = s->k + 1 + s->pair, rank;
 
 	if (s->line->kind == HAWSER_BRANCH_POINT)
 		return LAPACKE_dgelsd(LAPACK_ROW_MAJOR, size, size, 1, s->matrix, size, s->rhs, 1, s->value,
@@ -345,11 +363,13 @@ static int converge(struct system *s, double *t, double *step)
 			return 0;
 		cblas_daxpy(s->k, 1.0, s->rhs, 1, s->y, 1);
 		*t += s->rhs[s->k];
-		if (s->torus)
-			s->mu *= cexp(I*s->rhs[s->k + 1]);
+		if (s->pair)
+			s->mu = s->torus ? s->mu*cexp(I*s->rhs[s->k + 1]) : s->mu + I*s->rhs[s->k + 1];
 		*step = fmax(cblas_dnrm2(s->k, s->rhs, 1)/fmax(cblas_dnrm2(s->k, s->y, 1), SMALL_Y),
 		             fabs(s->rhs[s->k]));
-		if (!(fabs(*t) <= reach) || (i > 1 && *step > before && *step > ARRIVED_AT))
+		if (s->hopf)
+			*step = fmax(*step, fabs(s->rhs[s->k + 1])/cabs(s->mu));
+		if (!(fabs(*t) <= reach) || (i > 2 && *step > WORSE*before && *step > ARRIVED_AT))
 			return 0;
 		before = *step;
 		if (*step > ARRIVED_AT)
@@ -362,15 +382,18 @@ static int converge(struct system *s, double *t, double *step)
 	return 0;
 }
 
-static enum hawser_status meet_orbit(struct hawser__own_spot *spot, int *found,
-                                     struct hawser__own_line *line, double reach,
-                                     struct hawser_report *report)
+static enum hawser_status meet(struct hawser__own_spot *spot, int *found,
+                               struct hawser__own_line *line, double reach,
+                               struct hawser_report *report)
 {
-	struct system s = {.line = line, .cycle = line->cycles, .torus = line->kind == HAWSER_TORUS};
-	double t = 0.0, step = reach;
+	struct system s = {.line = line, .cycle = line->cycles, .torus = line->kind == HAWSER_TORUS,
+		.hopf = line->kind == HAWSER_HOPF};
+	struct hawser_hopf hopf = {.turning = 0};
+	double t = 0.0, step = reach, rate;
 	enum hawser_status status;
 
 	*found = 0;
+	s.pair = s.torus || s.hopf;
 	if (line->family.model(line->family.context, &s.rom, t, NULL))
 		return HAWSER_OK;
 	if (line->steps == 0 && line->cycles)
@@ -379,60 +402,30 @@ static enum hawser_status meet_orbit(struct hawser__own_spot *spot, int *found,
 	    (status = hawser__own_judge_cycle(spot, s.rom, line, report)))
 		return status;
 	status = open_system(&s, spot, report);
-	*found = !status && converge(&s, &t, &step) &&
+	*found = !status && converge(&s, &t, &step) && (!s.hopf || cimag(s.mu) > 0.0) &&
 	         !line->family.model(line->family.context, &s.rom, t, NULL);
 	if (*found) {
 		memset(spot->state, 0, (size_t)s.m*sizeof *spot->state);
 		memcpy(spot->state, s.y, (size_t)(s.cycle ? s.m : s.n)*sizeof *spot->state);
-		spot->omega = s.cycle ? s.y[s.m] : 0.0;
+		spot->omega = s.cycle ? s.y[s.m] : cimag(s.mu);
 		spot->angle = s.torus ? spot->angle + remainder(carg(s.mu) - spot->angle, 2.0*M_PI)
 		                      : s.mu == -1.0 ? M_PI : 0.0;
-		spot->vanish = line->kind == HAWSER_FOLD ? bend_of(&s) : s.torus ? sin(spot->angle) : NAN;
+		spot->vanish = line->kind == HAWSER_FOLD ? bend_of(&s) : s.torus ? sin(spot->angle)
+		               : s.hopf ? spot->omega : NAN;
 		spot->time = s.rom->time;
 		spot->error = fmax(step, s.mesh);
 		for (int i = 0; i < 2; i++)
 			spot->at[i] = line->base[i] + t*line->normal[i];
 		status = s.cycle ? hawser__own_judge_cycle(spot, s.rom, line, report)
 		                 : hawser__own_judge_rest(spot, s.rom, report);
+		if (s.hopf && !status && !hawser__hopf(&hopf, &rate, s.rhs, &line->family, s.y, t, spot->omega,
+		                                       1.0, NULL))
+			spot->test[HAWSER__OWN_DEGENERATE] = hopf.l1;
 	}
 	if (s.cycle)
 		hawser__flow_clear(&s.flow);
 	hawser__hold_clear(&s.hold);
 	return status;
-}
-
-/* --- Hopf points --- */
-
-static enum hawser_status meet_hopf(struct hawser__own_spot *spot, int *found,
-                                    struct hawser__own_line *line, double reach,
-                                    struct hawser_report *report)
-{
-	size_t n = (size_t)line->n;
-	double *wave = malloc(2*n*sizeof *wave), t = 0.0;
-	const struct hawser_rom *rom;
-	struct hawser_hopf hopf = {.turning = 0};
-	enum hawser_status status = wave ? HAWSER_OK : hawser__no_memory(report, "locus");
-
-	memset(spot->state + n, 0, n*sizeof *spot->state);
-	if (!status)
-		status = hawser__hopf_near(&hopf, wave, spot->state, &t, &line->family, spot->omega, 1.0, NULL);
-	free(wave);
-	*found = !status && fabs(t) <= reach;
-	if (!*found)
-		return status == HAWSER_ERR_MEMORY ? hawser__no_memory(report, "locus") : HAWSER_OK;
-	spot->omega = hopf.omega;
-	spot->angle = 0.0;
-	spot->error = 1e-11; /* NEAR of cycle/hopf.c */
-	spot->test[HAWSER__OWN_DEGENERATE] = hopf.l1;
-	for (int k = 0; k < 2; k++)
-		spot->at[k] = line->base[k] + t*line->normal[k];
-	if (line->family.model(line->family.context, &rom, t, NULL)) {
-		*found = 0;
-		return HAWSER_OK;
-	}
-	spot->vanish = hopf.omega;
-	spot->time = rom->time;
-	return hawser__own_judge_rest(spot, rom, report);
 }
 
 enum hawser_status hawser__own_meet(struct hawser__own_spot *spot, int *found,
@@ -442,8 +435,7 @@ enum hawser_status hawser__own_meet(struct hawser__own_spot *spot, int *found,
 	for (int k = 0; k < HAWSER__OWN_TESTS; k++)
 		spot->test[k] = NAN;
 	spot->vanish = spot->beside_pair = NAN;
-	return line->kind == HAWSER_HOPF ? meet_hopf(spot, found, line, reach, report)
-	                                 : meet_orbit(spot, found, line, reach, report);
+	return meet(spot, found, line, reach, report);
 }
 
 void hawser__own_copy(struct hawser__own_spot *to, const struct hawser__own_spot *from, int n)
@@ -485,4 +477,16 @@ enum hawser_status hawser__own_across(struct hawser__own *own, struct hawser__ow
 	status = hawser__own_meet(spot, found, &own->line, reach, report);
 	spot->test[HAWSER__OWN_START] = *found ? spot->at[1] - own->o->at/own->line.extent[1] : NAN;
 	return status;
+}
+
+enum hawser_status hawser__own_at(struct hawser__own *own, double s, int *found,
+                                  struct hawser_report *report)
+{
+	const double *a = own->here.at, *b = own->next.at;
+	double direction[2] = {b[0] - a[0], b[1] - a[1]};
+	double base[2] = {a[0] + s*direction[0], a[1] + s*direction[1]};
+
+	hawser__own_between(&own->trial, &own->here, &own->next, s, own->line.n);
+	return hawser__own_across(own, &own->trial, found, base, direction, hawser__own_distance(a, b),
+	                          report);
 }

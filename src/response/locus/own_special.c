@@ -55,8 +55,7 @@ static enum hawser_status add_special(struct hawser__own *own, enum hawser_locus
 static enum hawser_status locate(struct hawser__own *own, int *found, int test, double *error,
                                  struct hawser_report *report)
 {
-	const double *a = own->here.at, *b = own->next.at;
-	double direction[2] = {b[0] - a[0], b[1] - a[1]}, length = hawser__own_distance(a, b);
+	double length = hawser__own_distance(own->here.at, own->next.at), last = 0.0;
 	struct hawser__bracketed in = {.a = 0.0, .b = 1.0, .fa = own->here.test[test],
 		.fb = own->next.test[test]};
 	double close = own->line.cycles ? ROUND_OFF : ARRIVED, most, f = NAN;
@@ -65,16 +64,18 @@ static enum hawser_status locate(struct hawser__own *own, int *found, int test, 
 	*found = 0;
 	for (int i = 0; i < LOCATE && in.b - in.a > close; i++) {
 		double s = hawser__false_position(&in, i);
-		double base[2] = {a[0] + s*direction[0], a[1] + s*direction[1]};
-		enum hawser_status status;
+		enum hawser_status status = hawser__own_at(own, s, found, report);
 
-		hawser__own_between(&own->trial, &own->here, &own->next, s, own->line.n);
-		status = hawser__own_across(own, &own->trial, found, base, direction, length, report);
+		if (!status && !*found && fabs(f) <= POLE*most) { /* the equations are singular there */
+			status = hawser__own_at(own, last, found, report);
+			i = LOCATE;
+		}
 		if (status || !*found)
 			return status;
+		last = s;
 		f = own->trial.test[test];
 		*error = fmax(own->trial.error, length*(in.b - in.a));
-		if (!(fabs(f) > close*most))
+		if (!(fabs(f) > close*most) || fabs(f) > most/POLE)
 			break;
 		hawser__false_position_take(&in, s, f);
 	}

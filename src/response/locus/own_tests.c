@@ -55,9 +55,10 @@ static double passage(const struct multipliers *of, double target)
 	for (int i = 0; i < of->count; i++) {
 		double complex factor = of->mu[i] - target;
 
-		if (is_critical(of, i) || factor == 0.0)
+		if (is_critical(of, i))
 			continue;
-		sign *= factor/cabs(factor);
+		if (factor != 0.0)
+			sign *= factor/cabs(factor);
 		least = fmin(least, cabs(factor + own));
 	}
 	return least < INFINITY ? copysign(least, creal(sign)) : NAN;
@@ -74,9 +75,10 @@ static double pairs(const struct multipliers *of, double *beside)
 		for (int j = i + 1; j < of->count; j++) {
 			double complex factor = of->mu[i]*of->mu[j] - 1.0;
 
-			if (is_critical(of, i) || is_critical(of, j) || factor == 0.0)
+			if (is_critical(of, i) || is_critical(of, j))
 				continue;
-			sign *= factor/cabs(factor);
+			if (factor != 0.0)
+				sign *= factor/cabs(factor);
 			least = fmin(least, cabs(factor));
 			if (cimag(of->mu[i]) != 0.0 && of->mu[j] == conj(of->mu[i]))
 				*beside = fmin(*beside, cabs(factor));
