@@ -190,12 +190,12 @@ static int none_stable(char *text, size_t size, const struct cli_frf_result *res
 		points += frf->points;
 	}
 	snprintf(text, size, "stability: none of these %d motions is stable, %s", points, !shedding
-	         ? "and what is observed is another one: hawser integrate finds it, --start follows it from "
-	           "there, --branches and --tori what begins on this curve"
-	         : result->others == 0 ? "as wakes grow from rest at every speed: --branches 1 follows the "
-	           "motion that they come to"
-	         : "as each mode has a wake of its own, and those that rest here grow: keep no more modes "
-	           "than up to the one that is locked (-n), whose motion they hardly change");
+	         ? "and what is observed is another one: hawser integrate finds it, --start follows it "
+	           "from there, --branches and --tori what begins on this curve"
+	         : result->others == 0 ? "as wakes grow from rest at every speed: --branches 1 follows "
+	           "the motion that they come to"
+	         : "as each mode has a wake of its own, and those that rest here grow: keep no more "
+	           "modes than up to the one that is locked (-n), whose motion they hardly change");
 	return points > 1 && (shedding || !result->over) && !result->chosen;
 }
 

@@ -47,8 +47,8 @@ int cli_exact_calls(const struct cli_model *model, const struct cli_model_error 
 	                                                          ? model->scene.model.accuracy : 0.0)));
 }
 
-/* The same, or whether it alone tells the error of the modes: not with drag, for which there is shooting
- * alone, which takes minutes for an orbit of the exact energy. */
+/* The same, or whether it alone tells the error of the modes: not with drag, for which there is
+ * shooting alone, which takes minutes for an orbit of the exact energy. */
 static int is_wanted(const struct cli_model *model, const struct cli_model_error *error)
 {
 	return cli_exact_calls(model, error) ||
