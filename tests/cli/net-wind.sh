@@ -80,6 +80,7 @@ none="--set wind.drag= --set wind.lift= --set"
 printf '# angle, drag, lift\n0 1\n' >lines
 denies "a file that is none" 1 "none\.csv: No such file" statics span.yaml $none wind.table=none.csv
 denies "a line of two numbers" 1 "lines:2: a line must have 3 numbers" statics net.yaml $none wind.table=lines
+denies "wakes of a net" 1 "nets have no wind.wake: remove it, or describe the cable" statics net.yaml --set "wind.wake={at: 8}"
 denies "wind and water" 1 "wind contradicts water" statics net.yaml --set "water={density: 1000}"
 denies "a wind that passes by" 1 "the wind passes by all cables, since none has a diameter" statics net.yaml --set wind.diameter=0
 denies "a section's file that is none" 1 "cables\.c\.wind\.table: none\.csv: No such file" statics net.yaml \

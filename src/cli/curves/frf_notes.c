@@ -178,7 +178,8 @@ static int unsearched(char *text, size_t size, const struct cli_frf_result *resu
 /* Responses of which no motion is stable, branches included. */
 static int none_stable(char *text, size_t size, const struct cli_frf_result *result)
 {
-	int points = 0;
+	int points = 0, shedding = result->over && result->model->has_scene &&
+	                           result->model->scene.wind.wake.present;
 
 	for (int c = 0; c <= result->others; c++) {
 		const struct hawser_frf *frf = c ? result->other[c - 1].frf : result->frf;
@@ -188,10 +189,14 @@ static int none_stable(char *text, size_t size, const struct cli_frf_result *res
 				return 0;
 		points += frf->points;
 	}
-	snprintf(text, size, "stability: none of these %d motions is stable, and what is observed is "
-	         "another one: hawser integrate finds it, --start follows it from there, --branches and "
-	         "--tori what begins on this curve", points);
-	return points > 1 && !result->over && !result->chosen;
+	snprintf(text, size, "stability: none of these %d motions is stable, %s", points, !shedding
+	         ? "and what is observed is another one: hawser integrate finds it, --start follows it "
+	           "from there, --branches and --tori what begins on this curve"
+	         : result->others == 0 ? "as wakes grow from rest at every speed: --branches 1 follows "
+	           "the motion that they come to"
+	         : "as each mode has a wake of its own, and those that rest here grow: keep no more "
+	           "modes than up to the one that is locked (-n), whose motion they hardly change");
+	return points > 1 && (shedding || !result->over) && !result->chosen;
 }
 
 int cli_frf_damped(const struct cli_frf_result *result)

@@ -47,13 +47,12 @@ int cli_exact_calls(const struct cli_model *model, const struct cli_model_error 
 	                                                          ? model->scene.model.accuracy : 0.0)));
 }
 
-/* The same, or whether it alone tells the error of the modes: not with drag or
- * wind, for which there is shooting alone, which takes minutes for an orbit of the exact energy. */
+/* The same, or whether it alone tells the error of the modes: not with drag, for which there is
+ * shooting alone, which takes minutes for an orbit of the exact energy. */
 static int is_wanted(const struct cli_model *model, const struct cli_model_error *error)
 {
 	return cli_exact_calls(model, error) ||
-	       (error->unweighed && !(model->scene.wind.speed > 0.0) && !model->rom.drag &&
-	        cli_exact_calls(model, NULL));
+	       (error->unweighed && !model->rom.drag && cli_exact_calls(model, NULL));
 }
 
 int cli_exact_failed(const struct cli_model *model, const struct cli_model_error *error)

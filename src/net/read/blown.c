@@ -48,6 +48,10 @@ enum hawser_status hawser__net_wind(struct hawser__reader *reader, struct hawser
 	if (net->water.density > 0.0)
 		return hawser__reader_fail(reader, &tree->at, "wind contradicts water: a net is in the air "
 		                           "or in the water, remove one of them");
+	if (hawser__tree_find(tree, "wake"))
+		return hawser__reader_fail(reader, &hawser__tree_find(tree, "wake")->at,
+		                           "nets have no wind.wake: remove it, or describe the cable that "
+		                           "sheds vortices as a span, with its tension");
 	status = hawser__tree_fill(reader, wind, tree, "wind", "net.wind");
 	if (!status)
 		status = hawser__wind_lists(reader, wind, tree, "wind", "net.wind");

@@ -23,6 +23,7 @@
 #include "core/report.h"
 #include "response/cycle/cycle.h"
 #include "response/cycle/hopf.h"
+#include "rom/terms/drag.h"
 
 /* Distance of the two models whose difference is the derivative by the parameter, relative to its
  * size: the error by third derivatives is about 1e-8. */
@@ -134,6 +135,12 @@ static void derivative(double complex *out, const struct form *form,
 	}
 	for (int i = 0; i < rom->terms; i++)
 		take_term(to, form, &rom->term[i], vector, count);
+	if (rom->drag) {
+		const double complex *const rate[] = {vector[0] + form->n, vector[1] + form->n,
+		                                      count > 2 ? vector[2] + form->n : NULL};
+
+		hawser__drag_form(rom->drag, to, rate, count);
+	}
 	for (int h = 0; h < rom->harmonics; h++) {
 		for (int i = 0; count == 2 && i < rom->harmonic[h].quads; i++)
 			take_quad(to, form, &rom->harmonic[h].Q[i], vector, count);
@@ -361,7 +368,7 @@ static enum hawser_status growth(double *rate, struct form *form,
 
 static int has_products_only(const struct hawser_rom *rom)
 {
-	return !rom->exact && !rom->drag && !rom->plug;
+	return !rom->exact && (!rom->drag || hawser__drag_smooth(rom->drag)) && !rom->plug;
 }
 
 enum hawser_status hawser__hopf(struct hawser_hopf *hopf, double *rate, double *wave,

@@ -164,7 +164,8 @@ enum hawser_status hawser__cycle_settle(double *x, double *omega, const struct h
 	free(memory);
 	if (!status && period == 0.0)
 		status = hawser__fail(report, HAWSER_ERR_CONVERGENCE, "frf",
-		                      "the motion from the given state does not come to a limit cycle");
+		                      "the motion from the given state does not come to a limit cycle: hawser "
+		                      "integrate shows it");
 	if (!status)
 		*omega = 2.0*M_PI/period;
 	return status;

@@ -64,8 +64,11 @@ enum hawser_status hawser__orbit_init(struct hawser__orbit *orbit, const struct 
 
 int hawser__orbit_place(struct hawser__orbit *orbit, double p)
 {
-	int failed = orbit->family && orbit->family->model(orbit->family->context, &orbit->rom, p, NULL);
+	const struct hawser_rom *rom = orbit->rom;
+	int failed = orbit->family && orbit->family->model(orbit->family->context, &rom, p, NULL);
 
+	if (!failed) /* else the last model stays */
+		orbit->rom = rom;
 	orbit->placed = failed ? NAN : p;
 	return failed;
 }

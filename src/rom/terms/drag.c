@@ -25,6 +25,7 @@
 #include "config.h"
 
 #include <cblas.h>
+#include <complex.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -204,6 +205,36 @@ void hawser__drag_add(const struct hawser_rom_drag *drag, double *force, double 
 			add_flow(drag, force + r*n, matrix ? matrix + r*n*n : NULL, sign, v + r*n,
 			           count - r < STATES ? count - r : STATES, first,
 			           points - first < POINTS ? points - first : POINTS);
+}
+
+/* The series of a section's force begins with its powers of order `count` at count (count + 1)/2. */
+void hawser__drag_form(const struct hawser_rom_drag *drag, double complex *out,
+                       const double complex *const v[], int count)
+{
+	static const double orders[2][4] = {{2.0, 1.0, 2.0}, {6.0, 2.0, 2.0, 6.0}};
+	const struct hawser__flow_points *flow = &drag->flow;
+	int n = flow->n, first = count*(count + 1)/2;
+
+	for (int i = 0; i < flow->points; i++) {
+		const double *shape = flow->shape + (size_t)2*i*n;
+		double series[2][HAWSER__WIND_TERMS];
+		double complex at[3][2] = {{0.0}}, f[2] = {0.0};
+
+		hawser__section_series(series, flow->at[i], flow->speed[i]);
+		for (int k = 0; k < count*2*n; k++)
+			at[k/(2*n)][k/n%2] += shape[k%(2*n)]*v[k/(2*n)][k%n];
+		for (int place = 0; place < 1 << count; place++) { /* bit c: vector c is across */
+			int across = (place & 1) + (place >> 1 & 1) + (place >> 2);
+			double complex product = flow->weight[i]*orders[count - 2][across];
+
+			for (int c = 0; c < count; c++)
+				product *= at[c][place >> c & 1];
+			for (int c = 0; c < 2; c++)
+				f[c] += series[c][first + across]*product;
+		}
+		for (int j = 0; j < n; j++)
+			out[j] += f[0]*shape[j] + f[1]*shape[n + j];
+	}
 }
 
 enum hawser_status hawser__drag_refuse(const struct hawser_rom *rom, const char *what,

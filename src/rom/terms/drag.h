@@ -3,6 +3,8 @@
 #ifndef HAWSER_ROM_DRAG_H
 #define HAWSER_ROM_DRAG_H
 
+#include <complex.h>
+
 #include <hawser/modes.h>
 #include <hawser/rom.h>
 
@@ -29,6 +31,10 @@ void hawser__drag_free(struct hawser_rom_drag *drag);
  * sign times minus the derivative of that force by v. */
 void hawser__drag_add(const struct hawser_rom_drag *drag, double *force, double *matrix, double sign,
                       const double *v, int count);
+/* out [n] += the derivative of order `count`, 2 or 3, of the force of a wind on the cable at rest,
+ * along the velocities v [count][n]. */
+void hawser__drag_form(const struct hawser_rom_drag *drag, double complex *out,
+                       const double complex *const v[], int count);
 /* 1: that of a wind at all points, which is smooth unlike |v| v. */
 int hawser__drag_smooth(const struct hawser_rom_drag *drag);
 

@@ -60,11 +60,11 @@ static enum hawser_status scene_at(struct hawser_scene *scene, const struct scen
 	return status;
 }
 
-/* More modes than coordinates at p, by frequency. */
+/* The lowest modes at p. */
 static enum hawser_status solve(struct hawser_modes *modes, const struct scene_family *family,
-                                const double p[2], struct hawser_report *report)
+                                const double p[2], int n, struct hawser_report *report)
 {
-	struct hawser_modes_options options = {.n = 2*family->n + MORE, .tolerance = EXACT};
+	struct hawser_modes_options options = {.n = n, .tolerance = EXACT};
 	struct hawser_statics statics;
 	struct hawser_scene scene;
 	enum hawser_status status = scene_at(&scene, family, p, report);
@@ -229,21 +229,23 @@ static const struct anchor *nearest(const struct scene_family *family, const dou
 }
 
 /* The modes at p in the order of the coordinates, from the nearest anchor; *sure is 0 if they could not
- * be recognised. */
+ * be recognised. They are sought among a few modes beyond their number, then among twice as many. */
 static enum hawser_status recognised(struct hawser_modes *modes, int *sure,
                                      const struct scene_family *family, const double p[2],
                                      struct hawser_report *report)
 {
 	const struct anchor *anchor = nearest(family, p);
 	int place[HAWSER_ROM_MAX];
-	double sign[HAWSER_ROM_MAX], least = 1.0;
-	struct hawser_modes all;
-	enum hawser_status status = solve(&all, family, p, report);
+	double sign[HAWSER_ROM_MAX], least = 0.0;
+	struct hawser_modes all = {.n = 0};
+	enum hawser_status status = HAWSER_OK;
 
-	if (status)
-		return status;
-	if (!recognise(place, sign, &least, family, &anchor->modes, &all))
-		status = hawser__no_memory(report, "frf");
+	for (int times = 1; !status && least < SURE && times <= 2; times++) {
+		hawser_modes_clear(&all);
+		status = solve(&all, family, p, times*family->n + MORE, report);
+		if (!status && !recognise(place, sign, &least, family, &anchor->modes, &all))
+			status = hawser__no_memory(report, "frf");
+	}
 	*sure = least >= SURE || distance(family, p, anchor->p) <= LEAST;
 	if (!status)
 		status = arrange(modes, &all, place, sign, family->n, report);
@@ -333,7 +335,7 @@ static enum hawser_status begin(struct scene_family *family, const double at[2],
 	struct hawser_modes all, modes;
 	int place[HAWSER_ROM_MAX];
 	double sign[HAWSER_ROM_MAX];
-	enum hawser_status status = solve(&all, family, at, report);
+	enum hawser_status status = solve(&all, family, at, family->n + MORE, report);
 
 	if (status)
 		return status;

@@ -131,8 +131,10 @@ static void decide_load(struct hawser_plan *plan, const struct hawser_scene *sce
 		    "stiffness, cos(2 Omega t) on loads and stiffness: %g m/s about %g m/s",
 		    scene->travel.fluctuation, scene->travel.speed);
 	if (!hawser__scene_driven(scene)) {
-		decide(plan, "forced response", 0, "nothing excites the cable again and again: statics, "
-		    "modes and the model can be had, hawser frf cannot");
+		decide(plan, "forced response", 0, "nothing excites the cable again and again%s",
+		    scene->wind.present ? " but the wind: hawser frf --over wind.speed=A:B follows equilibria "
+		                          "and limit cycles"
+		                        : ": statics, modes and the model can be had, hawser frf cannot");
 		return;
 	}
 	if (scene->load.present)
