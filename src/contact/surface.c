@@ -200,9 +200,9 @@ enum hawser_status hawser_surface_settle(struct hawser_surface *surface, struct 
 			                    "finite: give finite ones", kinds[surface->kind]);
 	if (!(surface->axial >= 0.0) || !isfinite(surface->axial) ||
 	    (surface->axial > 0.0 && (surface->kind != HAWSER_SURFACE_PLANE ||
-	                              hawser__norm(surface->velocity) == 0.0)))
-		return fail(report, "friction: axial and transverse are of a plane with velocity: give it, or "
-		            "one number");
+	                              !(hawser__norm(surface->velocity) + surface->stiffness > 0.0))))
+		return fail(report, "friction: axial and transverse are of a plane with a velocity or a "
+		            "stiffness: give one of these, or one number");
 	if (surface->friction < 0.0 || surface->radius < 0.0)
 		return fail(report, "friction and radius must not be negative");
 	if (!(surface->stiffness >= 0.0) || !(surface->damping >= 0.0) ||

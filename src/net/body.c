@@ -8,6 +8,7 @@
 #include "config.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "core/report.h"
@@ -16,6 +17,8 @@
 
 /* Of the distance of two hinges: what is nearer to their line is on it. */
 static const double STRAIGHT = 1e-9;
+/* Of the distance from the origin: what is less inside an obstacle is at its surface. */
+static const double INSIDE = 1e-9;
 
 static void points(struct hawser__mesh *mesh, const struct hawser_net_body *body, int number, int first)
 {
@@ -209,6 +212,30 @@ enum hawser_status hawser__bodies_release(struct hawser__mesh *mesh, const struc
 		turns(mesh, b, (const double (*)[3])held);
 		mesh->unknowns += body->motions;
 		mesh->body_unknowns += body->motions;
+	}
+	return HAWSER_OK;
+}
+
+enum hawser_status hawser__bodies_outside(const struct hawser_net *net, const double (*x)[3],
+                                          double t, struct hawser_report *report)
+{
+	for (int i = 0; i < net->nodes*net->surfaces; i++) {
+		const struct hawser_net_node *node = &net->node[i/net->surfaces];
+		const struct hawser_surface *surface = &net->surface[i % net->surfaces];
+		const double *at = x ? x[i/net->surfaces] : node->x;
+		double size = fabs(at[0]) + fabs(at[1]) + fabs(at[2]), g;
+		char when[40] = "";
+
+		if (!node->body || node->support)
+			continue;
+		g = hawser_surface_gap(NULL, NULL, surface, at);
+		if (!isnan(t))
+			snprintf(when, sizeof when, "at %.6g s ", t);
+		if (g < -INSIDE*size)
+			return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "net", "%s: %snode %s of body %s is "
+			                    "%.4g m inside obstacle %s: bodies do not touch obstacles; move the "
+			                    "obstacle, or hold the body by lines", net->name, when, node->name,
+			                    net->body[node->body - 1].name, -g, surface->name);
 	}
 	return HAWSER_OK;
 }

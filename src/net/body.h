@@ -27,6 +27,10 @@ enum hawser_status hawser__bodies_release(struct hawser__mesh *mesh, const struc
  * there. */
 void hawser__body_place(double x[3], const double *z, const struct hawser__mesh *mesh, int node);
 void hawser__body_push(double *z, const struct hawser__mesh *mesh, int node, const double v[3]);
+/* Fail if a node of a body, at x [nodes of the net] or, NULL, where the net has it, is inside an
+ * obstacle, which bodies do not touch. t: s of a motion; else NAN. */
+enum hawser_status hawser__bodies_outside(const struct hawser_net *net, const double (*x)[3], double t,
+                                          struct hawser_report *report) HAWSER_MUST_CHECK;
 /* Fail if there are bodies, which `what` does not know. */
 enum hawser_status hawser__bodies_none(const struct hawser_net *net, const char *what,
                                        struct hawser_report *report) HAWSER_MUST_CHECK;

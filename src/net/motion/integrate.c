@@ -317,7 +317,10 @@ static enum hawser_status row(int *stop, struct hawser_net_motion *to, struct ru
 		frame.r_N = run->touched.r_N;
 		frame.r_T = run->touched.r_T;
 	}
-	status = options->probes ? hawser__probes_state(&run->probes, report) : HAWSER_OK;
+	status = run->net->bodies ? hawser__bodies_outside(run->net, (const double (*)[3])run->x, motion->t,
+	                                                   report) : HAWSER_OK;
+	if (!status && options->probes)
+		status = hawser__probes_state(&run->probes, report);
 	for (int p = 0; p < options->probes && !status; p++) {
 		int at = i*options->probes + p;
 

@@ -8,7 +8,8 @@
  * change of W is kept exactly, and the damping only takes energy.
  *
  * Friction T is that of springs along the plane, which slide where |T| would be above mu*N: with the
- * slip x relative to the plane it is T0 - stiff*x, or as much of it as mu*N. It acts over all of the
+ * slip x relative to the plane it is T0 - stiff*x, or what is nearest to it in the circle of mu*N, or
+ * in the ellipse of two coefficients, whose normal is the way that it slides. It acts over all of the
  * step, so that springs that stick lose some energy too, and none is won.
  *
  * Elements that lie in part add their forces (net/motion/motion-touchdown.c).
@@ -16,6 +17,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -28,6 +30,81 @@
 /* Of a spring along the plane over that across it: the slip before it slides is this part of mu times
  * the depth, of which the friction of moorings feels nothing. */
 static const double STIFFER_ALONG = 10.0;
+enum { PROJECTIONS = 30 };
+
+/* The friction nearest to q in the ellipse with the half axes a N and b N, and its derivatives by q and
+ * N. With m, of the multiplier of the ellipse, each component is A^2 q/(A^2 + m). */
+static void within(double T[2], double by_q[2][2], double by_N[2], const double q[2], double a,
+                   double b, double N)
+{
+	const double A[2] = {a*a*N*N, b*b*N*N};
+	double m = 0.0, size, w[2], k;
+
+	memset(by_q, 0, 4*sizeof(double));
+	memset(by_N, 0, 2*sizeof *by_N);
+	memcpy(T, q, 2*sizeof *T);
+	if (A[0]*q[1]*q[1] + A[1]*q[0]*q[0] <= A[0]*A[1] && A[0]*A[1] > 0.0) {
+		by_q[0][0] = by_q[1][1] = 1.0;
+		return;
+	}
+	for (int i = 0; i < 2; i++)
+		T[i] = 0.0;
+	if (!(N > 0.0))
+		return;
+	for (int n = 0; n < PROJECTIONS; n++) { /* Newton's method for 1/size = 1, exact for a circle */
+		size = k = 0.0;
+		for (int i = 0; i < 2; i++) {
+			double part = q[i]/(A[i] + m);
+
+			size += A[i]*part*part;
+			k += A[i]*part*part/(A[i] + m);
+		}
+		size = sqrt(size);
+		if (fabs(size - 1.0) <= 4.0*DBL_EPSILON || !(k > 0.0))
+			break;
+		m = fmax(m + (size - 1.0)*size*size/k, 0.0);
+	}
+	for (int i = 0; i < 2; i++) {
+		T[i] = A[i]*q[i]/(A[i] + m);
+		w[i] = T[i]/(A[i] + m);
+	}
+	for (int i = 0; i < 2; i++) {
+		for (int j = 0; j < 2; j++)
+			by_q[i][j] = (i == j ? A[i]/(A[i] + m) : 0.0) - (k > 0.0 ? w[i]*w[j]/k : 0.0);
+		by_N[i] = (T[i] - by_q[i][0]*q[0] - by_q[i][1]*q[1])/N; /* T is of degree 1 in q and N */
+	}
+}
+
+/* Two directions along the plane: that of the cable, at the beginning of the step, and across it. */
+static void directions(double e[2][3], const struct hawser__motion *motion,
+                       const struct hawser__bed_node *of)
+{
+	const struct hawser__touch *touch = &motion->mesh->touch[of->touch];
+	const int element[2] = {touch->element, touch->other};
+	double l;
+
+	memset(e, 0, 6*sizeof(double));
+	for (int i = 0; i < 2 && element[i] >= 0; i++) {
+		const struct hawser__motion_element *el = &motion->element[element[i]];
+
+		for (int k = 0; k < 3 && el->l > 0.0; k++)
+			e[0][k] += el->d[k]/el->l;
+	}
+	for (int try = 0; try < 3; try++) { /* where the cable is upright, any */
+		double off = hawser__dot(e[0], of->n);
+
+		for (int k = 0; k < 3; k++)
+			e[0][k] -= off*of->n[k];
+		l = hawser__norm(e[0]);
+		if (l > 0.1)
+			break;
+		for (int k = 0; k < 3; k++)
+			e[0][k] = k == try;
+	}
+	for (int k = 0; k < 3; k++)
+		e[0][k] /= l;
+	hawser__cross(e[1], of->n, e[0]);
+}
 
 /* Friction of the step, for the force N across the plane, and what it adds to the block of the node
  * and to what follows N. */
@@ -35,26 +112,22 @@ static void rub(double T[3], double *block, const struct hawser__motion *motion,
                 struct hawser__bed_node *of, double N, double h)
 {
 	const struct hawser__touch *touch = &motion->mesh->touch[of->touch];
+	const struct hawser_surface *plane = touch->surface;
 	const struct hawser__motion_touch *now = &motion->contact->touch[of->touch];
 	const double *x = motion->x[touch->node], stiff = STIFFER_ALONG*of->k;
-	const double *v = touch->surface->velocity;
-	double across = hawser__dot(of->n, x), size, most, part;
+	double e[2][3], q[2] = {0.0}, along[2], by_q[2][2], by_N[2];
 
-	for (int k = 0; k < 3; k++)
-		T[k] = now->T[k] - stiff*(x[k] - across*of->n[k] - h*v[k]);
-	size = hawser__norm(T);
-	most = touch->surface->friction*N;
-	part = size > most ? most/size : 1.0;
-	for (int i = 0; i < 9 && block; i++) {
-		double along = part < 1.0 ? T[i/3]*T[i % 3]/(size*size) : 0.0;
-		double plane = (i % 4 ? 0.0 : 1.0) - of->n[i/3]*of->n[i % 3];
-
-		block[i] += part*stiff*(plane - along);
-	}
+	directions(e, motion, of);
+	for (int k = 0; k < 6; k++)
+		q[k/3] += e[k/3][k % 3]*(now->T[k % 3] - stiff*(x[k % 3] - h*plane->velocity[k % 3]));
+	within(along, by_q, by_N, q, plane->axial > 0.0 ? plane->axial : plane->friction, plane->friction,
+	       N);
 	for (int k = 0; k < 3; k++) {
-		of->push[k] += part < 1.0 ? touch->surface->friction*T[k]/size : 0.0;
-		T[k] *= part;
+		T[k] = along[0]*e[0][k] + along[1]*e[1][k];
+		of->push[k] += by_N[0]*e[0][k] + by_N[1]*e[1][k];
 	}
+	for (int i = 0; i < 36 && block; i++)
+		block[i/4] += stiff*by_q[i % 4/2][i % 2]*e[i % 4/2][i/12]*e[i % 2][i/4 % 3];
 }
 
 /* Depth of a node with the displacements u. */

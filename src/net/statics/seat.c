@@ -378,6 +378,8 @@ enum hawser_status hawser__bodies_seat(struct hawser_net *seated, double *rest,
 	for (int b = 0; b < net->bodies && !status; b++)
 		*rest = fmax(*rest, seat.n > 0 ? seat.rest*seat.scale[b] : 0.0);
 	*seated = seat.net;
+	if (!status)
+		status = hawser__bodies_outside(seated, NULL, NAN, report);
 	hawser__bodies_unseat(&seat.trial, net);
 	hawser__hold_clear(&seat.hold);
 	return status;
