@@ -314,8 +314,8 @@ static double error_at(const struct span *span, int j, double a)
 }
 
 /* A heavy mass on a light rope swings as a pendulum of the length r of its sag, and rises by
- * s = r - sqrt(r^2 - u^2), which the model of that mode does not have: with a damping ratio as its bounce
- * on both halves of the rope, of the length l, is damped. */
+ * s = r - sqrt(r^2 - u^2), which the model of that mode does not have: with a damping ratio as its
+ * bounce on both halves of the rope, of the length l, is damped. */
 static void check_pendulum(void)
 {
 	struct hawser_scene scene = {.cable = {.EA = 1e8, .rho = 0.01}, .span = {40.0, 0.0}, .g = 9.81};
