@@ -33,6 +33,8 @@ struct hawser_law_point {
 	double inertia;   /* the part of its inertia in a motion of this amplitude that the model lacks:
 	                   * what follows as at rest, s = s2 u^2, has the kinetic energy 2 s2^2 u^2 u'^2,
 	                   * and the inertia of u cos(Omega t) is greater by 2 s2^2 u^2 */
+	double damping;   /* the same of its damping: s has the power 4 D_s s2^2 u^2 u'^2, of which a
+	                   * model has that of its own coordinates */
 	double tension[2], model_tension[2]; /* smallest and largest on the cable, N; without a
 	                                     * minimum, where it was sought last */
 	int functions;    /* per component, of the basis of `exact` */
@@ -54,7 +56,7 @@ enum hawser_status hawser_law_trace(struct hawser_law_point *point, int count,
 /* What ends the range of a coordinate. */
 enum hawser_range_end {
 	HAWSER_RANGE_UNKNOWN = 0,
-	HAWSER_RANGE_FORCE,     /* the static law of the model or its inertia is off by this limit */
+	HAWSER_RANGE_FORCE,     /* the static law of the model, its inertia or damping is off by this */
 	HAWSER_RANGE_AT_LEAST,  /* nothing: it was not sought further */
 	HAWSER_RANGE_SLACK      /* the cable goes slack */
 };
@@ -67,13 +69,13 @@ struct hawser_rom_range {
 	enum hawser_range_end end;
 };
 
-/* Find rom->range[n] of such a model: for each mode the smallest amplitude, in either
- * direction, at which the force of the model differs from the exact one by more than HAWSER_LAW_LIMIT
- * of it, or the inertia of what follows and is not in the model is that part of the coordinate's own,
- * so that the frequency of a motion is off by half of it. It is sought up to reached[n], the largest
- * |u_j| of a motion (scaled; 0: not sought), or, with NULL, up to half the sag or a twentieth of the
- * span, whichever is larger. Statuses: those above, without _CONVERGENCE: the range of such a mode is
- * not known. */
+/* Find rom->range[n] of such a model: for each mode the smallest amplitude, in either direction,
+ * at which the force of the model differs from the exact one by more than HAWSER_LAW_LIMIT of it,
+ * or the inertia of what follows and is not in the model is that part of the coordinate's own, so
+ * that the frequency of a motion is off by half of it, or the height of a peak by its damping and
+ * half its inertia. It is sought up to reached[n], the largest |u_j| of a motion (scaled; 0: not
+ * sought), or, with NULL, up to half the sag or a twentieth of the span, whichever is larger.
+ * Statuses: those above, without _CONVERGENCE: the range of such a mode is not known. */
 enum hawser_status hawser_law_range(struct hawser_rom *rom, const struct hawser_statics *statics,
                                     const double *reached,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;

@@ -307,18 +307,21 @@ static double error_at(const struct span *span, int j, double a)
 	for (int i = 0; i < 2; i++)
 		worst = fmax(worst, point[i].end ? INFINITY
 		                    : fmax(fabs(point[i].model - point[i].exact)/
-		                           fmax(fabs(1.0 + point[i].exact), 1.0), point[i].inertia));
+		                           fmax(fabs(1.0 + point[i].exact), 1.0),
+		                           fmax(point[i].inertia,
+		                                point[i].damping + 0.5*point[i].inertia)));
 	return worst;
 }
 
 /* A heavy mass on a light rope swings as a pendulum of the length r of its sag, and rises by
- * s = r - sqrt(r^2 - u^2), which the model of that mode alone does not have. */
+ * s = r - sqrt(r^2 - u^2), which the model of that mode does not have: with a damping ratio as its
+ * bounce on both halves of the rope, of the length l, is damped. */
 static void check_pendulum(void)
 {
 	struct hawser_scene scene = {.cable = {.EA = 1e8, .rho = 0.01}, .span = {40.0, 0.0}, .g = 9.81};
 	struct hawser_law_point point = {.amplitude = 0.513};
 	struct span span;
-	double r, s;
+	double r, s, l = 20.5;
 
 	scene.tension.given = HAWSER_GIVEN_LENGTH0;
 	scene.tension.value = 41.0;
@@ -326,11 +329,18 @@ static void check_pendulum(void)
 	scene.attachments = 1;
 	scene.attach[0].at = 0.5;
 	scene.attach[0].mass = 200.0;
+	scene.damping.kind = HAWSER_DAMPING_RATIO;
+	scene.damping.ratio = 0.01;
+	scene.load.present = 1; /* of modes that it excites the damping is known */
+	scene.load.per_length[1] = scene.load.extent[1] = 1.0;
 	if (make(&span, scene, 1) &&
-	    ok(!hawser_law_trace(&point, 1, &span.rom, &span.st, 0, NULL), "law")) {
+	    ok(!hawser_rom_know_below(&span.rom, &span.modes, &scene, 50.0*sqrt(*span.rom.K), NULL) &&
+	       !hawser_law_trace(&point, 1, &span.rom, &span.st, 0, NULL), "law")) {
 		r = span.st.sag;
 		s = r - sqrt(r*r - point.amplitude*point.amplitude);
 		close_to(point.inertia, 2.0*pow(s/point.amplitude, 2), 2e-3, "inertia of a pendulum");
+		close_to(point.damping, pow(s/point.amplitude, 2)*
+		         sqrt(2.0*1e8/l*pow(r/l, 2)/200.0*r/9.81), 1e-2, "its damping");
 	}
 	clear(&span);
 }

@@ -134,7 +134,7 @@ static struct cli_head head(const void *of)
 static void range_comment(struct hawser__table *table, const struct hawser_rom *rom, int j)
 {
 	static const char *const beyond[] = {
-		[HAWSER_RANGE_FORCE] = "beyond, its force or inertia is off by more",
+		[HAWSER_RANGE_FORCE] = "beyond, its force, inertia or damping is off by more",
 		[HAWSER_RANGE_AT_LEAST] = "not sought further",
 		[HAWSER_RANGE_SLACK] = "the cable is slack beyond"};
 	const struct hawser_rom_range *range = &rom->range[j];

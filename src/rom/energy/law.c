@@ -109,6 +109,25 @@ static void free_exact(struct hawser__law *law)
 			relax->freed[relax->frees++] = exact->index[i];
 }
 
+/* Of the frequency, which the damping of modes follows, by that of mode j and of the highest one that
+ * is kept or known: 0 where it is by mass, 1 for damping ratios, 2 by stiffness. */
+static double damping_power(const struct hawser_rom *rom, int j)
+{
+	const struct hawser_rom_known *known = &rom->known;
+	size_t step = (size_t)rom->n + 1, own = (size_t)j*step;
+	double K = rom->K[own], D = rom->D[own];
+
+	for (int i = 0; i < rom->n + known->modes; i++) {
+		const double *of = i < rom->n ? &rom->K[(size_t)i*step] : &known->K[i - rom->n];
+
+		if (*of > K && (i >= rom->n || hawser__law_is_mode(rom, i))) {
+			K = *of;
+			D = i < rom->n ? rom->D[(size_t)i*step] : known->D[i - rom->n];
+		}
+	}
+	return D > 0.0 && K > rom->K[own] ? 2.0*log(D/rom->D[own])/log(K/rom->K[own]) : 0.0;
+}
+
 enum hawser_status hawser__law_hold(struct hawser__law *law, int *found, int j, int first,
                                     struct hawser_report *report)
 {
@@ -127,6 +146,7 @@ enum hawser_status hawser__law_hold(struct hawser__law *law, int *found, int j, 
 		return HAWSER_OK;
 	*found = 1;
 	law->j = j;
+	law->power = damping_power(law->rom, j);
 	law->twin = abs(twin) - 1;
 	law->sign = twin > 0 ? 1.0 : -1.0;
 	free_others(&law->model, j);
@@ -199,17 +219,24 @@ void hawser__law_exact(struct hawser__law *law, struct hawser_law_point *point)
 		point->end = HAWSER_LAW_NO_EXACT;
 }
 
-/* Sum of the squares of the coordinates that are relaxed. */
-static double moved(const struct hawser__relax *relax, int held)
+/* Sum of the squares of the coordinates that are relaxed, times that power of their frequency over that
+ * of the held one. */
+static double moved(const struct hawser__relax *relax, int held, double power)
 {
-	double all = cblas_ddot(relax->N, relax->y, 1, relax->y, 1);
+	size_t N = (size_t)relax->N;
+	const double *K = relax->rom->K;
+	double sum = 0.0;
 
-	return all - relax->y[held]*relax->y[held];
+	for (size_t i = 0; i < N; i++)
+		if (i != (size_t)held)
+			sum += relax->y[i]*relax->y[i]*pow(K[i*(N + 1)]/K[(size_t)held*(N + 1)], 0.5*power);
+	return sum;
 }
 
 void hawser__law_at(struct hawser__law *law, struct hawser_law_point *point)
 {
-	double lacks;
+	const struct hawser__relax *exact = &law->exact[law->basis];
+	double lacks[2];
 
 	point->u = point->amplitude/law->rom->range[law->j].largest;
 	point->error = NAN;
@@ -218,8 +245,12 @@ void hawser__law_at(struct hawser__law *law, struct hawser_law_point *point)
 	if (!hawser__law_force(&point->model, point->model_tension, &law->model, law->j, point->u) &&
 	    !point->end)
 		point->end = HAWSER_LAW_NO_MODEL;
-	lacks = moved(&law->exact[law->basis], law->twin) - moved(&law->model, law->j);
-	point->inertia = 2.0*fmax(lacks, 0.0)/(point->u*point->u);
+	for (int k = 0; k < 2; k++) {
+		lacks[k] = moved(exact, law->twin, k*law->power) - moved(&law->model, law->j, k*law->power);
+		lacks[k] = fmax(lacks[k], 0.0)/(point->u*point->u);
+	}
+	point->inertia = 2.0*lacks[0];
+	point->damping = lacks[1];
 }
 
 static enum hawser_status check(const struct hawser_law_point *point, int count,

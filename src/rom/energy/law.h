@@ -15,6 +15,7 @@ struct hawser__law {
 	const struct hawser_statics *statics;
 	int j, twin;                 /* coordinate of `rom`; that of the present basis, from 0 */
 	double sign;                 /* of the twin */
+	double power;                /* of the frequency, which the damping of modes follows */
 	int basis;                   /* index of the present one */
 	struct hawser__relax model;  /* of `rom` */
 	struct hawser_rom full[HAWSER__LAW_BASES];

@@ -1,8 +1,8 @@
 /* rom/energy/law_range.c - amplitude up to which each mode of a model is right.
  *
- *   e(a)      relative error of the model's force at the displacement a, at rest or of inertia in a
- *             motion of this amplitude, the larger one of both directions; INFINITY if the model has no
- *             equilibrium
+ *   e(a)      relative error of the model's force at the displacement a, at rest or of inertia or
+ *             damping in a motion of this amplitude, the larger one of both directions; INFINITY if the
+ *             model has no equilibrium
  *   low       e(low) <= LIMIT, 0 at first;  high  e(high) > LIMIT, or the cable is slack there
  *
  * e grows with a power of a, which two errors give, so that interpolation in the logarithms of both
@@ -82,12 +82,13 @@ struct trial {
 	enum hawser_law_end end;
 };
 
+/* A peak is lower by what is dissipated more, and by what the frequency falls. */
 static double error_of(const struct hawser_law_point *point)
 {
 	if (point->end == HAWSER_LAW_NO_MODEL)
 		return INFINITY;
 	return fmax(fabs(point->model - point->exact)/fmax(fabs(1.0 + point->exact), 1.0),
-	            point->inertia);
+	            fmax(point->inertia, point->damping + 0.5*point->inertia));
 }
 
 static struct trial try(struct hawser__law *law, double a)

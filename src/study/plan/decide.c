@@ -290,8 +290,8 @@ enum hawser_status hawser__decide(struct hawser_plan *plan, const struct hawser_
 	decide_attachments(plan);
 	decide_always(plan, scene);
 	if (*survey->range)
-		decide(plan, "range of the scene's model", 1, "force and inertia are right within %.0f %% up "
-		    "to %s", 100.0*HAWSER_LAW_LIMIT, survey->range);
+		decide(plan, "range of the scene's model", 1, "force, inertia and damping are right within "
+		    "%.0f %% up to %s", 100.0*HAWSER_LAW_LIMIT, survey->range);
 	if (*survey->forces)
 		decide(plan, "forces from strains", strncmp(survey->forces, "from strains", 12) == 0, "%s",
 		    survey->forces);
