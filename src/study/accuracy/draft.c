@@ -4,11 +4,13 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "core/progress.h"
 #include "core/report.h"
 #include "rom/energy/full_map.h"
 #include "study/accuracy/draft.h"
+#include "study/accuracy/landmark.h"
 
 #define LONG 0.2        /* largest step of a curve for comparison, relative to the range; chosen */
 #define CARRIED 0.3     /* work of the marks in the next basis over that of a draft; chosen */
@@ -37,6 +39,7 @@ void hawser__traced_clear(struct hawser__traced *traced)
 
 void hawser__traced_give(struct hawser__traced *traced, struct hawser__draft *chosen)
 {
+	memcpy(chosen->largest, traced->largest, sizeof chosen->largest);
 	if (traced->functions == 0 || traced->functions != chosen->functions)
 		return;
 	chosen->orbits = traced->orbits;
@@ -59,11 +62,13 @@ double hawser__draft_follows(const struct hawser_accuracy_options *options, int 
 	       : work + JUDGING*pow(n, 3.0)*HAWSER__MORE_POINTS*points;
 }
 
-/* Work of the search and the response, if the range ended where the draft is now. */
+/* Work of the search and the response, if the range ended where the draft is now. Where the error of a
+ * response is wanted, that is mostly the answer. */
 static double so_far(const struct hawser__draft_watch *watch, int points, double work)
 {
 	return watch->before + work*(1.0 + watch->next) +
-	       hawser__draft_follows(watch->options, watch->n, points, work);
+	       (watch->options->response ? 0.0
+	        : hawser__draft_follows(watch->options, watch->n, points, work));
 }
 
 /* Whether a draft is more than can be borne, of which a part is of no use either. The range of one that
@@ -196,6 +201,8 @@ static enum hawser_status draw(struct hawser__draft *draft, struct hawser__trace
 	                                    draft->rom.n, .drafts = 1};
 	struct hawser_frf_options frf = *settled;
 	struct hawser_report why = {.message = ""};
+	struct hawser_landmark *peak, largest[2];
+	int peaks;
 	struct hawser__trace_watch keep;
 	enum hawser_status status;
 
@@ -226,6 +233,13 @@ static enum hawser_status draw(struct hawser__draft *draft, struct hawser__trace
 		traced->curve = part(&traced->curve, log(a->until), settled->to > settled->from ? 1.0 : -1.0);
 	traced->functions = draft->functions;
 	traced->end = a->frf.end;
+	status = hawser_landmarks(&peak, &peaks, &a->frf, NULL, report);
+	if (status)
+		return status;
+	hawser__largest_peaks(largest, &a->frf, peak, peaks);
+	for (int k = 0; k < 2; k++)
+		traced->largest[k] = hawser__peak_column(&largest[k]);
+	free(peak);
 	return hawser__curve_marks(traced->mark, &traced->marks, &traced->curve, report);
 }
 
@@ -258,7 +272,7 @@ enum hawser_status hawser__draft_carry(struct hawser__draft *draft, double *away
 		status = hawser__curve_copy(&draft->curve, &found, report);
 	if (!status && !lost)
 		status = hawser__curve_points_distance(away, &traced->curve, traced->mark, NULL,
-		                                       &draft->curve, report);
+		                                       &draft->curve, NULL, report);
 	hawser_frf_clear(&found);
 	return status;
 }
