@@ -38,7 +38,7 @@ static enum hawser_status certify_span(struct cli_certificate *certificate,
 }
 
 /* Unless asked for, of models of modes whose error is not large, or not known because of attachments:
- * the exact energy has its own comparison. */
+ * the exact energy has its own comparison, that of modes with it is of whole curves. */
 static int of_span(const struct cli_frf_result *result, int asked)
 {
 	const struct cli_model *model = result->model;
@@ -46,7 +46,7 @@ static int of_span(const struct cli_frf_result *result, int asked)
 
 	if (!model->has_scene || asked)
 		return model->has_scene;
-	return !model->automatic && !result->error.compared &&
+	return !model->automatic && !(result->error.compared && model->exact.functions) &&
 	       (isfinite(estimate) ? estimate < large : model->scene.attachments > 0 &&
 	        model->scene.model.condense == HAWSER_CONDENSE_STATIC);
 }
@@ -58,6 +58,7 @@ enum hawser_status cli_certify(struct cli_frf_result *result, struct hawser_repo
 	struct cli_certificate *shown = result->certificate, own;
 	struct cli_model_error *error = &result->error;
 	int asked = shown && strcmp(shown->how, "yes") == 0;
+	double known;
 	enum hawser_status status;
 
 	if (!shown || !result->located || strcmp(shown->how, "no") == 0 ||
@@ -75,11 +76,13 @@ enum hawser_status cli_certify(struct cli_frf_result *result, struct hawser_repo
 	    (own.own.refused > 0 && !isfinite(error->fixed.estimated)))
 		return status;
 	error->corrected = 1;
-	error->before = error->fixed.estimated;
+	error->before = error->compared ? NAN : error->fixed.estimated;
+	error->compared = 0;
+	known = error->fixed.estimated;
 	error->fixed.estimated = fmin(own.own.error, 1.0);
 	error->fixed.largest = own.own.largest;
 	if (own.own.refused > 0) {
-		error->fixed.estimated = fmax(error->before, error->fixed.estimated);
+		error->fixed.estimated = fmax(known, error->fixed.estimated);
 		error->fixed.largest = 0.0;
 	}
 	return HAWSER_OK;

@@ -378,7 +378,9 @@ static int is_known(const void *row, const void *parent)
 /* Whether it was found mode by mode. */
 static int is_weighed(const void *row, const void *parent)
 {
-	return is_known(row, parent) && !((const struct cli_model_error *)row)->compared;
+	const struct cli_model_error *error = row;
+
+	return is_known(row, parent) && !error->compared && !(error->corrected && isnan(error->before));
 }
 
 static int is_unknown(const void *row, const void *parent)
