@@ -148,13 +148,13 @@ static enum hawser_status lost(const struct hawser_accuracy *a, struct hawser_re
 	                       last.message);
 }
 
-/* Decide what follows a draft that failed because the basis is too small for the motion, or the
- * tolerance too large. Returns 1 to go on after *functions, with the next basis or with a smaller
- * tolerance and the same basis. */
+/* Decide what follows a draft, begun or not, that failed because the basis is too small for the motion,
+ * or the tolerance too large. Returns 1 to go on after *functions, with the next basis or with a
+ * smaller tolerance and the same basis. */
 static int retry(enum hawser_status status, int *functions, struct hawser_frf_options *frf,
-                 const struct hawser_accuracy_options *options)
+                 const struct hawser_accuracy_options *options, int begun)
 {
-	if (status != HAWSER_ERR_CONVERGENCE)
+	if (status != HAWSER_ERR_CONVERGENCE || (!begun && *functions >= HAWSER__MIDDLING))
 		return 0;
 	if (options->frf.tolerance == 0.0 && frf->tolerance > FINEST && *functions >= HAWSER__MIDDLING) {
 		frf->tolerance = FINEST;
@@ -268,7 +268,7 @@ static enum hawser_status choose(struct hawser__draft *chosen, double *moved, do
 			status = hawser__draft_draw(&next, moved, &traced, chosen, a, options, frf, *work, report);
 			*work += next.work;
 			again = !(options->bearable > 0.0 && *work >= options->bearable) &&
-			        retry(status, &functions, frf, options);
+			        retry(status, &functions, frf, options, a->frf.points > 0);
 			if (isfinite(a->until))
 				frf->to = a->until;
 			if (!status)
