@@ -63,7 +63,7 @@ struct hawser_accuracy {
 struct hawser_accuracy_options {
 	double accuracy;         /* in (0, 1); 0: the scene's */
 	int most;                /* largest number of kept modes; 0: 40 */
-	int most_functions;      /* of full-order models, per component; 0: 24 */
+	int most_functions;      /* of full-order models, per component; 0: 24. With bending 6 more */
 	double bearable;         /* full-order models are given up where `foreseen` is more; 0: never */
 	int expected;            /* points of the response, by a reduced model; 0: not known */
 	int partial;             /* 1: where the range is not to be had as a whole, the part from `from` on
@@ -125,7 +125,8 @@ struct hawser_accuracy_bases {
 	double to;       /* scaled: the upper end of the range */
 	double accuracy; /* the frequencies up to `to` are right to a tenth of it, up to 2*to to the
 	                  * whole */
-	int most;        /* largest number of functions; 0: 24, which is tried whatever it resolves */
+	int most;        /* largest number of functions, and with bending 6 more; 0: 24, which is
+	                 * tried whatever it resolves */
 };
 /* *rom becomes the first of them with more than *functions functions a component, of which *functions
  * then is the number, and more than `coordinates`; rom->n is 0 if there is none. Statuses of

@@ -51,7 +51,7 @@ enum hawser_status hawser_law_trace(struct hawser_law_point *point, int count,
                                     const struct hawser_statics *statics, int j,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
 
-#define HAWSER_LAW_LIMIT 0.01 /* relative error of the force that ends a range */
+#define HAWSER_LAW_LIMIT 0.01 /* relative error of force, inertia or damping that ends a range */
 
 /* What ends the range of a coordinate. */
 enum hawser_range_end {
@@ -64,7 +64,7 @@ enum hawser_range_end {
 struct hawser_rom_range {
 	double largest;   /* largest displacement of the coordinate's shape along the cable, or stroke of
 	                   * an absorber, m for a coordinate of 1 (scaled) */
-	double amplitude; /* m: up to this displacement both are within HAWSER_LAW_LIMIT; 0 if
+	double amplitude; /* m: up to this displacement all three are within HAWSER_LAW_LIMIT; 0 if
 	                   * not known. Divided by `largest` it is |u_j| */
 	enum hawser_range_end end;
 };

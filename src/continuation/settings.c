@@ -21,9 +21,10 @@ const struct hawser__step_settings hawser__frf_steps = {
 	.goal_contraction = 0.05, .goal_angle = 0.2, .goal_distance = 1e-2, .distance_order = 6
 };
 
-/* Of models with exact energy, a point of which costs twenty times that of a few coordinates. Between
- * the points the quintic through them is as good as they are. From predictions that are 1e-2 off, one
- * correction in four fails in deep cables, where pairs of high harmonics and modes resonate. */
+/* Of large models (hawser__is_large) and of traces for their folds alone. A point with exact energy
+ * costs twenty times that of a few coordinates. Between the points the quintic through them is as good
+ * as they are. From predictions that are 1e-2 off, one correction in four fails in deep cables, where
+ * pairs of high harmonics and modes resonate. */
 const struct hawser__step_settings hawser__exact_steps = {
 	.smallest = 1e-9, .after_failure = 0.4, .after_refusal = 0.5, .slowest = 0.4, .fastest = 1.8,
 	.goal_contraction = 0.05, .goal_angle = 0.3, .goal_distance = 1e-3, .distance_order = 6

@@ -60,6 +60,7 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/accuracy/accuracy.c \
 	%D%/accuracy/accuracy.h \
 	%D%/accuracy/accuracy_full.c \
+	%D%/accuracy/full_bases.c \
 	%D%/accuracy/carry.c \
 	%D%/accuracy/carry.h \
 	%D%/compare/curve.c \

@@ -194,8 +194,8 @@ static int none_stable(char *text, size_t size, const struct cli_frf_result *res
 	           "from there, --branches and --tori what begins on this curve"
 	         : result->others == 0 ? "as wakes grow from rest at every speed: --branches 1 follows "
 	           "the motion that they come to"
-	         : "as each mode has a wake of its own, and those that rest here grow: keep no more "
-	           "modes than up to the one that is locked (-n), whose motion they hardly change");
+	         : "as each mode has a wake of its own, and those that rest here grow: keep only "
+	           "the modes up to the one that is locked in (-n): higher ones hardly change its motion");
 	return points > 1 && (shedding || !result->over) && !result->chosen;
 }
 

@@ -38,7 +38,8 @@ static enum hawser_status certify_span(struct cli_certificate *certificate,
 }
 
 /* Unless asked for, of models of modes whose error is not large, or not known because of attachments:
- * the exact energy has its own comparison, that of modes with it is of whole curves. */
+ * a model with exact energy has its own comparison, and one of modes that was compared with it was
+ * compared as a whole curve. */
 static int of_span(const struct cli_frf_result *result, int asked)
 {
 	const struct cli_model *model = result->model;

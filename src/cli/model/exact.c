@@ -47,8 +47,8 @@ int cli_exact_calls(const struct cli_model *model, const struct cli_model_error 
 	                                                          ? model->scene.model.accuracy : 0.0)));
 }
 
-/* The same, or whether it alone tells the error of the modes: not with drag, for which there is
- * shooting alone, which takes minutes for an orbit of the exact energy. */
+/* The same, or whether it alone tells the error of the modes: not with drag or the exact force of a
+ * wind, where an orbit of the exact energy takes longer than the answer is worth. */
 static int is_wanted(const struct cli_model *model, const struct cli_model_error *error)
 {
 	return cli_exact_calls(model, error) ||
@@ -162,7 +162,7 @@ static enum hawser_status search(struct hawser_accuracy *better, struct cli_mode
 		if (better->rom.n > 0)
 			take(model, better, error);
 		else if (better->functions > 0)
-			explain(model, better, status, "no two bases agree");
+			explain(model, better, status, why.message);
 		state(error, better);
 		if (result)
 			shorten(result, model, better, choice.bearable);

@@ -437,7 +437,7 @@ const struct hawser__field cli_fixed_field[] = {
 	 "error of folds and peaks (of the two largest, if `smaller` is there), or of one motion, "
 	 "relative, 1 at most; null: not known", HAWSER__BY(stated), .flags = HAWSER__NULL,
 	 .given = is_stated},
-	{"model_error.smaller", NULL, "the same of smaller peaks too", OF(fixed.estimated),
+	{"model_error.smaller", NULL, "the same, smaller peaks included", OF(fixed.estimated),
 	 .given = has_smaller},
 	{"model_error.before", NULL, "the same to first order, where `estimated` is by correction in the "
 	 "mesh (certified)", OF(before), .flags = HAWSER__NULL, .given = is_corrected},

@@ -155,7 +155,7 @@ static const struct hawser__field part_field[] = {
 	{.key = "tow", .doc = "hawser tow steady: of a towed cable"},
 	{.key = "trajectory", .doc = "hawser trajectory: of a path through waypoints"},
 	{.key = "beam", .doc = "hawser beam: of a travelling beam or string"},
-	{.key = "speeds", .doc = "hawser beam --to, up to beyond the limit speed"},
+	{.key = "speeds", .doc = "hawser beam --plot: over the speed, to 1.2 times v_crit"},
 	{.key = "plan", .doc = "hawser plan: of spans and nets"},
 	HAWSER__END,
 };

@@ -143,7 +143,8 @@ struct sweep {
 	struct hawser_report *report;       /* [points] */
 	enum hawser_status *status;         /* [points] */
 	int same;                           /* 1: all points have the same bases */
-	int *size; /* of the bases of the last point, with which the next one begins; or NULL */
+	int *size; /* for a map (hawser__damped_onset), which also has fewer sizes, wider limits and no
+	            * planes: size of the bases of the last point, with which the next begins; else NULL */
 };
 
 static enum hawser_status solve_at(struct hawser_damped *state, const struct sweep *sweep, double value,
@@ -169,7 +170,9 @@ static enum hawser_status solve_at(struct hawser_damped *state, const struct swe
 		pair->functions = 0;
 	if (!status && sweep->size && hawser__cable_elements(&st) > SLACKEST)
 		status = hawser__fail(report, HAWSER_ERR_CONVERGENCE, "modes",
-		                      "at %s = %.6g the cable hangs so deep that its damped modes take minutes",
+		                      "at %s = %.6g the cable hangs so deep that its damped modes take too "
+		                      "long for a map: choose ranges with less sag, or take hawser modes "
+		                      "--damped at this point",
 		                      options->key, value);
 	if (!status)
 		status = solve(state, pair, sweep->size ? sweep->size : &size, sweep->size ? FEW : TRIES,

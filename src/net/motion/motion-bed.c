@@ -163,7 +163,7 @@ static double force(double *slope, const struct hawser__bed_node *of,
 	double p0 = fmax(of->s0, 0.0), p1 = fmax(of->s1, 0.0), N = of->more, ratio;
 
 	*slope = of->slope;
-	if (rule->weight >= 0.0) { /* at rest */
+	if (rule->weight >= 0.0) { /* an equilibrium, or the accelerations of a state */
 		*slope += p1 > 0.0 ? of->k : 0.0;
 		return N + of->k*p1;
 	}
@@ -199,7 +199,8 @@ static int touchdowns(struct hawser__motion *motion)
 		return 0;
 	for (int i = bed->nodes; i > 0; i--)
 		first[mesh->touch[bed->node[i - 1].touch].node] = i;
-	for (int e = 0; e < motion->elements; e++) {
+	/* bodies begin where statics, with the plane at nodes, has them in balance */
+	for (int e = 0; e < motion->elements && !mesh->net->bodies; e++) {
 		int a = first[motion->element[e].a] - 1, b = first[motion->element[e].b] - 1;
 		const struct hawser_surface *plane;
 
@@ -298,6 +299,7 @@ double hawser__bed_residual(struct hawser__motion *motion, const struct hawser__
 	struct hawser__bed *bed = motion->bed;
 	double most = 0.0;
 
+	tangent = tangent && rule->weight != 0.0; /* of accelerations: M a = r */
 	for (int i = 0; i < bed->nodes; i++) {
 		struct hawser__bed_node *at = &bed->node[i];
 

@@ -3,7 +3,7 @@
  *
  * Statics lets a cable leave a plane at nodes, the motion between them (net/motion/motion-touchdown.c):
  * at rest it begins where its own forces are in balance, which is nearer to that of a finer mesh. The
- * friction stays as it is.
+ * friction stays as it is. Loads, supports and waves that move are left out, as statics does.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -11,15 +11,16 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/vec3.h"
 #include "net/motion/motion-bed.h"
+#include "net/water/water.h"
 
-/* The loads of the water follow the places from one to the next. */
+/* Most solutions; the loads of the water are those of the places of the one before. */
 enum { ROUNDS = 5 };
 /* Of the longest element: it does not move any more. */
 static const double STILL = 1e-12;
 
-/* To the equilibrium near the reference, with x as the displacement; 0 if it is not found. */
+/* Add the displacement to the equilibrium near the reference to motion->u; *found is 0 if Newton's
+ * method fails, or a node moves by the length of an element. */
 static enum hawser_status relax(struct hawser__motion *motion, int *found,
                                 struct hawser_report *report)
 {
@@ -51,16 +52,12 @@ static enum hawser_status relax(struct hawser__motion *motion, int *found,
 	return status;
 }
 
-enum hawser_status hawser__motion_settle(struct hawser__mesh *mesh, struct hawser_report *report)
+static enum hawser_status settle(struct hawser__mesh *mesh, struct hawser_report *report)
 {
 	struct hawser__motion motion;
-	int found = 0, soft = 0;
+	int found = 0;
 	enum hawser_status status;
 
-	for (int i = 0; i < mesh->touches; i++)
-		soft |= mesh->touch[i].give > 0.0;
-	if (!soft)
-		return HAWSER_OK;
 	status = hawser__motion_open(&motion, mesh, NULL, 0.0, 1, NULL, report);
 	for (int i = 0; i < mesh->touches && !status; i++)
 		for (int k = 0; k < 3; k++)
@@ -73,5 +70,30 @@ enum hawser_status hawser__motion_settle(struct hawser__mesh *mesh, struct hawse
 	if (!status && found)
 		hawser__bed_forces(mesh, motion.bed);
 	hawser__motion_clear(&motion);
+	return status;
+}
+
+enum hawser_status hawser__motion_settle(struct hawser__mesh *mesh, struct hawser_report *report)
+{
+	const struct hawser_water *water = mesh->water ? mesh->water->of : NULL;
+	struct hawser_water calm;
+	int waves = mesh->waves, motions = mesh->motions, soft = 0;
+	enum hawser_status status;
+
+	for (int i = 0; i < mesh->touches; i++)
+		soft |= mesh->touch[i].give > 0.0;
+	if (!soft)
+		return HAWSER_OK;
+	mesh->waves = mesh->motions = 0;
+	if (water) {
+		calm = *water;
+		calm.waves.count = 0;
+		mesh->water->of = &calm;
+	}
+	status = settle(mesh, report);
+	mesh->waves = waves;
+	mesh->motions = motions;
+	if (water)
+		mesh->water->of = water;
 	return status;
 }

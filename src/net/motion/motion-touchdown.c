@@ -27,7 +27,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/vec3.h"
 #include "net/motion/motion-bed.h"
 #include "net/water/water.h"
 

@@ -14,7 +14,6 @@
 #include <lapacke.h>
 
 #include "core/report.h"
-#include "core/vec3.h"
 #include "net/body.h"
 #include "net/motion/motion.h"
 #include "net/water/water.h"

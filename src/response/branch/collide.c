@@ -47,11 +47,12 @@
 #define SAFETY 3.0
 #define REAL 0.4        /* largest size of the logarithm of a real multiplier that counts as near 1 or
                          * -1; others are those of strong damping; chosen */
-#define MOVES 8.0       /* the same, in ways that both go within a step; chosen */
 #define DEFINITE 0.5    /* least size of a kind that tells something; chosen */
 #define COUPLED 2.0     /* factor on the growth that follows from the kinds at one station; chosen */
 #define CLOSE 1.0       /* distance at both ends, rad, above which pairs do not collide within a
                          * step; chosen */
+#define MOVES 8.0       /* the same, relative to the sum of the largest distances that both pairs move
+                         * between two stations; chosen */
 
 /* The number of real multipliers near 1, or near -1 (negative: 1). *rank_th becomes the logarithm of
  * that with this rank, 0 for the largest: a station lists its multipliers by falling modulus. */
@@ -227,9 +228,10 @@ static double bound_within(const double complex *lambda, int count, int i,
 }
 
 /* Largest growth of pairs a and b where they meet, by the station: none of pairs of one kind. The
- * share r^2 of the other kind in an eigenvector is that of all pairs of that kind, which is the
- * larger, the nearer and the more strongly coupled they are: with the distance g of two that are
- * alone, the growth where they meet is g r/(1 - r^2). Infinite where the kinds tell nothing. */
+ * ratio r^2 of the other kind's part of an eigenvector to that of its own kind is the larger, the
+ * nearer and the more strongly coupled pairs of the other kind are, and includes all of them. Two that
+ * are alone, at a distance g, grow by g r/(1 - r^2) where they meet; COUPLED times this is allowed for.
+ * Infinite where the kinds tell nothing. */
 static double growth_of(const struct hawser__station *station, int m, double complex a,
                         double complex b)
 {

@@ -18,8 +18,8 @@
 /* Relative error of Omega above which an event does not count as located: a step is at most 0.01 of
  * Omega, so that such an error is no better than the step. */
 #define WORST_LOCATED 0.01
-/* Error to which events are located, of Omega. That of a model with exact energy is far larger, by
- * its basis, and an orbit takes a tenth of a second. */
+/* Error to which events are located, of Omega; and of large models (hawser__is_large), of which an
+ * orbit takes long, and a basis with exact energy has a far larger error. */
 #define LOCATED 1e-10
 #define LOCATED_LARGE 1e-7
 #define MOST_RETRIES 3 /* repetitions of a step with an unresolved event, each a quarter as long;

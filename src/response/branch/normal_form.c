@@ -15,12 +15,14 @@
 #include "response/branch/return_map.h"
 
 enum { SHRINKS = 14 };
-#define LARGEST 0.1    /* first distance, relative to the motion; three times it are used; chosen */
-#define SHRINK 0.5     /* of the distance, from one trial to the next */
+#define LARGEST 0.1    /* first amplitude, relative to the motion; multiples up to 3 of it are
+                        * used; chosen */
+#define SHRINK 0.5     /* of the amplitude, from one trial to the next */
 #define NEAR 1e-3      /* largest distance of a multiplier from its place; chosen */
 #define RESONANT 1e-3  /* of mu^3 or mu^4 from 1; chosen: c grows with its inverse */
 #define UNSURE 0.05    /* largest relative error of a coefficient that is given; chosen */
 #define SAFETY 10.0      /* the smallest of several differences is smaller than the error */
+
 /* How far mu is from its place. */
 static double distance_of(double re, double im, enum hawser_event_kind kind)
 {
@@ -29,7 +31,7 @@ static double distance_of(double re, double im, enum hawser_event_kind kind)
 	return im == 0.0 ? fabs(re - (kind == HAWSER_FOLD ? 1.0 : -1.0)) : INFINITY;
 }
 
-/* The distance of the differences is halved; where two results are nearest to each other is the best
+/* The amplitude of the differences is halved; where two results are nearest to each other is the best
  * one, between truncation and round-off. */
 static enum hawser_status search(struct hawser_normal_form *form, struct hawser__return *section,
                                  int which, struct hawser_report *report)

@@ -28,16 +28,19 @@
 #include "response/orbit/shooting.h"
 #include "rom/terms/terms.h"
 
-#define ASIDE 0.1      /* of the motion, by which its neighbour is away; chosen */
+#define ASIDE 0.1      /* distance from the motion, relative to its size, of the state at which
+                        * the steps are chosen; chosen */
 #define STEP_ERROR 1e-12 /* of the integration over the period, relative; chosen, near round-off */
 #define MOST_STEPS 4000 /* of a period, so that the result takes seconds; chosen */
-#define ALONG 1e-3      /* part of a direction that is its own beside the motion's; chosen */
+#define ALONG 1e-3      /* least squared sine of the angle between rotation and motion at which
+                         * they count as two directions; chosen */
 enum { ANGLES = 6, MEETS = 5, SIZES = 3 };
-static const double share[SIZES] = {1.5, -0.6, 0.1}; /* of amplitudes 1, 2, 3: even, to order 6 */
+static const double share[SIZES] = {1.5, -0.6, 0.1}; /* weights of amplitudes a, 2 a, 3 a: no errors
+                                                      * of the order of a^2 and a^4 */
 
 /* --- the section --- */
 
-/* v and v/Omega. */
+/* Multiply the velocities of x by the factor: between v and v/Omega. */
 static void stretch(const struct hawser__return *section, double *x, double factor)
 {
 	cblas_dscal(section->rom->n, factor, x + section->rom->n, 1);
@@ -92,8 +95,8 @@ static enum hawser_status set_directions(struct hawser__return *section, double 
 	return status;
 }
 
-/* The number of steps in a period, of which the error is small beside the motion x [m], where other
- * motions are (rest has none); 0: too many. */
+/* The number of steps in a period for STEP_ERROR, at a state beside the motion x [m]: at rest itself
+ * any number has an error of 0. 0: more than MOST_STEPS. */
 static int choose_steps(struct hawser__return *section, int period, const double *x, double *end)
 {
 	int at = hawser__shooting_steps(section->rom, section->omega, 1);

@@ -20,7 +20,7 @@
 
 struct hawser__return {
 	const struct hawser_rom *rom;
-	double omega, extent;       /* extent: size of the motion, or of the model's scale at rest */
+	double omega, extent;       /* extent: norm of x; 1 at rest */
 	double *x, *Q, *M;
 	int m, gone, size;
 	double complex *mu;         /* [size] */
@@ -31,7 +31,7 @@ struct hawser__return {
 };
 
 /* Of the motion with the state x [2n], u and v, over `period` periods of the frequency omega, in steps
- * of which `steps` make a period; 0: as many as the smallest errors need, at most 4000, else
+ * of which `steps` make a period; 0: as many as an error of 1e-12 needs, at most 4000, else
  * HAWSER_ERR_NO_SOLUTION. */
 enum hawser_status hawser__return_open(struct hawser__return *section, const struct hawser_rom *rom,
                                        const double *x, double omega, int period, int steps,

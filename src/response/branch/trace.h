@@ -104,7 +104,7 @@ static inline double hawser__trace_parameter(const struct hawser__trace *trace,
 	return station->y[trace->orbit->size - 1];
 }
 
-/* Whether the steps are the longer ones, between which the points tell less. */
+/* Whether longer steps are allowed: of large models, and of traces for their folds alone. */
 static inline int hawser__trace_strides(const struct hawser__trace *trace)
 {
 	return hawser__is_large(trace->rom) || (trace->watch && trace->watch->aside);

@@ -124,7 +124,7 @@ struct hawser__monodromy {
 	double *grouped;        /* [2][2n] logarithms and arguments of the last multipliers: those of a
 	                         * component at 2 j and 2 j + 1 of its coordinates j */
 	double *kind;           /* [2n] of the last multipliers (floquet.h) */
-	int kinds;              /* 1: they have kinds */
+	int kinds;              /* 1: kinds are defined: K and D are symmetric, D is constant */
 	double *memory;
 	double *damping;        /* D of the model, as a series */
 	size_t damping_room;

@@ -73,7 +73,7 @@ struct hawser__own {
 	double along[2];            /* direction of the curve here */
 	struct hawser__locus_list *list;
 	struct hawser_report *report;
-	double most;              /* of what vanishes, so far */
+	double most;              /* largest |vanish| so far */
 	double time;              /* of the first model, s */
 	int stopped;
 	struct hawser__hold hold;

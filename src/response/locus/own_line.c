@@ -25,7 +25,6 @@
 #include <complex.h>
 #include <lapacke.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "core/hold.h"

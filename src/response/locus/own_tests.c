@@ -21,7 +21,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "core/hold.h"
 #include "core/report.h"
 #include "response/cycle/cycle.h"
 #include "response/branch/return_map.h"

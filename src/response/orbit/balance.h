@@ -55,9 +55,9 @@ struct hawser__balance {
 	double *orbit, *before;  /* [size] scratch of the error */
 	double *wave;            /* [2 top + 1][n] scratch */
 	double *T;
-	int more;                /* 1: the model has terms (rom.h). Only then: */
+	int more;                /* 1: the model has terms (rom.h), or the exact force of a wind. Then: */
 	double *rates;           /* [R][n] velocities at the samples */
-	double *slope, *shift;   /* [R][n][n], [R][n] derivatives of the terms by velocities and Omega */
+	double *slope, *shift;   /* [R][n][n], [R][n] derivatives of these by velocities and Omega */
 	double *resist;          /* [2 spread + 1][n][n] Fourier coefficients of slope, as T; else NULL */
 	double resist_floor;     /* round-off of them */
 	double open;             /* the part of mesh that more active pairs could reduce */

@@ -19,7 +19,7 @@
 
 enum {
 	FEW = 20,    /* terms that are as fast one by one; chosen */
-	MOST = 40,   /* coordinates: the matrices take 12 MB */
+	MOST = 40,   /* coordinates: the matrices take 15 MB */
 	ROOM = 65536 /* of z, on the stack */
 };
 

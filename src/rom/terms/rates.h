@@ -6,10 +6,10 @@
 #include "rom/terms/terms.h"
 
 struct hawser__rates;
+struct hawser_rom_kernel;
 
 /* Divide the terms of the model: kernel->rates, NULL if it has too few of them or too many
  * coordinates, and kernel->other. Returns 0 if memory is short. */
-struct hawser_rom_kernel;
 int hawser__rates_make(struct hawser_rom_kernel *kernel, const struct hawser_rom *rom);
 /* Its values, of other values of the same terms. */
 void hawser__rates_fill(struct hawser__rates *rates, const struct hawser_rom *rom);

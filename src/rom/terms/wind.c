@@ -131,8 +131,8 @@ static enum hawser_status add_terms(struct hawser_rom *rom, const struct hawser_
 	if (n > MOST)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
 		                    "wind.form: cubic is for models of at most %d coordinates, and this one "
-		                    "has %d: give wind.form: exact, which hawser integrate takes, or keep "
-		                    "fewer modes", MOST, n);
+		                    "has %d: give wind.form: exact, which hawser integrate and frf take, "
+		                    "or keep fewer modes", MOST, n);
 	value = hawser__numbers((size_t)most, (size_t)n);
 	f = hawser__numbers((size_t)most, 2*(size_t)flow->points);
 	series = calloc(2*(size_t)flow->points, sizeof *series);

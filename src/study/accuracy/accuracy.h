@@ -31,6 +31,10 @@ enum hawser_status hawser__accuracy_begin(struct hawser_accuracy *a, const struc
 struct hawser_frf_options
 hawser__accuracy_settle(const struct hawser_accuracy_options *options, double accuracy);
 
+/* The largest number of functions per component that is tried: `asked`, 0 for the default, and more
+ * with bending. */
+int hawser__accuracy_largest(int asked, const struct hawser_statics *st);
+
 /* Of the modes that hawser_accuracy_choose keeps, keep only those of the first model. */
 void hawser__accuracy_first(struct hawser_choice *choice);
 

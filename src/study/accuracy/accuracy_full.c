@@ -22,11 +22,6 @@
  * response is the answer, and the sum of the distances its error: an estimate of first order, which
  * called for the exact energy, is up to six times the true error, or there is none (dampers).
  *
- * The agreement of two bases that do not resolve the linear modes of the range, or the load, means
- * nothing. Such a basis is skipped without a draft. So is one with as many coordinates as the
- * last: attachments divide the cable into elements, which share the functions out, so that 6 and 8
- * of them may give the same model.
- *
  * With options->partial a draft ends where its response would take more than can be borne, or where
  * the motion cannot be followed, and the range then ends there: a right answer to a part of the
  * question.
@@ -47,11 +42,6 @@
 
 #define FINEST 1e-9      /* smallest tolerance of the orbits; chosen, far below any accuracy */
 #define COARSEST 1e-6    /* largest one; chosen */
-#define RESOLVED 0.1     /* largest error of the frequencies in the range, relative to the accuracy;
-                          * chosen */
-#define ROUGHLY 1.0      /* the same for modes up to REACH times the upper end of the range; chosen */
-#define LACKS 0.02       /* largest part of the static response to the load that a basis lacks;
-                          * chosen */
 #define NEAR 0.1        /* largest distance of marks from the curve that they are carried from: others
                           * are of another curve; chosen */
 #define MARGIN 1.3      /* on the distance of two bases at the marks, and on that of a response whose
@@ -62,7 +52,6 @@
 #define PART 0.1        /* of the accuracy: error of a basis, and */
 #define EACH 6          /* fewest functions between attachments, where the error of a response is
                          * wanted, which is mostly far below the accuracy; chosen */
-#define REACH 2.0        /* 2: the second harmonic of the response may be in resonance with them */
 
 /* The last condensed model, its response with its marks (NULL: none that counts), and its distance. */
 struct condensed {
@@ -72,55 +61,6 @@ struct condensed {
 	double off, near; /* from the exact energy's; near enough to be the answer */
 	int lent;         /* 1: the response is the caller's */
 };
-
-/* Numbers of functions per component, in the order in which they are tried; the last one with bending
- * stiffness alone, where three elements or more share them and many may be the fewest. */
-static const int bases[] = {6, 8, 10, 12, 14, 16, 20, 24, 30};
-enum { BASES = sizeof bases/sizeof *bases, LARGEST = 24 };
-
-/* Whether the basis of the model holds the linear modes and the load. */
-static enum hawser_status resolves(int *good, const struct hawser_rom *full,
-                                   const struct hawser_accuracy_bases *of, int functions,
-                                   struct hawser_report *report)
-{
-	double lacks = 0.0;
-	enum hawser_status status = HAWSER_OK;
-	int worst;
-
-	*good = hawser_rom_full_error(&worst, full, of->modes, of->to) <= RESOLVED*of->accuracy &&
-	        hawser_rom_full_error(&worst, full, of->modes, REACH*of->to) <= ROUGHLY*of->accuracy;
-	if (*good)
-		status = hawser_rom_full_lacks(&lacks, &of->modes->statics, of->scene, functions, report);
-	*good &= lacks <= LACKS;
-	return status;
-}
-
-enum hawser_status hawser_accuracy_basis(struct hawser_rom *rom, int *functions,
-                                         const struct hawser_accuracy_bases *of, int coordinates,
-                                         struct hawser_report *report)
-{
-	enum hawser_status status = HAWSER_OK;
-	int most = of->most > 0 ? of->most : LARGEST;
-
-	if (of->modes->statics.bending.EI > 0.0)
-		most += bases[BASES - 1] - LARGEST;
-	*rom = (struct hawser_rom){.n = 0};
-	for (int i = 0; !status && i < BASES && bases[i] <= most; i++) {
-		int good = 0;
-
-		if (bases[i] <= *functions)
-			continue;
-		*functions = bases[i];
-		status = hawser_rom_build_full(rom, &of->modes->statics, of->scene, bases[i], report);
-		if (!status && rom->n > coordinates)
-			status = resolves(&good, rom, of, bases[i], report);
-		/* the largest basis of all is tried whatever it resolves */
-		if (!status && rom->n > coordinates && (good || (of->most == 0 && bases[i] == most)))
-			return HAWSER_OK;
-		hawser_rom_clear(rom);
-	}
-	return status;
-}
 
 /* In harmonic balance, the tolerance limits the error of every orbit, which is larger than that of
  * folds and peaks. A larger tolerance is therefore sufficient. */
@@ -152,16 +92,16 @@ static enum hawser_status lost(const struct hawser_accuracy *a, struct hawser_re
  * or the tolerance too large. Returns 1 to go on after *functions, with the next basis or with a
  * smaller tolerance and the same basis. */
 static int retry(enum hawser_status status, int *functions, struct hawser_frf_options *frf,
-                 const struct hawser_accuracy_options *options, int begun)
+                 const struct hawser_accuracy_options *options, const struct hawser_accuracy *a)
 {
-	if (status != HAWSER_ERR_CONVERGENCE || (!begun && *functions >= HAWSER__MIDDLING))
+	if (status != HAWSER_ERR_CONVERGENCE || (!a->frf.points && *functions >= HAWSER__MIDDLING))
 		return 0;
 	if (options->frf.tolerance == 0.0 && frf->tolerance > FINEST && *functions >= HAWSER__MIDDLING) {
 		frf->tolerance = FINEST;
 		(*functions)--;
 		return 1;
 	}
-	return *functions < (options->most_functions > 0 ? options->most_functions : LARGEST);
+	return *functions < hawser__accuracy_largest(options->most_functions, &a->modes.statics);
 }
 
 /* The error of a basis that is small enough. */
@@ -268,7 +208,7 @@ static enum hawser_status choose(struct hawser__draft *chosen, double *moved, do
 			status = hawser__draft_draw(&next, moved, &traced, chosen, a, options, frf, *work, report);
 			*work += next.work;
 			again = !(options->bearable > 0.0 && *work >= options->bearable) &&
-			        retry(status, &functions, frf, options, a->frf.points > 0);
+			        retry(status, &functions, frf, options, a);
 			if (isfinite(a->until))
 				frf->to = a->until;
 			if (!status)

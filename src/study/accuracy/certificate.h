@@ -30,8 +30,8 @@ struct hawser__finites {
 		struct hawser_net net;
 		struct hawser__mesh own;      /* in equilibrium, as that one */
 		double *T;                    /* [elements] N, there */
-		int modes;                    /* with a damping ratio, and they times the mass, their rates: */
-		double *mode, *rated;         /* of `balance` */
+		int modes;                    /* that have a damping ratio; 0: none */
+		double *mode, *rated;         /* shapes times the mass, and rates: those of `balance` */
 		int *from;                    /* [nodes] the same ones of the first mesh */
 		struct hawser__finite_place *place; /* [probes] the model's points */
 		int opened;

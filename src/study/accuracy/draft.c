@@ -124,10 +124,11 @@ int hawser__draft_watch_trace(void *data, const struct hawser_progress_state *st
 		shown.fraction = fmin((double)points/most, 1.0);
 		shown.left = state->seconds*fmax((double)most/points - 1.0, 0.0);
 	}
-	watch->afforded = limited && watch->options->partial && isnan(watch->a->until) &&
-	                  points >= FIRST_POINTS &&
-	                  (so_far(watch, points, work) > watch->options->bearable*
-	                   (watch->a->foreseen > watch->options->bearable ? A_PART : 1.0) ||
+	watch->afforded = limited && watch->options->partial && points >= FIRST_POINTS &&
+	                  ((isfinite(watch->a->until)
+	                    ? watch->before + work > DOUBT*watch->options->bearable
+	                    : so_far(watch, points, work) > watch->options->bearable*
+	                      (watch->a->foreseen > watch->options->bearable ? A_PART : 1.0)) ||
 	                   wanders(watch, frf, work));
 	if (watch->afforded)
 		return 1;

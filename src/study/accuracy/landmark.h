@@ -51,7 +51,8 @@ struct hawser__sharpening {
 void hawser__peak_allow(struct hawser_landmark *peak);
 
 /* Trace the branch again in short steps about every peak, and once more about those whose error is
- * still too large. A peak for which this fails keeps its value and its error. */
+ * still too large. A peak for which this fails, or which is known well enough, keeps its
+ * value; with known > 0 its error by interpolation is stated with the factor of safety. */
 enum hawser_status hawser__study_sharpen(struct hawser_study_curve *curve,
                                          const struct hawser_rom *rom,
                                          const struct hawser_frf_options *options,
