@@ -164,9 +164,10 @@ cables:
   - {name: d, from: M, to: B, EA: 600 MN, rho: 88.4, length0: 67, diameter: 0.0766, elements: 10, drag: {normal: 2}}
 obstacles: [{plane: {point: [0, 0], normal: [0, 1]}, stiffness: 3 MPa/m}]
 END
+begin=0
 for more in water.surface=30 'loads={M: {force: [0, 20 kN, 0], harmonic: {Omega: 6}}}' 'water.waves={height: 4, period: 9}' \
 	'supports.B={motion: {y: {amplitude: 2, Omega: 3}}}' 'supports.B={motion: {y: {amplitude: 2, Omega: 6}}}'; do
-	"$HAWSER" integrate begins.yaml --until 0.1 --every 0.1 --probe M -q --set "$more" --json "begins$((n = ${n:-0} + 1)).json"
+	"$HAWSER" integrate begins.yaml --until 0.1 --every 0.1 --probe M -q --set "$more" --json "begins$((begin += 1)).json"
 done 2>begins.err
 python "a motion begins at rest, whatever moves later" <<'END'
 import json
