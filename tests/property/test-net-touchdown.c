@@ -1,5 +1,5 @@
-/* net/motion/motion-touchdown.c: the energy of an element that lies in part, against a bar of many
- * parts on springs, and its derivatives.
+/* net/motion/motion-touchdown.c: the energy of an element that lies in part: its derivatives against
+ * differences, the work of its mean force, and the weight that it holds on a rigid plane.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 

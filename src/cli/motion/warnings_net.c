@@ -8,7 +8,8 @@
 #include "cli/frame/cli.h"
 #include "cli/motion/integrate_net.h"
 
-/* Changes between slack and taut without damping, as of a riser in a storm, that are warned of. */
+/* Least number of changes between slack and taut, without axial damping, that gives a warning; chosen:
+ * a line that slackens once or twice has fewer, a riser in a storm far more. */
 enum { SWITCHES = 100 };
 
 /* The error of fronts, if it is more than a tenth of the way of the probes; returns 0 if it is not. */

@@ -53,7 +53,7 @@ static void buoys(FILE *stream, const struct cli_mooring *mooring)
 	}
 }
 
-/* Turned about x as the axes are, their moments of inertia are those about x, z and y. */
+/* The z of MoorDyn is up, y here: the moments about x, y and z are those about its x, z and y. */
 static void bodies(FILE *stream, const struct cli_mooring *mooring)
 {
 	int first = 1;

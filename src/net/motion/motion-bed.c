@@ -30,10 +30,11 @@
 /* Of a spring along the plane over that across it: the slip before it slides is this part of mu times
  * the depth, of which the friction of moorings feels nothing. */
 static const double STIFFER_ALONG = 10.0;
-enum { PROJECTIONS = 30 };
+enum { PROJECTIONS = 30 }; /* most steps of Newton's method for the multiplier; chosen */
 
 /* The friction nearest to q in the ellipse with the half axes a N and b N, and its derivatives by q and
- * N. With m, of the multiplier of the ellipse, each component is A^2 q/(A^2 + m). */
+ * N. With A the squares of the half axes and m the multiplier of the constraint, each component is
+ * A q/(A + m). */
 static void within(double T[2], double by_q[2][2], double by_N[2], const double q[2], double a,
                    double b, double N)
 {

@@ -17,7 +17,7 @@
 enum { SPEEDS = 7, FEW = 4 }; /* modes where the scene does not say how many */
 #define LEAST 1e-3 /* speeds are sought from this multiple of the scene's */
 #define REACH 2.0  /* to this one */
-#define TOLERANCE 1e-6 /* of the modes: a hundredth of the width of a map's brackets */
+#define TOLERANCE 1e-6 /* of the modes: far below the width of a map's brackets, 4e-3; chosen */
 
 struct gallop_map {
 	struct hawser_map_source source;
