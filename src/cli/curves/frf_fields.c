@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "cli/backbone/backbone.h"
-#include "cli/curves/frf_cover.h"
 #include "cli/curves/frf_lift.h"
 #include "cli/curves/frf_over.h"
 #include "cli/curves/frf_tori.h"

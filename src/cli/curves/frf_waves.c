@@ -14,7 +14,6 @@
 #include "cli/frame/progress.h"
 #include "core/report.h"
 #include "output/curves/plot_motions.h"
-#include "output/drawing/style.h"
 
 enum { PROBES = 8, DRAWN = 6, EACH_PROBE = 6, EACH_CABLE = 4, LABEL = 3*HAWSER_NET_NAME, SEA = 1 };
 enum { POINTS = 200 }; /* without --max-points */

@@ -5,7 +5,6 @@
 #include <math.h>
 
 #include "cli/frame/mesh_net.h"
-#include "core/report.h"
 
 /* Relative error of tensions above which standard error says so. */
 static const double LARGE = 0.1;

@@ -12,7 +12,6 @@
 #include "cli/map/hill_result.h"
 #include "cli/map/tongues.h"
 #include "cli/frame/view.h"
-#include "core/report.h"
 
 /* Width of a tongue in delta below which round-off exceeds it. */
 #define NARROWEST 2e-15

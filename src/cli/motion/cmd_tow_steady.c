@@ -5,7 +5,6 @@
 #include <math.h>
 
 #include "cli/frame/view.h"
-#include "core/report.h"
 #include "output/structures/plot_tow.h"
 
 static const struct cli_option options[] = {

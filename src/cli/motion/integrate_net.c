@@ -16,7 +16,6 @@
 #include "core/report.h"
 #include "output/curves/plot_motions.h"
 #include "output/drawing/animate.h"
-#include "output/drawing/style.h"
 #include "output/report/vtk.h"
 
 enum { PATH = 4096, DRAWN = 3, TOLD = 8 }; /* probes drawn, and told in comments */

@@ -32,7 +32,6 @@
 #include "core/report.h"
 #include "core/vec3.h"
 #include "modes/label.h"
-#include "rom/build/build.h"
 #include "rom/build/model.h"
 #include "rom/condense/condense.h"
 #include "rom/terms/ends.h"
