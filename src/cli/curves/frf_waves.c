@@ -60,12 +60,7 @@ static void probes(struct result *result)
 
 /* --- columns: of probes, then of cables --- */
 
-static int numbers(const void *context)
-{
-	const struct result *of = context;
-
-	return EACH_PROBE*of->probes + EACH_CABLE*of->waves.cables;
-}
+HAWSER__OF(int, numbers, struct result, EACH_PROBE*of->probes + EACH_CABLE*of->waves.cables)
 
 static void name(char *text, size_t size, const void *context, int k)
 {
