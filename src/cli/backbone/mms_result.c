@@ -77,7 +77,7 @@ struct resonant {
 	double omega, detuning;
 };
 
-HAWSER__OF(size_t, resonant_modes, struct hawser_modulation, (size_t)of->resonance.count)
+HAWSER__OF(resonant_modes, size_t, struct hawser_modulation, (size_t)of->resonance.count)
 
 static const void *resonant_row(void *to, const void *parent, size_t r)
 {
@@ -161,10 +161,10 @@ static const struct hawser__field monomial_field[] = {
 static const struct hawser__list monomial_list = HAWSER__MADE_ROWS(
 	struct monomial, monomial_field, struct hawser_modulation, monomials, monomial_row);
 
-HAWSER__OF(double, nearest_mode, struct hawser_modulation,
+HAWSER__OF(nearest_mode, double, struct hawser_modulation,
 	isfinite(of->nearest) ? of->nearest_mode + 1 : HAWSER__NO_INTEGER)
 
-HAWSER__OF(double, nearest_harmonic, struct hawser_modulation,
+HAWSER__OF(nearest_harmonic, double, struct hawser_modulation,
 	isfinite(of->nearest) ? of->nearest_harmonic : HAWSER__NO_INTEGER)
 
 static const struct hawser__field equations_field[] = {
@@ -231,7 +231,7 @@ static void comments(struct hawser__table *table, const void *of)
 
 HAWSER__NUMBERS_BY(load, load_of)
 
-HAWSER__OF(double, hardening, struct hawser_primary, of->gamma > 0.0)
+HAWSER__OF(hardening, double, struct hawser_primary, of->gamma > 0.0)
 
 struct fold {
 	double omega, a;
@@ -273,7 +273,7 @@ static const struct hawser__field primary_field[] = {
 #undef OF
 
 /* For each displacement: amplitude, mean, first and second harmonic. */
-HAWSER__OF(int, parts, struct cli_model, 12*of->rom.shapes.points)
+HAWSER__OF(parts, int, struct cli_model, 12*of->rom.shapes.points)
 
 static void part_column(char *text, size_t size, const void *context, int k)
 {
@@ -292,7 +292,7 @@ static double part_at(const void *context, const void *parent, size_t i, int k)
 }
 
 /* The harmonics alone, by probe and component. */
-HAWSER__OF(int, harmonics, struct cli_model, 9*of->rom.shapes.points)
+HAWSER__OF(harmonics, int, struct cli_model, 9*of->rom.shapes.points)
 
 static void part_path(char *text, size_t size, const void *context, int k)
 {

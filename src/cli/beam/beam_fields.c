@@ -37,10 +37,10 @@ static void parameter(char *text, size_t size, const void *context)
 {
 	snprintf(text, size, "%s", ((const struct cli_beam_result *)context)->boundary);
 }
-HAWSER__OF(const char *, varied_unit, struct cli_beam_result,
+HAWSER__OF(varied_unit, const char *, struct cli_beam_result,
 	of->vary ? cli_key_unit(of->vary) : "")
 
-HAWSER__OF(const char *, parameter_unit, struct cli_beam_result, cli_key_unit(of->boundary))
+HAWSER__OF(parameter_unit, const char *, struct cli_beam_result, cli_key_unit(of->boundary))
 #define VARIED_FIELD \
 	{NULL, "KEY", "value of the varied key", HAWSER__IN(struct cli_beam_variant, value), \
 	 .named = varied, .si = varied_unit}
@@ -119,7 +119,7 @@ static const struct hawser__field sweep_field[] = {
 #undef OF
 
 /* The table has a row for each station, with all branches. */
-HAWSER__OF(int, branch_columns, struct cli_beam_result, 3*of->variant[0].sweep.branches)
+HAWSER__OF(branch_columns, int, struct cli_beam_result, 3*of->variant[0].sweep.branches)
 
 static void branch_name(char *text, size_t size, const void *context, int k)
 {

@@ -290,9 +290,9 @@ static const char *chosen_by(int automatic)
 }
 
 /* Not given with --reproducible. */
-HAWSER__OF(double, seconds, struct run, of->reproducible ? NAN : of->cost.seconds)
+HAWSER__OF(seconds, double, struct run, of->reproducible ? NAN : of->cost.seconds)
 
-HAWSER__OF(int, modes_of, struct result, of->scene.model.modes)
+HAWSER__OF(modes_of, int, struct result, of->scene.model.modes)
 
 static int errors_of(const void *context)
 {

@@ -131,7 +131,7 @@ static const struct hawser__field row_field[] = {
 #undef MAYBE
 #undef OF
 
-HAWSER__OF(size_t, rows, struct result, (size_t)of->motions.runs)
+HAWSER__OF(rows, size_t, struct result, (size_t)of->motions.runs)
 
 static const void *row_at(void *to, const void *parent, size_t index)
 {
@@ -150,7 +150,7 @@ static const struct hawser__list row_list = {
 	.field = row_field, .size = HAWSER__MADE_SIZE(struct row), .count = rows, .row = row_at};
 
 /* JSON: displacements of all runs, by run, probe and axis. */
-HAWSER__OF(int, signals, struct result, 3*PROBES*of->motions.runs)
+HAWSER__OF(signals, int, struct result, 3*PROBES*of->motions.runs)
 
 static double signal_at(const void *context, const void *parent, size_t row, int k)
 {

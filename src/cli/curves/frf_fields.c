@@ -23,7 +23,7 @@ enum { TENSION = 1, MULTIPLIERS = 2, SWEEPS = 4, BACKBONE = 8, SAMPLE = 16, PEAK
 HAWSER__LABELS(event_name, hawser_event_name, enum hawser_event_kind)
 HAWSER__LABELS(end_name, hawser_frf_end_name, enum hawser_frf_end)
 
-HAWSER__OF(int, multipliers, struct cli_model, 4*of->rom.n)
+HAWSER__OF(multipliers, int, struct cli_model, 4*of->rom.n)
 static const struct hawser__vector multiplier_vector = {
 	.count = multipliers, .pair = {"log_modulus", "argument"}};
 

@@ -104,7 +104,7 @@ void cli_tori_clear(struct hawser_tori *tori, int curves)
 	free(tori);
 }
 
-HAWSER__OF(double, is_stable, struct hawser_tori_point, of->unstable + of->undecided == 0)
+HAWSER__OF(is_stable, double, struct hawser_tori_point, of->unstable + of->undecided == 0)
 
 /* --- comments --- */
 

@@ -60,7 +60,7 @@ static void probes(struct result *result)
 
 /* --- columns: of probes, then of cables --- */
 
-HAWSER__OF(int, numbers, struct result, EACH_PROBE*of->probes + EACH_CABLE*of->waves.cables)
+HAWSER__OF(numbers, int, struct result, EACH_PROBE*of->probes + EACH_CABLE*of->waves.cables)
 
 static void name(char *text, size_t size, const void *context, int k)
 {

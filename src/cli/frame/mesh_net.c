@@ -27,7 +27,7 @@ static const char *from_of(const void *of)
 	       : mesh->error.exact ? "exact catenaries" : "meshes with fewer elements";
 }
 
-HAWSER__OF(const char *, cable_of, struct cli_mesh,
+HAWSER__OF(cable_of, const char *, struct cli_mesh,
 	of->error.cable < 0 ? NULL : of->net.cable[of->error.cable].name)
 
 void cli_mesh_comment(struct hawser__table *table, const struct cli_mesh *mesh)
@@ -65,7 +65,7 @@ void cli_mesh_warning(char *text, const struct cli_mesh *mesh)
 
 /* --- nodes by name --- */
 
-HAWSER__OF(int, numbers, struct hawser_net, 3*of->nodes)
+HAWSER__OF(numbers, int, struct hawser_net, 3*of->nodes)
 
 static void node_name(char *text, size_t size, const void *context, int k)
 {

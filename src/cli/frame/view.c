@@ -47,7 +47,7 @@ struct hawser__axis cli_model_axis(const struct cli_model *model, const char *qu
 	return hawser__axis_of(quantity, cli_unit(model, si), 0.0);
 }
 
-HAWSER__OF(int, probes, struct cli_model, 3*of->rom.shapes.points)
+HAWSER__OF(probes, int, struct cli_model, 3*of->rom.shapes.points)
 
 static void probe_name(char *text, size_t size, const void *context, int k)
 {
@@ -56,7 +56,7 @@ static void probe_name(char *text, size_t size, const void *context, int k)
 	snprintf(text, size, "%c_%s", "xyz"[k % 3], model->rom.shapes.name[k/3]);
 }
 
-HAWSER__OF(int, coordinates, struct cli_model, of->rom.n)
+HAWSER__OF(coordinates, int, struct cli_model, of->rom.n)
 
 static void number_name(char *text, size_t size, const void *context, int k)
 {
@@ -69,7 +69,7 @@ static int states(const void *context)
 	return 2*coordinates(context);
 }
 
-HAWSER__OF(int, naturals, struct cli_model, of->naturals)
+HAWSER__OF(naturals, int, struct cli_model, of->naturals)
 
 static int axes(const void *context)
 {

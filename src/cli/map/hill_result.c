@@ -94,9 +94,9 @@ static void axis_name(char *text, size_t size, const struct cli_map_axis *axis)
 	snprintf(text, size, "%s%s%s", axis->key, *of ? "_" : "", of);
 }
 
-HAWSER__OF(const char *, x_unit, struct cli_hill_result, of->axis[0].unit)
+HAWSER__OF(x_unit, const char *, struct cli_hill_result, of->axis[0].unit)
 
-HAWSER__OF(const char *, y_unit, struct cli_hill_result, of->axis[1].unit)
+HAWSER__OF(y_unit, const char *, struct cli_hill_result, of->axis[1].unit)
 
 static void x_name(char *text, size_t size, const void *context)
 {
@@ -143,10 +143,10 @@ static const struct hawser__field point_field[] = {
 static const struct hawser__list point_list =
 	HAWSER__MADE_ROWS(struct point, point_field, struct bounded, points, point_row);
 
-HAWSER__OF(double, order_of, struct hawser_hill_boundary,
+HAWSER__OF(order_of, double, struct hawser_hill_boundary,
 	of->named ? of->order : HAWSER__NO_INTEGER)
 
-HAWSER__OF(double, closed, struct hawser_hill_tongue, isinf(of->opens))
+HAWSER__OF(closed, double, struct hawser_hill_tongue, isinf(of->opens))
 
 static const struct hawser__field pair_field[] = {
 	{"points", NULL, "list of the two parameters", .kind = HAWSER__NUMBERS,

@@ -79,7 +79,7 @@ static const struct hawser__field mode_field[] = {
 static const struct hawser__list mode_list =
 	HAWSER__STORED_ROWS(struct hawser_identified, mode, count, mode_field);
 
-HAWSER__OF(const char *, unit_of, struct hawser_identified_key, cli_key_unit(of->key))
+HAWSER__OF(unit_of, const char *, struct hawser_identified_key, cli_key_unit(of->key))
 
 #define OF(member) HAWSER__AT(struct hawser_identified_key, member)
 static const struct hawser__field key_field[] = {
@@ -121,7 +121,7 @@ static const struct hawser__field found_field[] = {
 	HAWSER__END,
 };
 #undef OF
-HAWSER__OF(double, confidence, struct result, of->settings->confidence)
+HAWSER__OF(confidence, double, struct result, of->settings->confidence)
 
 static const struct hawser__field result_field[] = {
 	{"confidence", NULL, "level of the intervals",

@@ -232,7 +232,7 @@ static const struct hawser__field candidate_field[] = {
 static const struct hawser__list candidate_list = HAWSER__MADE_ROWS(
 	struct candidate, candidate_field, struct cli_model, accuracy.choice.n, candidate_row);
 
-HAWSER__OF(double, rest_of, struct hawser_accuracy_try, fmin(of->rest, 1e300))
+HAWSER__OF(rest_of, double, struct hawser_accuracy_try, fmin(of->rest, 1e300))
 
 #define OF(member) HAWSER__AT(struct hawser_accuracy_try, member)
 static const struct hawser__field try_field[] = {

@@ -283,7 +283,7 @@ void cli_fixed_warn(const struct cli_model_error *error)
 	warn(error, 1);
 }
 
-const struct cli_frf_result *cli_fixed_worst(const struct cli_frf_result *result)
+static const struct cli_frf_result *fixed_worst(const struct cli_frf_result *result)
 {
 	const struct cli_frf_result *worst = result;
 
@@ -299,7 +299,7 @@ const struct cli_frf_result *cli_fixed_worst(const struct cli_frf_result *result
 
 void cli_fixed_warn_worst(const struct cli_frf_result *result)
 {
-	const struct cli_frf_result *worst = cli_fixed_worst(result);
+	const struct cli_frf_result *worst = fixed_worst(result);
 
 	if (worst)
 		warn(&worst->error, worst->frf->branch);
@@ -395,9 +395,9 @@ static double stated(const void *row)
 	return fixed->largest > 0.0 ? fixed->largest : fixed->estimated;
 }
 
-HAWSER__OF(double, left_out, struct cli_model_error, fmin(of->fixed.rest, 1e300))
+HAWSER__OF(left_out, double, struct cli_model_error, fmin(of->fixed.rest, 1e300))
 
-HAWSER__OF(double, others, struct cli_model_error, fmin(of->fixed.beyond, 1e300))
+HAWSER__OF(others, double, struct cli_model_error, fmin(of->fixed.beyond, 1e300))
 
 #define OF(member) HAWSER__AT(struct cli_model_error, member)
 const struct hawser__field cli_fixed_field[] = {

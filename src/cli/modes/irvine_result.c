@@ -174,7 +174,7 @@ static enum hawser__unit branch_unit(const void *context, int k)
 	return unit[((const struct cli_irvine_result *)context)->unit];
 }
 
-HAWSER__OF(const char *, value_unit, struct cli_irvine_result,
+HAWSER__OF(value_unit, const char *, struct cli_irvine_result,
 	cli_irvine_si(of->sweep[0].irvine.sweep))
 
 static void value_name(char *text, size_t size, const void *context)

@@ -196,7 +196,7 @@ static const char *per_s(const void *context)
 	return "1/s";
 }
 
-HAWSER__OF(const char *, key_unit, struct cli_damped_result, of ? unit_of(of) : "")
+HAWSER__OF(key_unit, const char *, struct cli_damped_result, of ? unit_of(of) : "")
 
 #define OF(member) HAWSER__AT(struct row, member)
 const struct hawser__field cli_damped_field[] = {
@@ -263,7 +263,7 @@ static const struct hawser__field event_field[] = {
 };
 #undef OF
 
-HAWSER__OF(size_t, count_events, struct cli_damped_result, (size_t)of->sweep.events)
+HAWSER__OF(count_events, size_t, struct cli_damped_result, (size_t)of->sweep.events)
 
 static const void *event_at(void *to, const void *parent, size_t index)
 {

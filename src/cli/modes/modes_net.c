@@ -266,7 +266,7 @@ static double certified(const void *of)
 	return below > 0.0 ? below : NAN;
 }
 
-HAWSER__OF(double, complete, struct hawser_net_modes, of->below >= 0.0)
+HAWSER__OF(complete, double, struct hawser_net_modes, of->below >= 0.0)
 
 static const struct hawser__field certificate_field[] = {
 	{"omega", NULL, "null: all of the mesh", HAWSER__BY(certified), .unit = HAWSER__RADIAN_S,

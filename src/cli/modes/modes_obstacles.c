@@ -83,7 +83,7 @@ static enum hawser_status draw(const char *path, const void *of, struct hawser_r
 	return status;
 }
 
-HAWSER__OF(const char *, contact_of, struct result,
+HAWSER__OF(contact_of, const char *, struct result,
 	hawser_line_contact_name(of->line.modes.contact))
 
 #define OF(member) HAWSER__AT(struct result, member)

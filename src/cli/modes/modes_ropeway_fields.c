@@ -145,7 +145,7 @@ const struct hawser__list cli_modes_ropeway_list = HAWSER__MADE_ROWS(
 
 /* --- shapes --- */
 
-HAWSER__OF(int, parts_of, struct cli_ropeway_modes, of->modes.gyroscopic ? 2 : 1)
+HAWSER__OF(parts_of, int, struct cli_ropeway_modes, of->modes.gyroscopic ? 2 : 1)
 
 static int numbers_of(const void *context)
 {
@@ -229,13 +229,13 @@ const struct hawser__field cli_modes_ropeway_shapes[] = {
 
 /* --- the result --- */
 
-HAWSER__OF(const char *, contact_of, struct cli_ropeway_modes,
+HAWSER__OF(contact_of, const char *, struct cli_ropeway_modes,
 	hawser_line_contact_name(of->modes.contact))
 
-HAWSER__OF(const char *, case_of, struct cli_ropeway_modes,
+HAWSER__OF(case_of, const char *, struct cli_ropeway_modes,
 	of->ropeway.load_case[of->st.load_case].name)
 
-HAWSER__OF(double, speed_of, struct cli_ropeway_modes, of->st.lane[0].line->speed)
+HAWSER__OF(speed_of, double, struct cli_ropeway_modes, of->st.lane[0].line->speed)
 
 #define OF(member) HAWSER__AT(struct cli_ropeway_modes, member)
 const struct hawser__field cli_modes_ropeway_member[] = {

@@ -55,7 +55,7 @@ static void fill_row(struct row *row, const struct cli_track *t, int i, int b)
 	row->span = t->name[row->at.span];
 }
 
-HAWSER__OF(size_t, count_rows, struct cli_track,
+HAWSER__OF(count_rows, size_t, struct cli_track,
 	(size_t)of->track.samples*(size_t)of->track.branches)
 
 static const void *make_row(void *to, const void *parent, size_t k)
@@ -76,9 +76,9 @@ static void value_name(char *text, size_t size, const void *context)
 	         : t->swept == CLI_SWEPT_TENSION ? suffix[t->ropeway.tension] : "");
 }
 
-HAWSER__OF(const char *, value_unit, struct cli_track, of->sweep.si)
+HAWSER__OF(value_unit, const char *, struct cli_track, of->sweep.si)
 
-HAWSER__OF(double, re_of, struct row, of->at.span < 0 ? NAN : 0.0)
+HAWSER__OF(re_of, double, struct row, of->at.span < 0 ? NAN : 0.0)
 
 /* What a branch that is lost does not have. */
 #define MAYBE(member) HAWSER__AT(struct row, member), .flags = HAWSER__OMIT
@@ -124,7 +124,7 @@ static const struct hawser__field sample_field[] = {
 #undef FLAG
 #undef OF
 
-HAWSER__OF(const char *, crosses, struct hawser_ropeway_track_crossover,
+HAWSER__OF(crosses, const char *, struct hawser_ropeway_track_crossover,
 	of->veers ? "veering" : "crossing")
 
 #define OF(member) HAWSER__AT(struct hawser_ropeway_track_crossover, member)

@@ -213,7 +213,7 @@ static void comments(struct hawser__table *table, const void *of)
 		hawser__table_comment(table, "interrupted at %.6g s", motion->reached);
 }
 
-HAWSER__OF(const char *, error_from, struct result,
+HAWSER__OF(error_from, const char *, struct result,
 	of->motion.checked ? "another run" : "local errors")
 
 HAWSER__GIVEN(fronts, struct result, of->motion.front_axial > 0.0)

@@ -86,7 +86,7 @@ static const struct hawser__field profile_field[] = {
 static const struct hawser__list profile_list =
 	HAWSER__STORED_ROWS(struct result, profile, points, profile_field);
 
-HAWSER__OF(const char *, hold_word, struct result,
+HAWSER__OF(hold_word, const char *, struct result,
 	of->statics.motion.hold == HAWSER_HOLD_LENGTH ? "length" : "tension")
 
 /* eta, epsilon, delta and Irvine's parameters are those of the apparent cable, as modes use them. */

@@ -61,7 +61,7 @@ const struct hawser__list cli_ropeway_tower_list =
 
 /* --- spans --- */
 
-HAWSER__OF(double, eta, struct cli_ropeway_span, tan(of->s.angle_from))
+HAWSER__OF(eta, double, struct cli_ropeway_span, tan(of->s.angle_from))
 
 #define OF(member) HAWSER__AT(struct cli_ropeway_span, member)
 static const struct hawser__field span_field[] = {
@@ -259,7 +259,7 @@ static const char *sliding_word(const void *row)
 	return word[of->ropeway.sliding];
 }
 
-HAWSER__OF(const char *, case_word, struct cli_ropeway,
+HAWSER__OF(case_word, const char *, struct cli_ropeway,
 	of->ropeway.load_case[of->st.load_case].name)
 
 #define OF(member) HAWSER__AT(struct cli_ropeway, st.member)

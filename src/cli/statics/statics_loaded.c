@@ -9,7 +9,7 @@
 #include "cli/statics/statics_loaded.h"
 #include "core/vec3.h"
 
-HAWSER__OF(const char *, state_word, struct cli_loaded,
+HAWSER__OF(state_word, const char *, struct cli_loaded,
 	of->state == HAWSER_STATE_LOADED ? "loaded" : "reference")
 
 #define OF(member) HAWSER__AT(struct hawser_statics, member)

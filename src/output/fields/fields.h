@@ -259,7 +259,7 @@ struct hawser__field {
 	static double name(const void *of) { return function(of); }
 /* Functions that return one expression of a row `of`: a number, text or count, and whether a field is
  * given. */
-#define HAWSER__OF(kind, name, type, expression) \
+#define HAWSER__OF(name, kind, type, expression) \
 	static kind name(const void *row) { const type *of = row; return expression; }
 #define HAWSER__GIVEN(name, type, condition) static int name(const void *row, const void *parent) \
 	{ const type *of = row; (void)parent; return condition; }
