@@ -96,17 +96,9 @@ static const struct hawser__field range_field[] = {
 };
 #undef OF
 
-static int was_checked(const void *row, const void *parent)
-{
-	(void)parent;
-	return ((const struct result *)row)->checked;
-}
+HAWSER__GIVEN(was_checked, struct result, of->checked)
 
-static int sheds(const void *row, const void *parent)
-{
-	(void)parent;
-	return ((const struct result *)row)->motion.frequency > 0.0;
-}
+HAWSER__GIVEN(sheds, struct result, of->motion.frequency > 0.0)
 
 #define OF(member) HAWSER__AT(struct result, member)
 static const struct hawser__field field[] = {

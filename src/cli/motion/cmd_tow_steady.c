@@ -5,7 +5,6 @@
 #include <math.h>
 
 #include "cli/frame/view.h"
-#include "core/report.h"
 #include "output/structures/plot_tow.h"
 
 static const struct cli_option options[] = {
@@ -57,21 +56,9 @@ static const struct hawser__list place_list =
 static const struct hawser__list tension_list =
 	HAWSER__STORED_ROWS(struct result, steady.point, steady.points, tension_field);
 
-static int has_ring(const void *row, const void *parent)
-{
-	const struct result *result = row;
+HAWSER__GIVEN(has_ring, struct result, of->tow.body.kind == HAWSER_TOW_RING)
 
-	(void)parent;
-	return result->tow.body.kind == HAWSER_TOW_RING;
-}
-
-static int in_orbit(const void *row, const void *parent)
-{
-	const struct result *result = row;
-
-	(void)parent;
-	return result->steady.spin != 0.0;
-}
+HAWSER__GIVEN(in_orbit, struct result, of->steady.spin != 0.0)
 
 #define OF(member) HAWSER__AT(struct hawser_tow_state, member)
 static const struct hawser__field state_field[] = {

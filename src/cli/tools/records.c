@@ -2,8 +2,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
-#include <hawser/scene.h>
-
 #include "cli/frame/kinds.h"
 #include "cli/model/made.h"
 #include "cli/statics/statics_kinds.h"
