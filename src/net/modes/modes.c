@@ -296,6 +296,8 @@ enum hawser_status hawser__net_modal_open(struct hawser__net_modal *modal,
 		status = hawser__no_memory(report, "net");
 	if (!status)
 		status = hawser__net_equilibrium(mesh, modal->T, net, report);
+	if (!status)
+		status = hawser__bodies_land(mesh, net, report);
 	if (!status && axes != HAWSER__NET_SPACE)
 		hawser__mesh_along(mesh, axes);
 	hawser__absorbers_release(mesh, status ? 0 : axes);

@@ -156,6 +156,8 @@ static enum hawser_status start(struct run *run, struct hawser_report *report)
 	hawser__events_spare(&run->mesh, net);
 	if (net->surfaces && net->dynamics.releases)
 		status = hawser__touch_again(&run->mesh, net, report);
+	if (!status && net->dynamics.releases)
+		status = hawser__bodies_stand(&run->mesh, net, loose, report);
 	hawser__touch_measure(&run->mesh);
 	if (initial && !status)
 		status = hawser__motion_read(&run->state, initial, &run->mesh, report);
@@ -220,6 +222,8 @@ static enum hawser_status still(struct run *run, struct hawser_report *report)
 		status = hawser__net_history(&run->mesh, T, &found, run->net, &settings, report);
 		free(T);
 	}
+	if (!status)
+		status = hawser__bodies_land(&run->mesh, run->net, report);
 	run->mesh.surfaces_rest = 0;
 	if (!status)
 		status = hawser__motion_settle(&run->mesh, report);

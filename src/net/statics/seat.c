@@ -161,6 +161,8 @@ static enum hawser_status forces_of(double *F, double *K, double *rest, struct s
 		status = hawser__net_supported(&mesh, net, report);
 	if (!status)
 		status = hawser__net_equilibrium(&mesh, T, net, report);
+	if (!status)
+		status = hawser__bodies_land(&mesh, net, report);
 	survey(seat, net);
 	if (!status)
 		status = hawser__bodies_tangent(seat->all, seat->forces, seat->scale, &mesh, T, net,
