@@ -50,10 +50,11 @@ enum hawser_status hawser__bodies_tangent(double *K, double *force, double *scal
                                           const struct hawser_net *net, const double (*about)[3],
                                           struct hawser_report *report) HAWSER_MUST_CHECK;
 /* statics/seat.c: the net with its bodies in their equilibrium, the largest force that is not
- * balanced, N, in *rest. To be released by hawser__bodies_unseat, also after a failure. */
+ * balanced, N, in *rest; moves 1: with lines that leave planes between nodes, as in motions. To be
+ * released by hawser__bodies_unseat, also after a failure. */
 enum hawser_status hawser__bodies_seat(struct hawser_net *seated, double *rest,
-                                       const struct hawser_net *net, struct hawser_report *report)
-	HAWSER_MUST_CHECK;
+                                       const struct hawser_net *net, int moves,
+                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser__bodies_unseat(struct hawser_net *seated, const struct hawser_net *net);
 
 #endif

@@ -283,7 +283,7 @@ enum hawser_status hawser__net_modal_open(struct hawser__net_modal *modal,
 	struct hawser_net_modes *modes = &modal->modes;
 	const struct hawser_net *net = &modal->seated;
 	double rest;
-	enum hawser_status status = hawser__bodies_seat(&modal->seated, &rest, given, report);
+	enum hawser_status status = hawser__bodies_seat(&modal->seated, &rest, given, 0, report);
 
 	*modes = (struct hawser_net_modes){.nodes = given->nodes};
 	modal->eigen = (struct hawser__eigen){.n = 0};

@@ -262,7 +262,7 @@ static enum hawser_status prepare(struct run *run, struct hawser_report *report)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%.3g rows are more than %d: choose "
 		                    "a longer time between them", options->until/run->every, ROWS);
 	run->step = options->step != 0.0 ? fmax(options->step, 0.0) : run->net->dynamics.step;
-	status = hawser__bodies_seat(&run->seated, &rest, run->given, report);
+	status = hawser__bodies_seat(&run->seated, &rest, run->given, 1, report);
 	run->net = &run->seated;
 	if (!status)
 		status = hawser__mesh_build(&run->mesh, run->net, report);

@@ -197,8 +197,7 @@ static int touchdowns(struct hawser__motion *motion)
 		return 0;
 	for (int i = bed->nodes; i > 0; i--)
 		first[mesh->touch[bed->node[i - 1].touch].node] = i;
-	/* bodies begin where statics, with the plane at nodes, has them in balance */
-	for (int e = 0; e < motion->elements && !mesh->net->bodies; e++) {
+	for (int e = 0; e < motion->elements; e++) {
 		int a = first[motion->element[e].a] - 1, b = first[motion->element[e].b] - 1;
 		const struct hawser_surface *plane;
 

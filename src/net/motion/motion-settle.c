@@ -14,8 +14,9 @@
 #include "net/motion/motion-bed.h"
 #include "net/water/water.h"
 
-/* Most solutions; the loads of the water are those of the places of the one before. */
-enum { ROUNDS = 5 };
+/* Most solutions, for the loads of the water, which are those of the places of the one before; and for
+ * the tension by which cables rise from the plane, which is that of the reference. */
+enum { ROUNDS = 5, REFERENCES = 8 };
 /* Of the longest element: it does not move any more. */
 static const double STILL = 1e-12;
 
@@ -52,9 +53,11 @@ static enum hawser_status relax(struct hawser__motion *motion, int *found,
 	return status;
 }
 
-static enum hawser_status settle(struct hawser__mesh *mesh, struct hawser_report *report)
+/* *moves: whether a node moves. */
+static enum hawser_status settle(struct hawser__mesh *mesh, int *moves, struct hawser_report *report)
 {
 	struct hawser__motion motion;
+	double most = 0.0, reach = 0.0;
 	int found = 0;
 	enum hawser_status status;
 
@@ -65,8 +68,13 @@ static enum hawser_status settle(struct hawser__mesh *mesh, struct hawser_report
 	if (!status && motion.bed->touchdowns)
 		status = relax(&motion, &found, report);
 	for (int i = 0; i < motion.nodes && !status && found; i++)
-		for (int k = 0; k < 3; k++)
+		for (int k = 0; k < 3; k++) {
 			mesh->q[i][k] += motion.u[i][k];
+			most = fmax(most, fabs(motion.u[i][k]));
+		}
+	for (int e = 0; e < mesh->elements; e++)
+		reach = fmax(reach, mesh->length0[e]);
+	*moves = most > STILL*reach;
 	if (!status && found)
 		hawser__bed_forces(mesh, motion.bed);
 	hawser__motion_clear(&motion);
@@ -77,8 +85,8 @@ enum hawser_status hawser__motion_settle(struct hawser__mesh *mesh, struct hawse
 {
 	const struct hawser_water *water = mesh->water ? mesh->water->of : NULL;
 	struct hawser_water calm;
-	int waves = mesh->waves, motions = mesh->motions, soft = 0;
-	enum hawser_status status;
+	int waves = mesh->waves, motions = mesh->motions, soft = 0, moves = 1;
+	enum hawser_status status = HAWSER_OK;
 
 	for (int i = 0; i < mesh->touches; i++)
 		soft |= mesh->touch[i].give > 0.0;
@@ -90,7 +98,8 @@ enum hawser_status hawser__motion_settle(struct hawser__mesh *mesh, struct hawse
 		calm.waves.count = 0;
 		mesh->water->of = &calm;
 	}
-	status = settle(mesh, report);
+	for (int i = 0; i < REFERENCES && !status && moves; i++)
+		status = settle(mesh, &moves, report);
 	mesh->waves = waves;
 	mesh->motions = motions;
 	if (water)

@@ -266,7 +266,7 @@ enum hawser_status hawser__net_solve_by(struct hawser_net_statics *st, const str
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s: the method %s does not know "
 		                    "%s: give automatic, or leave it out", net->name, method->shown.name,
 		                    net->winds ? "wind" : "water");
-	status = method->solve ? hawser__bodies_seat(&seated, &rest, net, report)
+	status = method->solve ? hawser__bodies_seat(&seated, &rest, net, 0, report)
 	                       : hawser__bodies_none(net, "the method catenary", report);
 	if (!status)
 		status = method->solve ? of_mesh(st, &seated, method, options, report)

@@ -427,7 +427,7 @@ enum hawser_status hawser_net_stiffness_of(struct hawser_net_stiffness *to,
 	struct hawser_net seated;
 	double rest, motion[6][6];
 	int body = net->node[node[0]].body;
-	enum hawser_status status = hawser__bodies_seat(&seated, &rest, net, report);
+	enum hawser_status status = hawser__bodies_seat(&seated, &rest, net, 0, report);
 
 	*to = (struct hawser_net_stiffness){.size = about || body ? 6 : 3};
 	if (about)

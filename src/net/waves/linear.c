@@ -227,7 +227,7 @@ enum hawser_status hawser__linear_mesh_open(struct hawser__linear_mesh *linear,
 	*linear = (struct hawser__linear_mesh){.net = net};
 	status = hawser__mesh_lawless(given, "the linear response", report);
 	if (!status)
-		status = hawser__bodies_seat(&linear->seated, &rest, given, report);
+		status = hawser__bodies_seat(&linear->seated, &rest, given, 0, report);
 	if (!status && net->absorbers)
 		return hawser__fail(report, HAWSER_ERR_SCENE, "net", "%s: absorbers: the response to waves has "
 		                    "none: leave them out, or give a mass on a soft cable", net->name);
