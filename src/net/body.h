@@ -27,8 +27,8 @@ enum hawser_status hawser__bodies_release(struct hawser__mesh *mesh, const struc
  * there. */
 void hawser__body_place(double x[3], const double *z, const struct hawser__mesh *mesh, int node);
 void hawser__body_push(double *z, const struct hawser__mesh *mesh, int node, const double v[3]);
-/* touch/touch-body.c: list the nodes of bodies among the touches too, without the hinges that are not in
- * loose [nodes of the net] (or NULL); _land: with the forces of the planes at mesh->q. */
+/* touch/touch-body.c: list the nodes of bodies among the touches too, without the hinges that are not
+ * in loose [nodes of the net] (or NULL); _land: with the forces of the planes at mesh->q. */
 enum hawser_status hawser__bodies_stand(struct hawser__mesh *mesh, const struct hawser_net *net,
                                         const unsigned char *loose,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;

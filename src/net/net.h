@@ -53,9 +53,9 @@ struct hawser__mesh {
 	double g, alpha;       /* as in struct hawser_net */
 	struct hawser__touch *touch; /* [touches] each node that can move, with each obstacle */
 	int touches;
-	unsigned char *stands; /* [nodes of the net] 1: of a body, and no hinge. With it, `touch` has the nodes
-	                        * of bodies with planes that give way, too; NULL: while statics looks for
-	                        * the equilibrium of the lines */
+	unsigned char *stands; /* [nodes of the net] 1: of a body, and no hinge. With it, `touch` has nodes
+	                        * of bodies with planes that give way, too; NULL: while statics looks
+	                        * for the equilibrium of the lines */
 	int surfaces_rest;     /* 1: the surfaces of obstacles do not move: before a motion */
 	struct hawser__mesh_rotor {
 		int unknown, surface;

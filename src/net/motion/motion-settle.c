@@ -9,8 +9,11 @@
 #include "config.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
+#include "core/report.h"
+#include "net/body.h"
 #include "net/motion/motion-bed.h"
 #include "net/water/water.h"
 
@@ -104,5 +107,39 @@ enum hawser_status hawser__motion_settle(struct hawser__mesh *mesh, struct hawse
 	mesh->motions = motions;
 	if (water)
 		mesh->water->of = water;
+	return status;
+}
+
+enum hawser_status hawser__motion_seat(struct hawser_net *seated, const struct hawser_net *net,
+                                       struct hawser__support_table *table, int tables,
+                                       struct hawser_report *report)
+{
+	struct hawser_net first = *net; /* with its supports where they are at t = 0 */
+	size_t nodes = (size_t)net->nodes;
+	double rest, (*x)[3];
+	enum hawser_status status;
+
+	*seated = *net;
+	if (!net->bodies)
+		return HAWSER_OK;
+	first.node = malloc(nodes*sizeof *first.node);
+	x = malloc(nodes*sizeof *x);
+	memset(seated, 0, sizeof *seated);
+	status = first.node && x ? HAWSER_OK : hawser__no_memory(report, "net");
+	for (size_t i = 0; i < nodes && !status; i++)
+		memcpy(x[i], net->node[i].x, sizeof *x);
+	if (!status)
+		hawser__supports_begin(x, net, table, tables);
+	for (size_t i = 0; i < nodes && !status; i++) {
+		first.node[i] = net->node[i];
+		memcpy(first.node[i].x, x[i], sizeof *x);
+	}
+	if (!status)
+		status = hawser__bodies_seat(seated, &rest, &first, 1, report);
+	for (size_t i = 0; i < nodes && !status; i++)
+		if (!net->node[i].body)
+			memcpy(seated->node[i].x, net->node[i].x, sizeof *x);
+	free(first.node);
+	free(x);
 	return status;
 }
