@@ -115,6 +115,7 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/touch/touch.c \
 	%D%/touch/touch.h \
 	%D%/touch/touch-drag.c \
+	%D%/touch/touch-body.c \
 	%D%/touch/touch-oval.c \
 	%D%/touch/touch-flow.c \
 	%D%/touch/touch-hold.c \

@@ -158,6 +158,8 @@ static const struct hawser__tree_key net_rows[] = {
 	       "[x, y, z] of the centre of this mass")
 	VECTOR("net.bodies.*.inertia", 3, OPTIONAL, "kg.m^2", NOT_NEGATIVE, BODY_AT(inertia),
 	       "[0, 0, 0]", "moments of inertia of this mass about axes through its centre along x, y, z")
+	NUMBER("net.bodies.*.bearing", OPTIONAL, "m^2", NOT_NEGATIVE, BODY_AT(bearing), "0",
+	       "area of each of its nodes on obstacles that give way, beside those of rods and lines there")
 	LIST("net.bodies.*.rods", OPTIONAL, "straight parts between two of its nodes, as of steel tubes")
 	MAPPING("net.bodies.*.rods[]", OPTIONAL, "one of them")
 	TEXT("net.bodies.*.rods[].name", OPTIONAL, NOWHERE, "BODY_rod0, BODY_rod1 and so on", "name")
