@@ -26,6 +26,14 @@
 		return HAWSER_OK; \
 	}
 
+static void water_facts(char *text, const struct hawser_water *water)
+{
+	if (water->density > 0.0 && !water->air)
+		hawser__append(text, CLI_SCENE_FACTS, "", "  water: below y = %.6g m%s%s\n", water->surface,
+		               water->levels ? ", with a current" : "",
+		               water->waves.count ? ", with waves" : "");
+}
+
 static void net_facts(char *text, int *forced, const struct hawser_net *net)
 {
 	const char *unknown = net->bodies ? "rigid bodies" : net->surfaces ? "obstacles"
@@ -45,10 +53,7 @@ static void net_facts(char *text, int *forced, const struct hawser_net *net)
 	         net->nodes, supports, net->cables, elements, net->loads, net->motions);
 	if (net->winds)
 		hawser__append(text, CLI_SCENE_FACTS, "", "  wind: %.6g m/s\n", net->wind->speed);
-	else if (net->water.density > 0.0)
-		hawser__append(text, CLI_SCENE_FACTS, "", "  water: below y = %.6g m%s%s\n",
-		               net->water.surface, net->water.levels ? ", with a current" : "",
-		               net->water.waves.count ? ", with waves" : "");
+	water_facts(text, &net->water);
 	if (net->bodies)
 		hawser__append(text, CLI_SCENE_FACTS, "", "  rigid bodies: %d\n", net->bodies);
 	if (unknown)
@@ -81,6 +86,7 @@ static void rod_facts(char *text, int *forced, const struct hawser_rod *rod)
 		elements += rod->segment[i].elements;
 	snprintf(text, CLI_SCENE_FACTS, "  segments: %d, with %ld elements; length: %.6g m\n"
 	         "  loads: %d\n", rod->segments, elements, rod->length, rod->loads);
+	water_facts(text, &rod->water);
 }
 LOOK(rod, rod_facts)
 
