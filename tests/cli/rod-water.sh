@@ -1,5 +1,5 @@
 #!/bin/sh
-# Rods in water: statics and motion, columns, units, states, standard input, refusals.
+# Rods and towed bodies in water: statics and motion, columns, units, states, standard input, refusals.
 # SPDX-License-Identifier: GPL-3.0-or-later
 . "$SRCDIR/tests/cli/lib.sh"
 
@@ -56,5 +56,46 @@ refused "a winch in water" 'start.winch in water: the added mass' '/^start/s/hin
 refused "waves that break" 'bad.yaml:7:.*waves of 8 s break at a height' 's/height: 3 m/height: 15 m/'
 refused "no density" 'water.density is missing' 's/density: 1025 kg.m^3, //'
 refused "a current of a word" 'water.current' 's/current: {table.*/current: fast,/'
+
+cat >tow.yaml <<'END'
+tow: {speed: 1.5 m/s, start: [0 m, -2 m, 0 m]}
+cable:
+  segments:
+    - {length: 40 m, rho: 1.2 kg/m, EA: 200 kN, EI: 20 N m^2, elements: 10, diameter: 0.02 m, drag: {normal: 1.2, tangential: 0.015}, added_mass: {normal: 1}}
+body: {mass: 300 kg, volume: 0.2 m^3, CdA: 0.3 m^2, added_mass: 0.5, inertia: 1 kg m^2}
+water: {density: 1025 kg/m^3, depth: 100 m, current: [0.2 m/s, 0, 0.1 m/s], waves: {height: 3 m, period: 7 s}, ramp: 3 s}
+END
+works "a towed body" check tow.yaml
+try "  and its water" grep -q 'water: below y = 0 m, with a current, with waves' "$scratch/out"
+works "its steady state" tow steady tow.yaml --json steady.json -q
+run="tow tow.yaml --until 4 --every 0.5 -q"
+works "its motion in waves" $run --json all.json --animate tow.gif --frames 4
+works "its first half" tow tow.yaml --until 2 --every 0.5 -q --state half
+works "its second half" $run --initial half --json rest.json
+works "without waves" $run --set water.waves= --json calm.json
+python "the motion begins in the steady state, goes on bit by bit, and waves move it" <<'END'
+import json
+steady, r, s, calm = (json.load(open(n + ".json")) for n in ("steady", "all", "rest", "calm"))
+b = r["body"]["position"]
+assert all(abs(x - y) < 1e-2 for x, y in zip(steady["body"]["position"] if "body" in steady else steady["end"], b[0]))
+assert s["body"]["position"] == b[4:] and s["energy"]["air"] == r["energy"]["air"][4:]
+c = calm["body"]["position"]
+assert all(abs(x - y - d) < 1e-6 for x, y, d in zip(c[-1], c[0], (6, 0, 0))), c
+assert max(abs(x - y) for x, y in zip(b[-1], c[-1])) > 1e-2
+assert abs(r["closure"]) < 1e-5, r["closure"]
+END
+lost() { # what, words, sed
+	sed "$3" tow.yaml >bad.yaml
+	denies "$1" 1 "$2" tow steady bad.yaml -q
+}
+lost "air and water" 'the scene has air and water' '$s/$/\nair: {density: 1.2 kg\/m^3}/'
+lost "a winch in water" 'winch in water: the added mass' '$s/$/\nwinch: {speed: 1 m\/s, rise: 1 s}/'
+lost "a ring in water" 'body.ring in water' 's/^body: .*/body: {ring: {radius: 1 m, tube: 2 cm, mass: 10 kg, offset: 1 m}}/'
+lost "volume without water" 'body.volume is of a mass in water' 's/, added_mass: {normal: 1}//; s/^water/air/; s/, depth.*/}/'
+lost "added mass without water" 'segments\[0\].added_mass is of water' 's/^water/air/; s/, depth.*/}/; s/volume: 0.2 m^3, //; s/, added_mass: 0.5//'
+lost "shedding in water" 'shedding in water: the lift' 's/elements: 10/shedding: {lift: 1, strouhal: 0.2}/'
+lost "no diameter in water" 'segments\[0\] has no diameter' 's/diameter: 0.02 m, //'
+lost "an orbit in water" 'the steady state of an orbit in water is not known' 's/^tow.*/tow: {orbit: {radius: 30 m, speed: 1 m\/s}}/'
+lost "waves without a depth" 'waves need water.depth' 's/depth: 100 m, //'
 
 done_testing

@@ -98,6 +98,7 @@ static void tow_facts(char *text, int *forced, const struct hawser_tow *tow)
 	snprintf(text, CLI_SCENE_FACTS, "  path: %s\n  parts of the cable: %d\n  body: %s\n",
 	         hawser_path_name(tow->path.kind), tow->segments,
 	         body[tow->body.kind == HAWSER_TOW_RING ? 2 : tow->body.kind == HAWSER_TOW_MASS]);
+	water_facts(text, &tow->water);
 }
 LOOK(tow, tow_facts)
 
