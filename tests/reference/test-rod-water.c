@@ -138,8 +138,8 @@ static void string(void)
 	hawser_rod_statics_clear(&st);
 }
 
-/* A hose that rises from a hinge 5 m below the surface and floats: away from there its weight is that of
- * the water displaced, and the height follows from the part of a section that is wet. */
+/* A hose that rises from a hinge 5 m below the surface and floats: away from there its weight is that
+ * of the water displaced, and the height follows from the part of a section that is wet. */
 static void floats(void)
 {
 	const double part = 10.0/(1025.0*0.01*acos(-1.0));
