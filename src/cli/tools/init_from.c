@@ -187,8 +187,8 @@ static enum hawser_status read_mass(struct cli_mooring_body *body, struct cli_mo
 	body->CdA = area[0];
 	body->added = added[0];
 	if (!body->moves) {
-		left_out(mooring, "the motion of body %d, which has no mass: its points are supports where they "
-		         "are; give it a mass, or write it, with its rods, as one of bodies", body->id);
+		left_out(mooring, "the motion of body %d, which has no mass: its points are supports where "
+		         "they are; give it a mass, or write it, with its rods, as one of bodies", body->id);
 		return HAWSER_OK;
 	}
 	left_out(mooring, "of body %d, the form of what displaces water: it is a sphere at its place, with "
