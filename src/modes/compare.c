@@ -26,7 +26,6 @@
 
 #include "core/hold.h"
 #include "core/report.h"
-#include "modes/grid.h"
 #include "modes/label.h"
 
 static const double together = 1e-3;

@@ -123,6 +123,8 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/touch/touched.c \
 	%D%/touch/touching.c \
 	%D%/water/ends.c \
+	%D%/water/flow.c \
+	%D%/water/flow.h \
 	%D%/water/load.c \
 	%D%/water/water-motion.c \
 	%D%/water/water-statics.c \

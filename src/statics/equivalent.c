@@ -23,7 +23,6 @@
 
 #include "core/report.h"
 #include "core/vec3.h"
-#include "statics/catenary.h"
 #include "statics/loaded.h"
 #include "statics/travel.h"
 #include "statics/wind.h"

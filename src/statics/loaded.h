@@ -53,11 +53,6 @@ struct hawser__load_case {
 /* Ascending S at the length L; order[count] are the indices in the list of the scene. */
 void hawser__loaded_sort(struct hawser__loaded *cable, int *order);
 
-/* The attachments of the solved cable. HAWSER_ERR_ARGUMENT if one is outside, or two are at a point. */
-enum hawser_status hawser__loaded_place(struct hawser_statics *st, const struct hawser__loaded *cable,
-                                        const int *order, const struct hawser_attachment *attach,
-                                        struct hawser_report *report);
-
 /* *cable without its length, and order[count], in the order of the length L. */
 void hawser__loaded_begin(struct hawser__loaded *cable, int *order, const struct hawser_span *span,
                           const struct hawser_attachment *attach, int count, const double gravity[3],

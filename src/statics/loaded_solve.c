@@ -271,9 +271,10 @@ static void jump_of(struct hawser_attached *to, const double force[3], const dou
 			to->jump[c] = 0.0 - to->m*(force[c]/(to->mass*st->span.g));
 }
 
-enum hawser_status hawser__loaded_place(struct hawser_statics *st, const struct hawser__loaded *cable,
-                                        const int *order, const struct hawser_attachment *attach,
-                                        struct hawser_report *report)
+/* The attachments of the solved cable. HAWSER_ERR_ARGUMENT if one is outside, or two are at a point. */
+static enum hawser_status loaded_place(struct hawser_statics *st, const struct hawser__loaded *cable,
+                                       const int *order, const struct hawser_attachment *attach,
+                                       struct hawser_report *report)
 {
 	st->attachments = cable->count;
 	for (int i = 0; i < cable->count; i++) {
@@ -461,12 +462,12 @@ enum hawser_status hawser_statics_weighted(struct hawser_statics *st, const stru
 		cable.L = st->length0;
 		if (!status)
 			hawser__loaded_sort(&cable, order);
-		return status ? status : hawser__loaded_place(st, &cable, order, attach, report);
+		return status ? status : loaded_place(st, &cable, order, attach, report);
 	}
 	status = (in_plane(&cable, gravity) ? solve_plane : hawser__space_solve)(st, &cable, order, &of,
 	                                                                         report);
 	if (!status)
-		status = hawser__loaded_place(st, &cable, order, attach, report);
+		status = loaded_place(st, &cable, order, attach, report);
 	if (!status && st->space) {
 		const double n[3] = {span->h/span->d, -1.0, 0.0};
 

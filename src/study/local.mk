@@ -8,7 +8,6 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/accuracy/certify.c \
 	%D%/accuracy/certify.h \
 	%D%/accuracy/chosen.c \
-	%D%/accuracy/chosen.h \
 	%D%/accuracy/closed.c \
 	%D%/accuracy/draft.c \
 	%D%/accuracy/draft.h \

@@ -15,7 +15,6 @@
 #include <hawser/folds.h>
 
 #include "tests/extremes/sweep.h"
-#include "tests/extremes/taylor.h"
 #include "tests/folds-duffing.h"
 
 #define VALUES(a) (a), (int)(sizeof(a)/sizeof *(a))

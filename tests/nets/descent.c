@@ -13,11 +13,9 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
-#include <float.h>
 #include <math.h>
 #include <string.h>
 
-#include "core/report.h"
 #include "tests/nets/comparison.h"
 
 enum { MOST = 500, HALVINGS = 40 };

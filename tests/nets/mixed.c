@@ -11,7 +11,6 @@
 
 #include <math.h>
 
-#include "core/report.h"
 #include "tests/nets/comparison.h"
 
 enum { MOST = 40, CLIPPED = 4 };

@@ -14,7 +14,6 @@
 
 #include <math.h>
 
-#include "core/report.h"
 #include "tests/nets/comparison.h"
 
 enum { MOST = 500 };

@@ -4,10 +4,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
-#include <float.h>
 #include <stdlib.h>
-
-#include <hawser/gyroscopic.h>
 
 #include "tests/gyroscopic-shooting.h"
 #include "tests/gyroscopic-span.h"

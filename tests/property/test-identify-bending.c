@@ -9,7 +9,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include <hawser/gyroscopic.h>
 #include <hawser/identify.h>
 
 enum { MOST = 12, COUNT = 4 };

@@ -9,7 +9,6 @@
  */
 #include "config.h"
 
-#include <float.h>
 #include <stdio.h>
 #include <stdlib.h>
 

@@ -7,8 +7,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <hawser/hawser.h>
-
 #include "tests/map-fields.h"
 #include "tests/tap.h"
 

@@ -11,7 +11,6 @@
 #include <hawser/scene.h>
 
 #include "rom/terms/history.h"
-#include "rom/energy/kernel.h"
 #include "tests/lumped-chain.h"
 #include "tests/tap.h"
 

@@ -15,8 +15,6 @@
 #include <complex.h>
 #include <stdlib.h>
 
-#include <hawser/net_motion.h>
-
 #include "net/motion/motion.h"
 #include "tests/tap.h"
 

@@ -11,7 +11,6 @@
 
 #include <hawser/branches.h>
 #include <hawser/frf.h>
-#include <hawser/integrate.h>
 #include <hawser/plugin.h>
 
 #include "tests/tap.h"

@@ -6,8 +6,6 @@
 #include <complex.h>
 #include <stdlib.h>
 
-#include <hawser/modes.h>
-
 #include "modes/complex/quadratic.h"
 #include "tests/tap.h"
 

@@ -9,7 +9,6 @@
 #include <stdlib.h>
 
 #include "modes/grid.h"
-#include "rom/build/model.h"
 #include "rom/energy/project.h"
 #include "tests/modes-span.h"
 #include "tests/tap.h"

@@ -11,8 +11,6 @@
 
 #include <stdlib.h>
 
-#include <hawser/net_motion.h>
-
 #include "net/motion/motion.h"
 #include "tests/tap.h"
 

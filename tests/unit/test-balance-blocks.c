@@ -7,7 +7,6 @@
 #include <stdlib.h>
 
 #include "response/orbit/balance.h"
-#include "rom/build/model.h"
 #include "tests/balance-model.h"
 #include "tests/tap.h"
 

@@ -6,7 +6,6 @@
 #include <stdlib.h>
 
 #include "response/orbit/balance.h"
-#include "response/floquet/floquet.h"
 #include "response/time/flow.h"
 #include "response/orbit/start.h"
 #include "rom/build/model.h"

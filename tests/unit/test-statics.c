@@ -1,7 +1,6 @@
 /* Statics: invalid arguments and their messages, the minimum of the end tension, the ends of the
  * profile, the frame, the function for scenes.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include <float.h>
 #include <stdlib.h>
 
 #include "tests/statics-draw.h"

@@ -6,7 +6,6 @@
 
 #include <stdlib.h>
 
-#include <hawser/folds.h>
 #include <hawser/frf.h>
 #include <hawser/integrate.h>
 

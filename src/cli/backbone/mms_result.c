@@ -77,10 +77,7 @@ struct resonant {
 	double omega, detuning;
 };
 
-static size_t resonant_modes(const void *parent)
-{
-	return (size_t)((const struct hawser_modulation *)parent)->resonance.count;
-}
+HAWSER__OF(resonant_modes, size_t, struct hawser_modulation, (size_t)of->resonance.count)
 
 static const void *resonant_row(void *to, const void *parent, size_t r)
 {
@@ -164,19 +161,11 @@ static const struct hawser__field monomial_field[] = {
 static const struct hawser__list monomial_list = HAWSER__MADE_ROWS(
 	struct monomial, monomial_field, struct hawser_modulation, monomials, monomial_row);
 
-static double nearest_mode(const void *row)
-{
-	const struct hawser_modulation *m = row;
+HAWSER__OF(nearest_mode, double, struct hawser_modulation,
+	isfinite(of->nearest) ? of->nearest_mode + 1 : HAWSER__NO_INTEGER)
 
-	return isfinite(m->nearest) ? m->nearest_mode + 1 : HAWSER__NO_INTEGER;
-}
-
-static double nearest_harmonic(const void *row)
-{
-	const struct hawser_modulation *m = row;
-
-	return isfinite(m->nearest) ? m->nearest_harmonic : HAWSER__NO_INTEGER;
-}
+HAWSER__OF(nearest_harmonic, double, struct hawser_modulation,
+	isfinite(of->nearest) ? of->nearest_harmonic : HAWSER__NO_INTEGER)
 
 static const struct hawser__field equations_field[] = {
 	{"modulation.reference_scaled", NULL, "reference frequency",
@@ -242,10 +231,7 @@ static void comments(struct hawser__table *table, const void *of)
 
 HAWSER__NUMBERS_BY(load, load_of)
 
-static double hardening(const void *row)
-{
-	return ((const struct hawser_primary *)row)->gamma > 0.0;
-}
+HAWSER__OF(hardening, double, struct hawser_primary, of->gamma > 0.0)
 
 struct fold {
 	double omega, a;
@@ -287,10 +273,7 @@ static const struct hawser__field primary_field[] = {
 #undef OF
 
 /* For each displacement: amplitude, mean, first and second harmonic. */
-static int parts(const void *context)
-{
-	return 12*((const struct cli_model *)context)->rom.shapes.points;
-}
+HAWSER__OF(parts, int, struct cli_model, 12*of->rom.shapes.points)
 
 static void part_column(char *text, size_t size, const void *context, int k)
 {
@@ -309,10 +292,7 @@ static double part_at(const void *context, const void *parent, size_t i, int k)
 }
 
 /* The harmonics alone, by probe and component. */
-static int harmonics(const void *context)
-{
-	return 9*((const struct cli_model *)context)->rom.shapes.points;
-}
+HAWSER__OF(harmonics, int, struct cli_model, 9*of->rom.shapes.points)
 
 static void part_path(char *text, size_t size, const void *context, int k)
 {

@@ -8,7 +8,6 @@
 
 #include "cli/backbone/backbone.h"
 #include "cli/backbone/nnm_result.h"
-#include "core/report.h"
 #include "output/drawing/figure.h"
 
 /* --- fields --- */

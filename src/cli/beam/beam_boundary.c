@@ -8,7 +8,6 @@
 
 #include "cli/model/axis.h"
 #include "cli/beam/beam_result.h"
-#include "core/report.h"
 #include "output/drawing/figure.h"
 
 static const char *const what[] = {"v_crit", "v_bif"};

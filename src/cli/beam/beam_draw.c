@@ -4,7 +4,6 @@
 
 #include "cli/model/axis.h"
 #include "cli/beam/beam_result.h"
-#include "core/report.h"
 #include "output/drawing/figure.h"
 
 void cli_beam_label(char *label, size_t size, const struct cli_beam_result *result,

@@ -37,17 +37,10 @@ static void parameter(char *text, size_t size, const void *context)
 {
 	snprintf(text, size, "%s", ((const struct cli_beam_result *)context)->boundary);
 }
-static const char *varied_unit(const void *context)
-{
-	const struct cli_beam_result *result = context;
+HAWSER__OF(varied_unit, const char *, struct cli_beam_result,
+	of->vary ? cli_key_unit(of->vary) : "")
 
-	return result->vary ? cli_key_unit(result->vary) : "";
-}
-
-static const char *parameter_unit(const void *context)
-{
-	return cli_key_unit(((const struct cli_beam_result *)context)->boundary);
-}
+HAWSER__OF(parameter_unit, const char *, struct cli_beam_result, cli_key_unit(of->boundary))
 #define VARIED_FIELD \
 	{NULL, "KEY", "value of the varied key", HAWSER__IN(struct cli_beam_variant, value), \
 	 .named = varied, .si = varied_unit}
@@ -126,10 +119,7 @@ static const struct hawser__field sweep_field[] = {
 #undef OF
 
 /* The table has a row for each station, with all branches. */
-static int branch_columns(const void *context)
-{
-	return 3*((const struct cli_beam_result *)context)->variant[0].sweep.branches;
-}
+HAWSER__OF(branch_columns, int, struct cli_beam_result, 3*of->variant[0].sweep.branches)
 
 static void branch_name(char *text, size_t size, const void *context, int k)
 {

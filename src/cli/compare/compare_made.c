@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include "cli/compare/compare_made.h"
-#include "cli/frame/view.h"
 #include "cli/model/made.h"
 #include "core/report.h"
 

@@ -247,12 +247,7 @@ static struct mark mark_of(const struct result *result, int k, int fold)
 }
 
 /* All folds and the peak, in the order of the table: by fold (-1: the peak), then by level. */
-static size_t marks(const void *parent)
-{
-	const struct result *result = parent;
-
-	return (size_t)((most_folds(result) + 1)*result->levels);
-}
+HAWSER__OF(marks, size_t, struct result, (size_t)((most_folds(of) + 1)*of->levels))
 
 static const void *mark_row(void *to, const void *parent, size_t index)
 {

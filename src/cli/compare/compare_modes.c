@@ -290,17 +290,9 @@ static const char *chosen_by(int automatic)
 }
 
 /* Not given with --reproducible. */
-static double seconds(const void *row)
-{
-	const struct run *run = row;
+HAWSER__OF(seconds, double, struct run, of->reproducible ? NAN : of->cost.seconds)
 
-	return run->reproducible ? NAN : run->cost.seconds;
-}
-
-static int modes_of(const void *context)
-{
-	return ((const struct result *)context)->scene.model.modes;
-}
+HAWSER__OF(modes_of, int, struct result, of->scene.model.modes)
 
 static int errors_of(const void *context)
 {

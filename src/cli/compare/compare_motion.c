@@ -131,10 +131,7 @@ static const struct hawser__field row_field[] = {
 #undef MAYBE
 #undef OF
 
-static size_t rows(const void *parent)
-{
-	return (size_t)((const struct result *)parent)->motions.runs;
-}
+HAWSER__OF(rows, size_t, struct result, (size_t)of->motions.runs)
 
 static const void *row_at(void *to, const void *parent, size_t index)
 {
@@ -153,10 +150,7 @@ static const struct hawser__list row_list = {
 	.field = row_field, .size = HAWSER__MADE_SIZE(struct row), .count = rows, .row = row_at};
 
 /* JSON: displacements of all runs, by run, probe and axis. */
-static int signals(const void *context)
-{
-	return 3*PROBES*((const struct result *)context)->motions.runs;
-}
+HAWSER__OF(signals, int, struct result, 3*PROBES*of->motions.runs)
 
 static double signal_at(const void *context, const void *parent, size_t row, int k)
 {

@@ -11,7 +11,6 @@
 #include "cli/model/exact.h"
 #include "cli/curves/frf_beside.h"
 #include "cli/curves/frf_cover.h"
-#include "cli/curves/frf_lift.h"
 #include "cli/curves/frf_over.h"
 #include "cli/curves/frf_sweep.h"
 #include "cli/curves/frf_tori.h"

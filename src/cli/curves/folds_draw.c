@@ -8,7 +8,6 @@
 
 #include "cli/curves/folds_result.h"
 #include "cli/frame/view.h"
-#include "core/report.h"
 #include "output/drawing/figure.h"
 
 /* The drawn column of a row of probes or of coordinates. */

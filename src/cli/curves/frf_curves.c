@@ -9,7 +9,6 @@
 
 #include <math.h>
 
-#include "cli/curves/frf_over.h"
 #include "cli/curves/frf_picture.h"
 
 /* In a darker shade of the colour of their curve: sweeps, and overlays, dotted or dash-dotted. */

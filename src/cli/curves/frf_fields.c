@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "cli/backbone/backbone.h"
-#include "cli/curves/frf_cover.h"
 #include "cli/curves/frf_lift.h"
 #include "cli/curves/frf_over.h"
 #include "cli/curves/frf_tori.h"
@@ -24,20 +23,13 @@ enum { TENSION = 1, MULTIPLIERS = 2, SWEEPS = 4, BACKBONE = 8, SAMPLE = 16, PEAK
 HAWSER__LABELS(event_name, hawser_event_name, enum hawser_event_kind)
 HAWSER__LABELS(end_name, hawser_frf_end_name, enum hawser_frf_end)
 
-static int multipliers(const void *context)
-{
-	return 4*((const struct cli_model *)context)->rom.n;
-}
+HAWSER__OF(multipliers, int, struct cli_model, 4*of->rom.n)
 static const struct hawser__vector multiplier_vector = {
 	.count = multipliers, .pair = {"log_modulus", "argument"}};
 
 /* --- points of the curve --- */
 
-static int has_label(const void *row, const void *parent)
-{
-	(void)parent;
-	return ((const struct hawser_frf_point *)row)->label > 0;
-}
+HAWSER__GIVEN(has_label, struct hawser_frf_point, of->label > 0)
 
 #define OF(member) HAWSER__AT(struct hawser_frf_point, member)
 #define TENSION_OF(which) HAWSER__ALONG(struct hawser_frf, tension), .stride = 2, .item = (which), \
@@ -127,24 +119,14 @@ static const struct hawser__field sweep_field[] = {
 
 /* --- events, sample, cost --- */
 
-static int over_omega(const void *row, const void *parent)
-{
-	const struct hawser_frf_event *event = row;
-
-	(void)parent;
-	return event->parameter == event->omega;
-}
+HAWSER__GIVEN(over_omega, struct hawser_frf_event, of->parameter == of->omega)
 
 static int over_parameter(const void *row, const void *parent)
 {
 	return !over_omega(row, parent);
 }
 
-static int is_hopf(const void *row, const void *parent)
-{
-	(void)parent;
-	return ((const struct hawser_frf_event *)row)->kind == HAWSER_HOPF;
-}
+HAWSER__GIVEN(is_hopf, struct hawser_frf_event, of->kind == HAWSER_HOPF)
 
 static int has_state(const void *row, const void *parent)
 {
@@ -232,11 +214,7 @@ static void parameters_json(struct hawser__json *json, json_t *into, const void 
 		hawser__json_number(json, object, source->parameter[i].name, source->parameter[i].value);
 }
 
-static int has_direction(const void *row, const void *parent)
-{
-	(void)parent;
-	return ((const struct cli_frf_result *)row)->direction != 0;
-}
+HAWSER__GIVEN(has_direction, struct cli_frf_result, of->direction != 0)
 
 #define OF(member) HAWSER__AT(struct cli_over, member)
 static const struct hawser__field over_field[] = {
@@ -273,11 +251,7 @@ static const struct hawser__field period_field[] = {
 	HAWSER__END,
 };
 
-static int is_slower(const void *row, const void *parent)
-{
-	(void)parent;
-	return ((const struct cli_frf_result *)row)->frf->period > 1;
-}
+HAWSER__GIVEN(is_slower, struct cli_frf_result, of->frf->period > 1)
 
 /* A further branch is a result with its own curve. */
 static const struct hawser__field branch_field[] = {

@@ -12,7 +12,6 @@
 #include "cli/model/made.h"
 #include "cli/curves/frf_cover.h"
 #include "cli/curves/frf_lift.h"
-#include "cli/curves/frf_over.h"
 #include "cli/frame/view.h"
 #include "cli/frame/within.h"
 #include "core/append.h"

@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include "cli/frame/view.h"
-#include "core/report.h"
 
 enum { name_size = 80 };
 

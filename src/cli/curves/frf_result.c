@@ -10,12 +10,10 @@
 #include "cli/model/exact.h"
 #include "cli/curves/frf_cover.h"
 #include "cli/curves/frf_lift.h"
-#include "cli/curves/frf_over.h"
 #include "cli/curves/frf_tori.h"
 #include "cli/frame/view.h"
 #include "cli/model/certificate.h"
 #include "cli/backbone/mms_result.h"
-#include "core/report.h"
 
 struct cli_place cli_frf_place(const struct cli_frf_result *result, double omega, double parameter)
 {

@@ -10,7 +10,6 @@
 #include <string.h>
 
 #include "cli/curves/frf_cover.h"
-#include "cli/curves/frf_over.h"
 #include "cli/frame/view.h"
 #include "core/grow.h"
 #include "core/report.h"

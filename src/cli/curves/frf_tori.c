@@ -104,12 +104,7 @@ void cli_tori_clear(struct hawser_tori *tori, int curves)
 	free(tori);
 }
 
-static double is_stable(const void *row)
-{
-	const struct hawser_tori_point *point = row;
-
-	return point->unstable + point->undecided == 0;
-}
+HAWSER__OF(is_stable, double, struct hawser_tori_point, of->unstable + of->undecided == 0)
 
 /* --- comments --- */
 
@@ -234,17 +229,9 @@ static const struct hawser__field torus_field[] = {
 };
 #undef OF
 
-static int has_end(const void *row, const void *parent)
-{
-	(void)parent;
-	return isfinite(((const struct hawser_tori *)row)->to_at);
-}
+HAWSER__GIVEN(has_end, struct hawser_tori, isfinite(of->to_at))
 
-static int has_reason(const void *row, const void *parent)
-{
-	(void)parent;
-	return *((const struct hawser_tori *)row)->lost != '\0';
-}
+HAWSER__GIVEN(has_reason, struct hawser_tori, *of->lost != '\0')
 
 #define OF(member) HAWSER__AT(struct hawser_tori, member)
 const struct hawser__field cli_tori_field[] = {

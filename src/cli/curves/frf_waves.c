@@ -14,7 +14,6 @@
 #include "cli/frame/progress.h"
 #include "core/report.h"
 #include "output/curves/plot_motions.h"
-#include "output/drawing/style.h"
 
 enum { PROBES = 8, DRAWN = 6, EACH_PROBE = 6, EACH_CABLE = 4, LABEL = 3*HAWSER_NET_NAME, SEA = 1 };
 enum { POINTS = 200 }; /* without --max-points */
@@ -61,12 +60,7 @@ static void probes(struct result *result)
 
 /* --- columns: of probes, then of cables --- */
 
-static int numbers(const void *context)
-{
-	const struct result *of = context;
-
-	return EACH_PROBE*of->probes + EACH_CABLE*of->waves.cables;
-}
+HAWSER__OF(numbers, int, struct result, EACH_PROBE*of->probes + EACH_CABLE*of->waves.cables)
 
 static void name(char *text, size_t size, const void *context, int k)
 {

@@ -290,11 +290,6 @@ struct cli_output {
 enum hawser_status cli_outputs_check_with(const struct cli_common *common,
                                           const struct cli_output *more, int count,
                                           struct hawser_report *report) HAWSER_MUST_CHECK;
-/* Files first, standard output last. `json` may be NULL when common->json is. */
-enum hawser_status cli_deliver(const struct cli_common *common, const struct hawser__table *table,
-                               const struct hawser__json *json,
-                               const struct cli_drawing *drawing,
-                               struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* A result as a table, as JSON and as a picture (NULL: the command has none). Table and JSON are
  * written by functions, or follow from the other members: the first comments and JSON members from

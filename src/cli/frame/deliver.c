@@ -218,9 +218,10 @@ static enum hawser_status check_table(const struct cli_common *common,
 	return HAWSER_OK;
 }
 
-enum hawser_status cli_deliver(const struct cli_common *common, const struct hawser__table *table,
-                               const struct hawser__json *json,
-                               const struct cli_drawing *drawing, struct hawser_report *report)
+/* Files first, standard output last. `json` may be NULL when common->json is. */
+static enum hawser_status put_out(const struct cli_common *common, const struct hawser__table *table,
+                                  const struct hawser__json *json,
+                                  const struct cli_drawing *drawing, struct hawser_report *report)
 {
 	int any = common->json || common->tsv || common->delivered;
 	int taken = is_stdout(common->json) || is_stdout(common->tsv) || is_stdout(common->plot);
@@ -328,7 +329,7 @@ enum hawser_status cli_show(const struct cli_common *common, const struct cli_sh
 		json.status = json_object_set(json.root, "columns", table.about)
 		              ? hawser__no_memory(&json.report, "json") : HAWSER_OK;
 	status = taker ? hand_over(common, &table, &json, showing, result, report)
-	               : cli_deliver(common, &table, &json, &drawing, report);
+	               : put_out(common, &table, &json, &drawing, report);
 	cli_warnings_end();
 	hawser__json_clear(&json);
 	hawser__table_clear(&table);

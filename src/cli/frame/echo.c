@@ -7,8 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include <hawser/net.h>
-
 #include "cli/frame/colour.h"
 #include "cli/frame/within.h"
 #include "output/drawing/style.h"

@@ -5,7 +5,6 @@
 #include <math.h>
 
 #include "cli/frame/mesh_net.h"
-#include "core/report.h"
 
 /* Relative error of tensions above which standard error says so. */
 static const double LARGE = 0.1;
@@ -28,12 +27,8 @@ static const char *from_of(const void *of)
 	       : mesh->error.exact ? "exact catenaries" : "meshes with fewer elements";
 }
 
-static const char *cable_of(const void *of)
-{
-	const struct cli_mesh *mesh = of;
-
-	return mesh->error.cable < 0 ? NULL : mesh->net.cable[mesh->error.cable].name;
-}
+HAWSER__OF(cable_of, const char *, struct cli_mesh,
+	of->error.cable < 0 ? NULL : of->net.cable[of->error.cable].name)
 
 void cli_mesh_comment(struct hawser__table *table, const struct cli_mesh *mesh)
 {
@@ -70,10 +65,7 @@ void cli_mesh_warning(char *text, const struct cli_mesh *mesh)
 
 /* --- nodes by name --- */
 
-static int numbers(const void *context)
-{
-	return 3*((const struct hawser_net *)context)->nodes;
-}
+HAWSER__OF(numbers, int, struct hawser_net, 3*of->nodes)
 
 static void node_name(char *text, size_t size, const void *context, int k)
 {

@@ -47,12 +47,7 @@ struct hawser__axis cli_model_axis(const struct cli_model *model, const char *qu
 	return hawser__axis_of(quantity, cli_unit(model, si), 0.0);
 }
 
-static int probes(const void *context)
-{
-	const struct cli_model *model = context;
-
-	return 3*model->rom.shapes.points;
-}
+HAWSER__OF(probes, int, struct cli_model, 3*of->rom.shapes.points)
 
 static void probe_name(char *text, size_t size, const void *context, int k)
 {
@@ -61,12 +56,7 @@ static void probe_name(char *text, size_t size, const void *context, int k)
 	snprintf(text, size, "%c_%s", "xyz"[k % 3], model->rom.shapes.name[k/3]);
 }
 
-static int coordinates(const void *context)
-{
-	const struct cli_model *model = context;
-
-	return model->rom.n;
-}
+HAWSER__OF(coordinates, int, struct cli_model, of->rom.n)
 
 static void number_name(char *text, size_t size, const void *context, int k)
 {
@@ -79,12 +69,7 @@ static int states(const void *context)
 	return 2*coordinates(context);
 }
 
-static int naturals(const void *context)
-{
-	const struct cli_model *model = context;
-
-	return model->naturals;
-}
+HAWSER__OF(naturals, int, struct cli_model, of->naturals)
 
 static int axes(const void *context)
 {

@@ -7,7 +7,6 @@
 
 #include "cli/model/axis.h"
 #include "cli/map/hill_result.h"
-#include "core/report.h"
 #include "output/drawing/figure.h"
 
 enum { SAMPLES = 200 };

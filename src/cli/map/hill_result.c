@@ -12,7 +12,6 @@
 #include "cli/map/hill_result.h"
 #include "cli/map/tongues.h"
 #include "cli/frame/view.h"
-#include "core/report.h"
 
 /* Width of a tongue in delta below which round-off exceeds it. */
 #define NARROWEST 2e-15
@@ -95,15 +94,9 @@ static void axis_name(char *text, size_t size, const struct cli_map_axis *axis)
 	snprintf(text, size, "%s%s%s", axis->key, *of ? "_" : "", of);
 }
 
-static const char *x_unit(const void *context)
-{
-	return ((const struct cli_hill_result *)context)->axis[0].unit;
-}
+HAWSER__OF(x_unit, const char *, struct cli_hill_result, of->axis[0].unit)
 
-static const char *y_unit(const void *context)
-{
-	return ((const struct cli_hill_result *)context)->axis[1].unit;
-}
+HAWSER__OF(y_unit, const char *, struct cli_hill_result, of->axis[1].unit)
 
 static void x_name(char *text, size_t size, const void *context)
 {
@@ -150,17 +143,10 @@ static const struct hawser__field point_field[] = {
 static const struct hawser__list point_list =
 	HAWSER__MADE_ROWS(struct point, point_field, struct bounded, points, point_row);
 
-static double order_of(const void *row)
-{
-	const struct hawser_hill_boundary *boundary = row;
+HAWSER__OF(order_of, double, struct hawser_hill_boundary,
+	of->named ? of->order : HAWSER__NO_INTEGER)
 
-	return boundary->named ? boundary->order : HAWSER__NO_INTEGER;
-}
-
-static double closed(const void *row)
-{
-	return isinf(((const struct hawser_hill_tongue *)row)->opens);
-}
+HAWSER__OF(closed, double, struct hawser_hill_tongue, isinf(of->opens))
 
 static const struct hawser__field pair_field[] = {
 	{"points", NULL, "list of the two parameters", .kind = HAWSER__NUMBERS,
@@ -365,11 +351,7 @@ static const struct hawser__field multiplier_field[] = {
 static const struct hawser__list multiplier_list = HAWSER__MADE_ROWS(
 	struct multiplier, multiplier_field, struct cli_hill_result, m, multiplier_row);
 
-static int is_judged(const void *row, const void *parent)
-{
-	(void)parent;
-	return ((const struct cli_hill_result *)row)->judged.stated;
-}
+HAWSER__GIVEN(is_judged, struct cli_hill_result, of->judged.stated)
 #define OF(member) HAWSER__AT(struct cli_hill_result, member)
 static const struct hawser__field multipliers_field[] = {
 	{"Omega", NULL, "frequency of the excitation", OF(omega), .unit = HAWSER__RADIAN_S},

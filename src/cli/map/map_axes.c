@@ -9,7 +9,6 @@
 #include <string.h>
 #include <strings.h>
 
-#include "cli/frame/view.h"
 #include "cli/curves/frf_over.h"
 #include "cli/model/axis.h"
 #include "core/report.h"

@@ -75,15 +75,9 @@ static void most_name(char *text, size_t size, const void *context)
 	column(text, size, "max", cli_map_value_unit(context));
 }
 
-static const char *x_unit(const void *context)
-{
-	return ((const struct cli_map_result *)context)->unit[0];
-}
+HAWSER__OF(x_unit, const char *, struct cli_map_result, of->unit[0])
 
-static const char *y_unit(const void *context)
-{
-	return ((const struct cli_map_result *)context)->unit[1];
-}
+HAWSER__OF(y_unit, const char *, struct cli_map_result, of->unit[1])
 
 static const char *value_unit(const void *context)
 {

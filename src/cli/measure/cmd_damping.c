@@ -64,10 +64,7 @@ INTERVAL(half_high, hawser_half_power, ratio, +)
 INTERVAL(peak_low, hawser_half_power, peak, -)
 INTERVAL(peak_high, hawser_half_power, peak, +)
 
-static double extremes(const void *row)
-{
-	return ((const struct hawser_decay *)row)->extremes;
-}
+HAWSER__OF(extremes, double, struct hawser_decay, of->extremes)
 
 static const char *rad_s(const void *context)
 {

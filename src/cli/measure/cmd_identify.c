@@ -79,10 +79,7 @@ static const struct hawser__field mode_field[] = {
 static const struct hawser__list mode_list =
 	HAWSER__STORED_ROWS(struct hawser_identified, mode, count, mode_field);
 
-static const char *unit_of(const void *of)
-{
-	return cli_key_unit(((const struct hawser_identified_key *)of)->key);
-}
+HAWSER__OF(unit_of, const char *, struct hawser_identified_key, cli_key_unit(of->key))
 
 #define OF(member) HAWSER__AT(struct hawser_identified_key, member)
 static const struct hawser__field key_field[] = {
@@ -124,10 +121,7 @@ static const struct hawser__field found_field[] = {
 	HAWSER__END,
 };
 #undef OF
-static double confidence(const void *of)
-{
-	return ((const struct result *)of)->settings->confidence;
-}
+HAWSER__OF(confidence, double, struct result, of->settings->confidence)
 
 static const struct hawser__field result_field[] = {
 	{"confidence", NULL, "level of the intervals",

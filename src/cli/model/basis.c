@@ -100,11 +100,7 @@ void cli_basis_warn(const struct cli_model *model)
 		cli_warn(text);
 }
 
-static int is_checked(const void *row, const void *parent)
-{
-	(void)parent;
-	return ((const struct cli_model *)row)->basis.functions > 0;
-}
+HAWSER__GIVEN(is_checked, struct cli_model, of->basis.functions > 0)
 
 #define OF(member) HAWSER__AT(struct cli_model, basis.member)
 static const struct hawser__field basis_field[] = {

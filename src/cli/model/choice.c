@@ -180,17 +180,9 @@ void cli_drag_comment(struct hawser__table *table, const struct cli_model *model
 
 /* --- fields --- */
 
-static int is_automatic(const void *row, const void *parent)
-{
-	(void)parent;
-	return ((const struct cli_model *)row)->automatic;
-}
+HAWSER__GIVEN(is_automatic, struct cli_model, of->automatic)
 
-static int is_tried(const void *row, const void *parent)
-{
-	(void)parent;
-	return ((const struct cli_model *)row)->accuracy.tries > 0;
-}
+HAWSER__GIVEN(is_tried, struct cli_model, of->accuracy.tries > 0)
 
 static int has_times(const void *row, const void *parent)
 {
@@ -240,10 +232,7 @@ static const struct hawser__field candidate_field[] = {
 static const struct hawser__list candidate_list = HAWSER__MADE_ROWS(
 	struct candidate, candidate_field, struct cli_model, accuracy.choice.n, candidate_row);
 
-static double rest_of(const void *row)
-{
-	return fmin(((const struct hawser_accuracy_try *)row)->rest, 1e300);
-}
+HAWSER__OF(rest_of, double, struct hawser_accuracy_try, fmin(of->rest, 1e300))
 
 #define OF(member) HAWSER__AT(struct hawser_accuracy_try, member)
 static const struct hawser__field try_field[] = {

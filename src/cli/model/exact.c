@@ -17,7 +17,6 @@
 #include "cli/frame/progress.h"
 #include "cli/model/state.h"
 #include "cli/frame/view.h"
-#include "core/report.h"
 
 /* The longest step of its curves, relative to the range (hawser__accuracy_settle). */
 static const double longest = 0.02;

@@ -283,7 +283,7 @@ void cli_fixed_warn(const struct cli_model_error *error)
 	warn(error, 1);
 }
 
-const struct cli_frf_result *cli_fixed_worst(const struct cli_frf_result *result)
+static const struct cli_frf_result *fixed_worst(const struct cli_frf_result *result)
 {
 	const struct cli_frf_result *worst = result;
 
@@ -299,7 +299,7 @@ const struct cli_frf_result *cli_fixed_worst(const struct cli_frf_result *result
 
 void cli_fixed_warn_worst(const struct cli_frf_result *result)
 {
-	const struct cli_frf_result *worst = cli_fixed_worst(result);
+	const struct cli_frf_result *worst = fixed_worst(result);
 
 	if (worst)
 		warn(&worst->error, worst->frf->branch);
@@ -363,56 +363,30 @@ void cli_range_warn_frf(struct cli_model *model, const struct cli_frf_result *re
 	cli_range_warn(model, reached);
 }
 
-static int is_stated(const void *row, const void *parent)
-{
-	(void)parent;
-	return ((const struct cli_model_error *)row)->stated;
-}
+HAWSER__GIVEN(is_stated, struct cli_model_error, of->stated)
 
-static int is_known(const void *row, const void *parent)
-{
-	return is_stated(row, parent) &&
-	       isfinite(((const struct cli_model_error *)row)->fixed.estimated);
-}
+HAWSER__GIVEN(is_known, struct cli_model_error,
+	is_stated(row, parent) && isfinite(of->fixed.estimated))
 
 /* Whether it was found mode by mode. */
-static int is_weighed(const void *row, const void *parent)
-{
-	const struct cli_model_error *error = row;
-
-	return is_known(row, parent) && !error->compared && !(error->corrected && isnan(error->before));
-}
+HAWSER__GIVEN(is_weighed, struct cli_model_error,
+	is_known(row, parent) && !of->compared && !(of->corrected && isnan(of->before)))
 
 static int is_unknown(const void *row, const void *parent)
 {
 	return is_stated(row, parent) && !is_known(row, parent);
 }
 
-static int has_times(const void *row, const void *parent)
-{
-	return is_known(row, parent) && ((const struct cli_model_error *)row)->timed;
-}
+HAWSER__GIVEN(has_times, struct cli_model_error, is_known(row, parent) && of->timed)
 
-static int is_corrected(const void *row, const void *parent)
-{
-	(void)parent;
-	return ((const struct cli_model_error *)row)->corrected;
-}
+HAWSER__GIVEN(is_corrected, struct cli_model_error, of->corrected)
 
-static int is_at_risk(const void *row, const void *parent)
-{
-	return is_known(row, parent) && ((const struct cli_model_error *)row)->fixed.at_risk > 0;
-}
+HAWSER__GIVEN(is_at_risk, struct cli_model_error, is_known(row, parent) && of->fixed.at_risk > 0)
 
-static int has_omissions(const void *row, const void *parent)
-{
-	return is_weighed(row, parent) && ((const struct cli_model_error *)row)->fixed.omissions > 0;
-}
+HAWSER__GIVEN(has_omissions, struct cli_model_error,
+	is_weighed(row, parent) && of->fixed.omissions > 0)
 
-static int has_smaller(const void *row, const void *parent)
-{
-	return is_known(row, parent) && ((const struct cli_model_error *)row)->fixed.largest > 0.0;
-}
+HAWSER__GIVEN(has_smaller, struct cli_model_error, is_known(row, parent) && of->fixed.largest > 0.0)
 
 static double stated(const void *row)
 {
@@ -421,15 +395,9 @@ static double stated(const void *row)
 	return fixed->largest > 0.0 ? fixed->largest : fixed->estimated;
 }
 
-static double left_out(const void *row)
-{
-	return fmin(((const struct cli_model_error *)row)->fixed.rest, 1e300);
-}
+HAWSER__OF(left_out, double, struct cli_model_error, fmin(of->fixed.rest, 1e300))
 
-static double others(const void *row)
-{
-	return fmin(((const struct cli_model_error *)row)->fixed.beyond, 1e300);
-}
+HAWSER__OF(others, double, struct cli_model_error, fmin(of->fixed.beyond, 1e300))
 
 #define OF(member) HAWSER__AT(struct cli_model_error, member)
 const struct hawser__field cli_fixed_field[] = {

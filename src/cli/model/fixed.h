@@ -62,7 +62,6 @@ void cli_fixed_comments(struct hawser__table *table, const struct cli_model_erro
 void cli_fixed_warn(const struct cli_model_error *error);
 /* The same of the branch of a response with the largest error. */
 /* The branch with the largest error that is warned of; NULL: none is. */
-const struct cli_frf_result *cli_fixed_worst(const struct cli_frf_result *result);
 void cli_fixed_warn_worst(const struct cli_frf_result *result);
 
 /* Largest |u_j| [n] of the coordinates u[rows][stride], the first n of each row, and of `reached`,

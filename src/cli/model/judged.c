@@ -179,21 +179,9 @@ void cli_judged_comment(struct hawser__table *table, const struct cli_judged *ju
 		                      edges->compared);
 }
 
-static int is_stated(const void *row, const void *parent)
-{
-	(void)parent;
-	return ((const struct cli_judged *)row)->stated;
-}
-static int is_compared(const void *row, const void *parent)
-{
-	(void)parent;
-	return ((const struct cli_judged *)row)->edges.compared > 0;
-}
-static int has_waves(const void *row, const void *parent)
-{
-	(void)parent;
-	return ((const struct cli_judged *)row)->waves > 0;
-}
+HAWSER__GIVEN(is_stated, struct cli_judged, of->stated)
+HAWSER__GIVEN(is_compared, struct cli_judged, of->edges.compared > 0)
+HAWSER__GIVEN(has_waves, struct cli_judged, of->waves > 0)
 #define OF(member) HAWSER__AT(struct cli_judged, member)
 const struct hawser__field cli_judged_field[] = {
 	{"waves", NULL, "travelling cable: complex modes whose span is the model", OF(waves),

@@ -17,7 +17,6 @@
 
 #include <hawser/gyroscopic.h>
 
-#include "cli/model/exact.h"
 #include "cli/model/judged.h"
 #include "core/report.h"
 

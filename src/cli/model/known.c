@@ -7,7 +7,6 @@
 #include <stdio.h>
 
 #include "cli/model/made.h"
-#include "core/report.h"
 
 /* Modes up to this multiple of the forcing frequency are added. The response of the modes above,
  * which the model approximates by two terms, has a relative error below (1/4)^4. */

@@ -6,7 +6,6 @@
 #include <stddef.h>
 #include <stdlib.h>
 
-#include "cli/frame/view.h"
 #include "cli/model/made.h"
 #include "core/append.h"
 #include "core/report.h"

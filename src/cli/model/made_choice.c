@@ -10,7 +10,6 @@
 
 #include <stdlib.h>
 
-#include "cli/frame/view.h"
 #include "cli/model/made.h"
 
 /* Fewest candidates, within which those lie that the second and third harmonics drive, and how many

@@ -6,7 +6,6 @@
 #include <math.h>
 
 #include "cli/modes/campbell_result.h"
-#include "core/report.h"
 #include "output/drawing/figure.h"
 
 #define EXCITATION "with lines lt 7 lw 0.7 dt (3,4)"

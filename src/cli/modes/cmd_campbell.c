@@ -8,8 +8,6 @@
 #include "cli/modes/campbell_result.h"
 #include "cli/modes/track_ropeway.h"
 #include "cli/frame/progress.h"
-#include "cli/frame/view.h"
-#include "core/report.h"
 
 struct settings {
 	struct cli_common common;

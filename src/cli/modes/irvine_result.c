@@ -174,10 +174,8 @@ static enum hawser__unit branch_unit(const void *context, int k)
 	return unit[((const struct cli_irvine_result *)context)->unit];
 }
 
-static const char *value_unit(const void *context)
-{
-	return cli_irvine_si(((const struct cli_irvine_result *)context)->sweep[0].irvine.sweep);
-}
+HAWSER__OF(value_unit, const char *, struct cli_irvine_result,
+	cli_irvine_si(of->sweep[0].irvine.sweep))
 
 static void value_name(char *text, size_t size, const void *context)
 {

@@ -196,12 +196,7 @@ static const char *per_s(const void *context)
 	return "1/s";
 }
 
-static const char *key_unit(const void *context)
-{
-	const struct cli_damped_result *result = context;
-
-	return result ? unit_of(result) : "";
-}
+HAWSER__OF(key_unit, const char *, struct cli_damped_result, of ? unit_of(of) : "")
 
 #define OF(member) HAWSER__AT(struct row, member)
 const struct hawser__field cli_damped_field[] = {
@@ -268,10 +263,7 @@ static const struct hawser__field event_field[] = {
 };
 #undef OF
 
-static size_t count_events(const void *parent)
-{
-	return (size_t)((const struct cli_damped_result *)parent)->sweep.events;
-}
+HAWSER__OF(count_events, size_t, struct cli_damped_result, (size_t)of->sweep.events)
 
 static const void *event_at(void *to, const void *parent, size_t index)
 {

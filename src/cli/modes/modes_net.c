@@ -240,11 +240,7 @@ static const struct hawser__field plane_field[] = {
 };
 #undef OF
 
-static int is_flat(const void *symmetry, const void *parent)
-{
-	(void)parent;
-	return ((const struct hawser_net_symmetry *)symmetry)->flat;
-}
+HAWSER__GIVEN(is_flat, struct hawser_net_symmetry, of->flat)
 
 #define OF(member) HAWSER__AT(struct hawser_net_symmetry, member)
 static const struct hawser__field symmetry_field[] = {
@@ -270,10 +266,7 @@ static double certified(const void *of)
 	return below > 0.0 ? below : NAN;
 }
 
-static double complete(const void *of)
-{
-	return ((const struct hawser_net_modes *)of)->below >= 0.0;
-}
+HAWSER__OF(complete, double, struct hawser_net_modes, of->below >= 0.0)
 
 static const struct hawser__field certificate_field[] = {
 	{"omega", NULL, "null: all of the mesh", HAWSER__BY(certified), .unit = HAWSER__RADIAN_S,

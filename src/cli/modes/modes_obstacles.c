@@ -83,10 +83,8 @@ static enum hawser_status draw(const char *path, const void *of, struct hawser_r
 	return status;
 }
 
-static const char *contact_of(const void *of)
-{
-	return hawser_line_contact_name(((const struct result *)of)->line.modes.contact);
-}
+HAWSER__OF(contact_of, const char *, struct result,
+	hawser_line_contact_name(of->line.modes.contact))
 
 #define OF(member) HAWSER__AT(struct result, member)
 const struct hawser__field cli_modes_obstacles_member[] = {

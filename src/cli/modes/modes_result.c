@@ -11,7 +11,6 @@
 #include "cli/modes/modes_net.h"
 #include "cli/modes/modes_obstacles.h"
 #include "cli/modes/modes_result.h"
-#include "cli/modes/modes_ropeway.h"
 #include "cli/modes/track_ropeway.h"
 #include "core/report.h"
 

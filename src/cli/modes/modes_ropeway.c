@@ -37,7 +37,8 @@ enum hawser_status cli_ropeway_open(struct hawser_ropeway *rw, int *load_case,
 	return status;
 }
 
-void cli_ropeway_state(struct hawser__table *table, const struct hawser_ropeway_statics *st)
+/* Comments on a state whose modes are shown. */
+static void ropeway_state(struct hawser__table *table, const struct hawser_ropeway_statics *st)
 {
 	const struct hawser_ropeway *rw = st->ropeway;
 
@@ -93,7 +94,7 @@ static void comments(struct hawser__table *table, const void *of)
 {
 	const struct cli_ropeway_modes *result = of;
 
-	cli_ropeway_state(table, &result->st);
+	ropeway_state(table, &result->st);
 	bodies(table, result);
 	cli_ropeway_modes_comments(table, result);
 }

@@ -42,8 +42,6 @@ enum hawser_status cli_ropeway_open(struct hawser_ropeway *ropeway, int *load_ca
                                     const struct cli_common *common, const char *command,
                                     const struct cli_ropeway_choice *choice,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
-/* Comments on a state whose modes are shown. */
-void cli_ropeway_state(struct hawser__table *table, const struct hawser_ropeway_statics *st);
 
 /* n: number of modes, 0 for the default; points: of a lane in shapes, 0: none. */
 enum hawser_status cli_modes_ropeway(const struct cli_common *common,

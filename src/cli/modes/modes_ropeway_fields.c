@@ -145,10 +145,7 @@ const struct hawser__list cli_modes_ropeway_list = HAWSER__MADE_ROWS(
 
 /* --- shapes --- */
 
-static int parts_of(const void *context)
-{
-	return ((const struct cli_ropeway_modes *)context)->modes.gyroscopic ? 2 : 1;
-}
+HAWSER__OF(parts_of, int, struct cli_ropeway_modes, of->modes.gyroscopic ? 2 : 1)
 
 static int numbers_of(const void *context)
 {
@@ -232,22 +229,13 @@ const struct hawser__field cli_modes_ropeway_shapes[] = {
 
 /* --- the result --- */
 
-static const char *contact_of(const void *of)
-{
-	return hawser_line_contact_name(((const struct cli_ropeway_modes *)of)->modes.contact);
-}
+HAWSER__OF(contact_of, const char *, struct cli_ropeway_modes,
+	hawser_line_contact_name(of->modes.contact))
 
-static const char *case_of(const void *of)
-{
-	const struct cli_ropeway_modes *result = of;
+HAWSER__OF(case_of, const char *, struct cli_ropeway_modes,
+	of->ropeway.load_case[of->st.load_case].name)
 
-	return result->ropeway.load_case[result->st.load_case].name;
-}
-
-static double speed_of(const void *of)
-{
-	return ((const struct cli_ropeway_modes *)of)->st.lane[0].line->speed;
-}
+HAWSER__OF(speed_of, double, struct cli_ropeway_modes, of->st.lane[0].line->speed)
 
 #define OF(member) HAWSER__AT(struct cli_ropeway_modes, member)
 const struct hawser__field cli_modes_ropeway_member[] = {

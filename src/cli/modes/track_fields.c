@@ -55,12 +55,8 @@ static void fill_row(struct row *row, const struct cli_track *t, int i, int b)
 	row->span = t->name[row->at.span];
 }
 
-static size_t count_rows(const void *parent)
-{
-	const struct cli_track *t = parent;
-
-	return (size_t)t->track.samples*(size_t)t->track.branches;
-}
+HAWSER__OF(count_rows, size_t, struct cli_track,
+	(size_t)of->track.samples*(size_t)of->track.branches)
 
 static const void *make_row(void *to, const void *parent, size_t k)
 {
@@ -80,15 +76,9 @@ static void value_name(char *text, size_t size, const void *context)
 	         : t->swept == CLI_SWEPT_TENSION ? suffix[t->ropeway.tension] : "");
 }
 
-static const char *value_unit(const void *context)
-{
-	return ((const struct cli_track *)context)->sweep.si;
-}
+HAWSER__OF(value_unit, const char *, struct cli_track, of->sweep.si)
 
-static double re_of(const void *row)
-{
-	return ((const struct row *)row)->at.span < 0 ? NAN : 0.0;
-}
+HAWSER__OF(re_of, double, struct row, of->at.span < 0 ? NAN : 0.0)
 
 /* What a branch that is lost does not have. */
 #define MAYBE(member) HAWSER__AT(struct row, member), .flags = HAWSER__OMIT
@@ -134,10 +124,8 @@ static const struct hawser__field sample_field[] = {
 #undef FLAG
 #undef OF
 
-static const char *crosses(const void *of)
-{
-	return ((const struct hawser_ropeway_track_crossover *)of)->veers ? "veering" : "crossing";
-}
+HAWSER__OF(crosses, const char *, struct hawser_ropeway_track_crossover,
+	of->veers ? "veering" : "crossing")
 
 #define OF(member) HAWSER__AT(struct hawser_ropeway_track_crossover, member)
 static const struct hawser__field crossover_field[] = {

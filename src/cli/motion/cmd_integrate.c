@@ -13,7 +13,6 @@
 #include "cli/model/label.h"
 #include "cli/model/load_history.h"
 #include "cli/frame/progress.h"
-#include "cli/frame/view.h"
 #include "core/report.h"
 
 struct settings {

@@ -5,7 +5,6 @@
 #include <math.h>
 
 #include "cli/frame/view.h"
-#include "core/report.h"
 #include "output/structures/plot_tow.h"
 
 static const struct cli_option options[] = {
@@ -57,21 +56,9 @@ static const struct hawser__list place_list =
 static const struct hawser__list tension_list =
 	HAWSER__STORED_ROWS(struct result, steady.point, steady.points, tension_field);
 
-static int has_ring(const void *row, const void *parent)
-{
-	const struct result *result = row;
+HAWSER__GIVEN(has_ring, struct result, of->tow.body.kind == HAWSER_TOW_RING)
 
-	(void)parent;
-	return result->tow.body.kind == HAWSER_TOW_RING;
-}
-
-static int in_orbit(const void *row, const void *parent)
-{
-	const struct result *result = row;
-
-	(void)parent;
-	return result->steady.spin != 0.0;
-}
+HAWSER__GIVEN(in_orbit, struct result, of->steady.spin != 0.0)
 
 #define OF(member) HAWSER__AT(struct hawser_tow_state, member)
 static const struct hawser__field state_field[] = {
@@ -151,9 +138,13 @@ static void comments(struct hawser__table *table, const void *of)
 	const struct result *result = of;
 	const struct hawser_tow_steady *s = &result->steady;
 
-	hawser__table_comment(table, "g = %.10g m/s^2, air %.6g kg/m^3, wind [%.6g, %.6g, %.6g] m/s",
-	                      result->tow.g, result->tow.density, result->tow.wind[0], result->tow.wind[1],
-	                      result->tow.wind[2]);
+	if (result->tow.water.density > 0.0)
+		hawser__table_comment(table, "g = %.10g m/s^2, water %.6g kg/m^3 below y = %.6g m",
+		                      result->tow.g, result->tow.density, result->tow.water.surface);
+	else
+		hawser__table_comment(table, "g = %.10g m/s^2, air %.6g kg/m^3, wind [%.6g, %.6g, %.6g] m/s",
+		                      result->tow.g, result->tow.density, result->tow.wind[0],
+		                      result->tow.wind[1], result->tow.wind[2]);
 	hawser__table_comment(table, "tension: %.9g N at the towing point, %.9g N at the free end",
 	                      s->tension_top, s->tension_end);
 	hawser__table_comment(table, "free end at [%.9g, %.9g, %.9g] m, %.9g m below the towing point",

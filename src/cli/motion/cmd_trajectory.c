@@ -87,13 +87,7 @@ static const struct hawser__field largest_field[] = {
 };
 
 /* Only paths through waypoints have them. */
-static int by_waypoints(const void *row, const void *parent)
-{
-	const struct result *result = row;
-
-	(void)parent;
-	return result->tow.path.kind == HAWSER_PATH_WAYPOINTS;
-}
+HAWSER__GIVEN(by_waypoints, struct result, of->tow.path.kind == HAWSER_PATH_WAYPOINTS)
 
 #define OF(member) HAWSER__AT(struct result, member)
 static const struct hawser__field field[] = {

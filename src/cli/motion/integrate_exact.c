@@ -11,7 +11,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/model/exact.h"
 #include "cli/motion/integrate_result.h"
 #include "core/report.h"
 

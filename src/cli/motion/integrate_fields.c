@@ -34,10 +34,7 @@ static double amplitude_at(const void *context, const void *parent, size_t bin, 
 }
 
 /* x, vx, y, vy, z, vz and, if it is known, T of each probe. */
-static int shown_of(const void *context)
-{
-	return ((const struct cli_integrate_result *)context)->tensions ? 7 : 6;
-}
+HAWSER__OF(shown_of, int, struct cli_integrate_result, of->tensions ? 7 : 6)
 
 static double probed_at(const void *context, const void *parent, size_t row, int k)
 {
@@ -70,10 +67,7 @@ static int probed(const void *context)
 	return result->model->rom.shapes.points*shown_of(context);
 }
 
-static int signals(const void *context)
-{
-	return ((const struct cli_integrate_result *)context)->signals;
-}
+HAWSER__OF(signals, int, struct cli_integrate_result, of->signals)
 
 static int rates_too(const void *context)
 {
@@ -100,10 +94,7 @@ static void omega_name(char *text, size_t size, const void *context, int k)
 	snprintf(text, size, "Omega");
 }
 
-static int states(const void *context)
-{
-	return 2*((const struct cli_integrate_result *)context)->model->rom.n;
-}
+HAWSER__OF(states, int, struct cli_integrate_result, 2*of->model->rom.n)
 
 static int probes(const void *context)
 {

@@ -16,7 +16,6 @@
 #include "core/report.h"
 #include "output/curves/plot_motions.h"
 #include "output/drawing/animate.h"
-#include "output/drawing/style.h"
 #include "output/report/vtk.h"
 
 enum { PATH = 4096, DRAWN = 3, TOLD = 8 }; /* probes drawn, and told in comments */
@@ -214,16 +213,10 @@ static void comments(struct hawser__table *table, const void *of)
 		hawser__table_comment(table, "interrupted at %.6g s", motion->reached);
 }
 
-static const char *error_from(const void *of)
-{
-	return ((const struct result *)of)->motion.checked ? "another run" : "local errors";
-}
+HAWSER__OF(error_from, const char *, struct result,
+	of->motion.checked ? "another run" : "local errors")
 
-static int fronts(const void *of, const void *parent)
-{
-	(void)parent;
-	return ((const struct result *)of)->motion.front_axial > 0.0;
-}
+HAWSER__GIVEN(fronts, struct result, of->motion.front_axial > 0.0)
 
 static void still_json(struct hawser__json *json, json_t *to, const void *of)
 {

@@ -132,10 +132,7 @@ static const char *fe_word(int value)
 	return "fe";
 }
 
-static const char *end_of(const void *of)
-{
-	return ((const struct result *)of)->run.interrupted ? "interrupted" : "complete";
-}
+HAWSER__OF(end_of, const char *, struct result, of->run.interrupted ? "interrupted" : "complete")
 
 #define OF(member) HAWSER__AT(struct result, member)
 const struct hawser__field cli_span_field[] = {

@@ -59,12 +59,7 @@ static int each(const struct cli_probed *of)
 	return of->M ? PLACE + 2 : PLACE + 1;
 }
 
-static int numbers(const void *context)
-{
-	const struct cli_probed *of = context;
-
-	return each(of)*of->probes;
-}
+HAWSER__OF(numbers, int, struct cli_probed, each(of)*of->probes)
 
 static void name(char *text, size_t size, const void *context, int k)
 {
@@ -92,10 +87,7 @@ static double number(const void *context, const void *parent, size_t row, int k)
 const struct hawser__vector cli_probed_vector = {
 	.shown = "PROBE_x", .count = numbers, .name = name, .number = number, .unit = unit};
 
-static int pulls(const void *context)
-{
-	return PLACE*((const struct cli_probed *)context)->holds;
-}
+HAWSER__OF(pulls, int, struct cli_probed, PLACE*of->holds)
 
 static void pull_name(char *text, size_t size, const void *context, int k)
 {

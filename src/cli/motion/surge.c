@@ -7,7 +7,6 @@
 #include <stdio.h>
 
 #include "cli/motion/integrate_result.h"
-#include "cli/frame/view.h"
 
 int cli_surge_warning(char *text, size_t size, const struct cli_integrate_result *result)
 {

@@ -154,13 +154,7 @@ static const struct hawser__field energy_field[] = {
 };
 #undef OF
 
-static int runs(const void *row, const void *parent)
-{
-	const struct cli_transient *of = row;
-
-	(void)parent;
-	return !of->passes;
-}
+HAWSER__GIVEN(runs, struct cli_transient, !of->passes)
 static int passes(const void *row, const void *parent)
 {
 	return !runs(row, parent);

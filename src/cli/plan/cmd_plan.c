@@ -10,7 +10,6 @@
 #include "cli/plan/plan_model.h"
 #include "cli/plan/plan_net.h"
 #include "cli/plan/plan_result.h"
-#include "cli/frame/view.h"
 #include "core/report.h"
 
 struct settings {

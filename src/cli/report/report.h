@@ -41,8 +41,6 @@ struct cli_report_given {
 /* A folder for files between commands, which cli_report_folder_close removes with its files. */
 enum hawser_status cli_report_folder_open(struct hawser_report *report) HAWSER_MUST_CHECK;
 void cli_report_folder_close(void);
-/* The path of a file in it; a static buffer for each of the names "tsv", "svg". */
-const char *cli_report_path(const char *name);
 /* Run a part. A failure of an essential one, or an interrupt, is returned, another is part of the
  * result. */
 enum hawser_status cli_report_run(struct cli_report_result *result,

@@ -48,7 +48,8 @@ enum hawser_status cli_report_folder_open(struct hawser_report *report)
 	return HAWSER_OK;
 }
 
-const char *cli_report_path(const char *name)
+/* The path of a file in it; a static buffer for each of the names "tsv", "svg". */
+static const char *report_path(const char *name)
 {
 	int i = 0;
 
@@ -174,10 +175,10 @@ static char *take(const char *name)
 	char *text;
 	size_t size;
 
-	if (access(cli_report_path(name), R_OK) != 0 ||
-	    cli_report_text(&text, &size, cli_report_path(name), NULL))
+	if (access(report_path(name), R_OK) != 0 ||
+	    cli_report_text(&text, &size, report_path(name), NULL))
 		return NULL;
-	unlink(cli_report_path(name));
+	unlink(report_path(name));
 	return text;
 }
 
@@ -188,8 +189,8 @@ static enum hawser_status execute(struct cli_report_result *result, struct line 
 	enum hawser_status status;
 
 	add(line, "--quiet");
-	add_option(line, "--tsv", cli_report_path("tsv"));
-	add_option(line, "--plot", part->no_picture ? NULL : cli_report_path("svg"));
+	add_option(line, "--tsv", report_path("tsv"));
+	add_option(line, "--plot", part->no_picture ? NULL : report_path("svg"));
 	if (line->failed)
 		return hawser__no_memory(report, "report");
 	cli_warn_into(&result->warnings);

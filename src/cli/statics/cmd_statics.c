@@ -86,12 +86,8 @@ static const struct hawser__field profile_field[] = {
 static const struct hawser__list profile_list =
 	HAWSER__STORED_ROWS(struct result, profile, points, profile_field);
 
-static const char *hold_word(const void *of)
-{
-	const struct result *result = of;
-
-	return result->statics.motion.hold == HAWSER_HOLD_LENGTH ? "length" : "tension";
-}
+HAWSER__OF(hold_word, const char *, struct result,
+	of->statics.motion.hold == HAWSER_HOLD_LENGTH ? "length" : "tension")
 
 /* eta, epsilon, delta and Irvine's parameters are those of the apparent cable, as modes use them. */
 static void travel_comments(struct hawser__table *table, const struct result *result)

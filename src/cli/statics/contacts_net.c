@@ -77,10 +77,7 @@ struct row {
 	struct hawser_net_contact of;
 };
 
-static const char *state_of(const void *row)
-{
-	return state(&((const struct row *)row)->of);
-}
+HAWSER__OF(state_of, const char *, struct row, state(&of->of))
 
 #define OF(member) HAWSER__AT(struct row, member)
 static const struct hawser__field contact_field[] = {

@@ -5,9 +5,7 @@
 #include <hawser/net_equilibria.h>
 
 #include "cli/frame/mesh_net.h"
-#include "cli/statics/statics_kinds.h"
 #include "cli/statics/statics_net.h"
-#include "core/report.h"
 #include "output/structures/plot_equilibria.h"
 
 struct result {

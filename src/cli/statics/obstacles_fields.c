@@ -10,13 +10,7 @@
 #define METRE .unit = HAWSER__METRE   /* a length */
 #define RADIAN .unit = HAWSER__RADIAN /* an angle */
 
-static int touched(const void *row, const void *parent)
-{
-	const struct cli_obstacle *of = row;
-
-	(void)parent;
-	return of->touches;
-}
+HAWSER__GIVEN(touched, struct cli_obstacle, of->touches)
 
 static int passed(const void *row, const void *parent)
 {
@@ -123,13 +117,7 @@ static const struct hawser__field defect_field[] = {
 };
 #undef OF
 
-static int solved(const void *row, const void *parent)
-{
-	const struct hawser_obstacles_limit *limit = row;
-
-	(void)parent;
-	return limit->status == HAWSER_OK;
-}
+HAWSER__GIVEN(solved, struct hawser_obstacles_limit, of->status == HAWSER_OK)
 
 static const char *why_word(const void *row)
 {

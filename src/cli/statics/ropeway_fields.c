@@ -61,12 +61,7 @@ const struct hawser__list cli_ropeway_tower_list =
 
 /* --- spans --- */
 
-static double eta(const void *of)
-{
-	const struct cli_ropeway_span *span = of;
-
-	return tan(span->s.angle_from);
-}
+HAWSER__OF(eta, double, struct cli_ropeway_span, tan(of->s.angle_from))
 
 #define OF(member) HAWSER__AT(struct cli_ropeway_span, member)
 static const struct hawser__field span_field[] = {
@@ -217,13 +212,7 @@ static const struct hawser__field lane_worst_field[] = {
 
 /* --- lanes --- */
 
-static int is_down(const void *row, const void *parent)
-{
-	const struct cli_ropeway *of = row;
-
-	(void)parent;
-	return of->st.lanes > 1;
-}
+HAWSER__GIVEN(is_down, struct cli_ropeway, of->st.lanes > 1)
 
 static void carriers_json(struct hawser__json *json, json_t *into, const void *of)
 {
@@ -270,12 +259,8 @@ static const char *sliding_word(const void *row)
 	return word[of->ropeway.sliding];
 }
 
-static const char *case_word(const void *row)
-{
-	const struct cli_ropeway *of = row;
-
-	return of->ropeway.load_case[of->st.load_case].name;
-}
+HAWSER__OF(case_word, const char *, struct cli_ropeway,
+	of->ropeway.load_case[of->st.load_case].name)
 
 #define OF(member) HAWSER__AT(struct cli_ropeway, st.member)
 static const struct hawser__field drive_field[] = {

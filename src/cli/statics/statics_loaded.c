@@ -9,12 +9,8 @@
 #include "cli/statics/statics_loaded.h"
 #include "core/vec3.h"
 
-static const char *state_word(const void *of)
-{
-	const struct cli_loaded *loaded = of;
-
-	return loaded->state == HAWSER_STATE_LOADED ? "loaded" : "reference";
-}
+HAWSER__OF(state_word, const char *, struct cli_loaded,
+	of->state == HAWSER_STATE_LOADED ? "loaded" : "reference")
 
 #define OF(member) HAWSER__AT(struct hawser_statics, member)
 static const struct hawser__field reference_field[] = {

@@ -18,10 +18,7 @@ struct hawser__spot cli_place(const struct hawser_statics *st, const struct haws
 	return (struct hawser__spot){in->S, place[0], place[1], in->T, tangent[1]/tangent[0], place[2]};
 }
 
-static const char *mark_name(const void *of)
-{
-	return ((const struct cli_mark *)of)->name;
-}
+HAWSER__OF(mark_name, const char *, struct cli_mark, of->name)
 
 #define OF(member) HAWSER__AT(struct cli_mark, member)
 const struct hawser__field cli_mark_field[] = {

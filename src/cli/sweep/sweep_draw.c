@@ -11,7 +11,6 @@
 #include <string.h>
 
 #include "cli/model/axis.h"
-#include "cli/model/key_sweep.h"
 #include "cli/sweep/sweep.h"
 #include "core/append.h"
 #include "core/order.h"

@@ -3,8 +3,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
-#include "cli/tools/init_scenes.h"
-
 const char cli_init_stay[] =
 	"# A stay of a cable-stayed bridge with a damper near the deck. Try: hawser modes SCENE "
 	"--damped, hawser frf SCENE\n"

@@ -33,7 +33,6 @@
 #include "modes/complex/damped.h"
 #include "modes/complex/wind.h"
 #include "modes/label.h"
-#include "modes/methods.h"
 
 /* Functions per component at most: the eigenvalues of more would take minutes. */
 enum { MOST = 360 };

@@ -15,8 +15,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/report.h"
-#include "modes/grid.h"
 #include "modes/complex/gyroscopic.h"
 #include "modes/label.h"
 

@@ -27,7 +27,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "core/report.h"
 #include "modes/analytic.h"
 #include "modes/complex/gyroscopic.h"
 #include "modes/label.h"

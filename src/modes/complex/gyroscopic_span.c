@@ -29,7 +29,6 @@
 #include <hawser/gyroscopic.h>
 
 #include "core/report.h"
-#include "modes/grid.h"
 #include "modes/label.h"
 #include "modes/spectral.h"
 

@@ -18,7 +18,7 @@
 #include "core/vec3.h"
 #include "net/motion/motion.h"
 
-int hawser__attached(const struct hawser__mesh *mesh)
+static int has_attached(const struct hawser__mesh *mesh)
 {
 	int any = mesh->absorbers > 0;
 
@@ -30,7 +30,7 @@ int hawser__attached(const struct hawser__mesh *mesh)
 
 enum hawser_status hawser__attached_open(struct hawser__motion *motion, struct hawser_report *report)
 {
-	motion->attached = hawser__attached(motion->mesh);
+	motion->attached = has_attached(motion->mesh);
 	if (!motion->attached)
 		return HAWSER_OK;
 	motion->stroke = calloc((size_t)motion->mesh->absorbers + 1, sizeof *motion->stroke);

@@ -306,7 +306,6 @@ extern const double hawser__motion_tolerance;
 /* motion-attached.c: springs, dampers and absorbers of nodes: whether there are any; their part of the
  * residual and of the matrix, which returns the largest force; strokes out of the right side, and
  * after it is solved their solution; of the energies, and the loss of a step, J. */
-int hawser__attached(const struct hawser__mesh *mesh);
 enum hawser_status hawser__attached_open(struct hawser__motion *motion, struct hawser_report *report)
 	HAWSER_MUST_CHECK;
 double hawser__attached_residual(struct hawser__motion *motion, const struct hawser__motion_rule *rule,

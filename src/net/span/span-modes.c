@@ -43,7 +43,9 @@ static void weigh(struct hawser_net *net, int node, int cable, double weight,
 	turned(load->value, st);
 }
 
-void hawser__net_span_turn(struct hawser_net *net, const struct hawser_statics *st)
+/* Turn a span's net that has only constant loads into the axes of its statics, so that it hangs in
+ * the plane of the first two; the weights become loads. */
+static void net_span_turn(struct hawser_net *net, const struct hawser_statics *st)
 {
 	for (int i = 0; i < net->nodes; i++)
 		turned(net->node[i].x, st);
@@ -83,7 +85,7 @@ static enum hawser_status solve(struct level *level, const struct hawser_scene *
 
 	level->parts = st->space ? 1 : PLANES;
 	if (!status)
-		hawser__net_span_turn(&level->net, st);
+		net_span_turn(&level->net, st);
 	for (int c = 0; c < level->net.cables; c++)
 		level->elements += level->net.cable[c].elements;
 	for (int q = 0; q < level->parts && !status; q++)

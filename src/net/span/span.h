@@ -16,8 +16,4 @@ enum hawser_status hawser__net_span(struct hawser_net *net, const struct hawser_
                                     const struct hawser_net_span_options *options, int unit,
                                     int halved, struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* Turn a span's net that has only constant loads into the axes of its statics, so that it hangs in
- * the plane of the first two; the weights become loads. */
-void hawser__net_span_turn(struct hawser_net *net, const struct hawser_statics *statics);
-
 #endif

@@ -257,6 +257,12 @@ struct hawser__field {
 #define HAWSER__COUNT_BY(function) .kind = HAWSER__INT, .number = (function)
 #define HAWSER__NUMBERS_BY(name, function) \
 	static double name(const void *of) { return function(of); }
+/* Functions that return one expression of a row `of`: a number, text or count, and whether a field is
+ * given. */
+#define HAWSER__OF(name, kind, type, expression) \
+	static kind name(const void *row) { const type *of = row; return expression; }
+#define HAWSER__GIVEN(name, type, condition) static int name(const void *row, const void *parent) \
+	{ const type *of = row; (void)parent; return condition; }
 /* A text that a function returns for the integer. HAWSER__LABELS defines such a function from one
  * of an enumeration. */
 #define HAWSER__LABEL_AT(type, member, function) \

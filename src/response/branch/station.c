@@ -215,7 +215,9 @@ static enum hawser_status count_as_stable(struct hawser__orbit *orbit)
 	return HAWSER_OK;
 }
 
-int hawser__station_draft(const struct hawser__orbit *orbit)
+/* Whether it is of a curve of which nothing is stated, as another one tells how good it is. An
+ * estimate of the error would take a quarter of its time. */
+static int station_draft(const struct hawser__orbit *orbit)
 {
 	return orbit->unjudged > 1 && orbit->rom->exact;
 }
@@ -246,7 +248,7 @@ enum hawser_status hawser__station_judge(struct hawser__station *station,
 	station->multiplier_error = orbit->multiplier_error;
 	station->mesh = orbit->mesh/orbit->X;
 	/* infinite at a branch point; then the size of the orbit is used */
-	station->error = fmin(1.0, hawser__station_draft(orbit)
+	station->error = fmin(1.0, station_draft(orbit)
 	                           ? station->mesh + station->correction.residual
 	                           : orbit->ops->error(orbit, station->correction.residual));
 	station->round_off = orbit->round_off;

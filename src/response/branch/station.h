@@ -68,10 +68,6 @@ void hawser__station_swap(struct hawser__station *a, struct hawser__station *b);
 void hawser__station_turn(struct hawser__station *station, struct hawser__orbit *orbit,
                           const double *side);
 
-/* Whether it is of a curve of which nothing is stated, as another one tells how good it is. An
- * estimate of the error would take a quarter of its time. */
-int hawser__station_draft(const struct hawser__orbit *orbit);
-
 /* After that: multipliers, test functions, stability, certificate. */
 enum hawser_status hawser__station_judge(struct hawser__station *station,
                                          struct hawser__orbit *orbit, struct hawser_report *report);

@@ -137,7 +137,7 @@ double hawser__trace_longest(void *owner)
 	return share*LARGEST_STEP > turn ? turn/share : LARGEST_STEP;
 }
 
-int hawser__trace_is_determined(const struct hawser__station *station)
+static int trace_is_determined(const struct hawser__station *station)
 {
 	return station->error <= WORST_ERROR;
 }
@@ -147,7 +147,7 @@ int hawser__trace_is_determined(const struct hawser__station *station)
 enum hawser_status hawser__trace_determined(const struct hawser__trace *trace,
                                             const struct hawser__station *station)
 {
-	return hawser__trace_is_determined(station) ? HAWSER_OK :
+	return trace_is_determined(station) ? HAWSER_OK :
 	       hawser__fail_at(trace->report, HAWSER_ERR_CONVERGENCE, "frf",
 	                       station->correction.iterations, station->error,
 	                       "at %s the orbit is determined to no better than %.1g of its "
@@ -158,9 +158,11 @@ enum hawser_status hawser__trace_determined(const struct hawser__trace *trace,
 	                       station->error, trace->options.tolerance);
 }
 
-/* The neglected terms, though small, may make an orbit indeterminate: the estimate by one sweep after
- * the other grows without bound where high harmonics of stiff coordinates are neglected. */
-int hawser__trace_enrich(struct hawser__trace *trace, const struct hawser__station *station)
+/* A finer discretisation for an orbit that is not determined. Returns 0 where it is not to be had, or
+ * where the last one did not help. The neglected terms, though small, may make an orbit
+ * indeterminate: the estimate by one sweep after the other grows without bound where high harmonics
+ * of stiff coordinates are neglected. */
+static int trace_enrich(struct hawser__trace *trace, const struct hawser__station *station)
 {
 	if (trace->enriched >= MOST_ENRICHED ||
 	    (trace->enriched > 0 && !(station->error < ENRICHED_ERROR*trace->undetermined)) ||
@@ -187,8 +189,8 @@ enum hawser_status hawser__trace_settle(struct hawser__trace *trace,
 		if (!status && !*failed)
 			status = hawser__station_finish(station, orbit, along ? along : trace->direction,
 			                                trace->report);
-	} while (!status && !*failed && !hawser__trace_is_determined(station) &&
-	         hawser__trace_enrich(trace, station));
+	} while (!status && !*failed && !trace_is_determined(station) &&
+	         trace_enrich(trace, station));
 	return status;
 }
 
@@ -248,7 +250,7 @@ enum hawser_status hawser__trace_judge(void *owner, double ds, double angle,
 	status = hawser__trace_determined(trace, &trace->next);
 	if (!status)
 		return HAWSER_OK;
-	if (!hawser__trace_enrich(trace, &trace->next))
+	if (!trace_enrich(trace, &trace->next))
 		return status;
 	*verdict = HAWSER__REPEAT;
 	return HAWSER_OK;

@@ -127,12 +127,8 @@ enum hawser_status hawser__trace_correct(struct hawser__trace *trace,
 
 /* step.c: whether the error of a corrected orbit is at most 5 % of its size; _determined:
  * HAWSER_ERR_CONVERGENCE if not. */
-int hawser__trace_is_determined(const struct hawser__station *station);
 enum hawser_status hawser__trace_determined(const struct hawser__trace *trace,
                                             const struct hawser__station *station);
-/* step.c: a finer discretisation for an orbit that is not determined. Returns 0 where it is not to be
- * had, or where the last one did not help. */
-int hawser__trace_enrich(struct hawser__trace *trace, const struct hawser__station *station);
 /* step.c: correct a station at its Omega (side: sign of the row's entry for Omega) and compute its
  * tangent in the direction `along` (NULL: that of the row), with finer discretisations while it is
  * not determined. *failed becomes 1 if the corrector fails. */

@@ -410,9 +410,11 @@ enum hawser_status hawser__monodromy_damping(struct hawser__monodromy *monodromy
 	return HAWSER_OK;
 }
 
-void hawser__monodromy_free_motion(double *log_modulus, double *argument,
-                                   const struct hawser__monodromy *monodromy,
-                                   const struct hawser_rom *rom, int f, double omega)
+/* The two multipliers of the condensed coordinate f (index of monodromy->fast), whose free motion
+ * decays: log_modulus [2], the larger first, and the argument of the first. */
+static void monodromy_free_motion(double *log_modulus, double *argument,
+                                  const struct hawser__monodromy *monodromy,
+                                  const struct hawser_rom *rom, int f, double omega)
 {
 	int j = monodromy->fast[f];
 	double half = 0.25*monodromy->damping[(size_t)j*((size_t)rom->n + 1)], w = monodromy->frequency[j];
@@ -468,7 +470,7 @@ enum hawser_status hawser__monodromy_multipliers(struct hawser__monodromy *monod
 	for (int f = 0; f < n - kept; f++) {
 		int at = 2*(kept + f);
 
-		hawser__monodromy_free_motion(log_modulus + at, argument + at, monodromy, rom, f, omega);
+		monodromy_free_motion(log_modulus + at, argument + at, monodromy, rom, f, omega);
 		argument[at + 1] = -argument[at];
 		monodromy->kind[at] = monodromy->kind[at + 1] =
 			log_modulus[at] == log_modulus[at + 1] ? HAWSER__CONDENSED : 0.0;

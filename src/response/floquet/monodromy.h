@@ -276,12 +276,6 @@ enum hawser_status hawser__monodromy_multipliers(struct hawser__monodromy *monod
                                                  int order, double omega,
                                                  struct hawser_report *report);
 
-/* The two multipliers of the condensed coordinate f (index of monodromy->fast), whose free motion
- * decays: log_modulus [2], the larger first, and the argument of the first. */
-void hawser__monodromy_free_motion(double *log_modulus, double *argument,
-                                   const struct hawser__monodromy *monodromy,
-                                   const struct hawser_rom *rom, int f, double omega);
-
 /* monodromy_condense.c: if there are fast coordinates, replace *system by one of the slow
  * coordinates; sets monodromy->slow, fast, frequency and fastest. *kept is the number of slow
  * coordinates. */

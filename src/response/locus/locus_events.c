@@ -166,9 +166,9 @@ enum hawser_status hawser__locus_test(struct hawser__locus_walk *walk,
 
 /* --- location --- */
 
-enum hawser_status hawser__locus_add_event(struct hawser__locus_list *list,
-                                           const struct hawser_locus_event *event,
-                                           struct hawser_report *report)
+static enum hawser_status locus_add_event(struct hawser__locus_list *list,
+                                          const struct hawser_locus_event *event,
+                                          struct hawser_report *report)
 {
 	if (hawser__more(&list->event, list->events, sizeof *list->event))
 		return hawser__no_memory(report, "locus");
@@ -300,7 +300,7 @@ enum hawser_status hawser__locus_find_events(struct hawser__locus_walk *walk)
 			continue;
 		status = locate(walk, k, &found, &event);
 		if (!status && found)
-			status = hawser__locus_add_event(list, &event, walk->report);
+			status = locus_add_event(list, &event, walk->report);
 		if (status)
 			return status;
 	}
@@ -354,5 +354,5 @@ enum hawser_status hawser__locus_resonance(struct hawser__locus_walk *walk, doub
 		.parameter = z[1], .angle = 2.0*M_PI*kappa, .arc = walk->next.arc,
 		.error = apart(walk->locus, z, less) + walk->options->tolerance,
 		.after = walk->list->points - 1};
-	return hawser__locus_add_event(walk->list, &event, walk->report);
+	return locus_add_event(walk->list, &event, walk->report);
 }

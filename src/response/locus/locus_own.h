@@ -50,12 +50,6 @@ struct hawser__own_line {
 	                            * the rotation that leaves the model as it is; 0: not known yet */
 };
 
-/* The bifurcation on the line next to t = 0, from the guess that the spot has; *found: there is one
- * within `reach`. HAWSER_ERR_MEMORY. */
-enum hawser_status hawser__own_meet(struct hawser__own_spot *spot, int *found,
-                                    struct hawser__own_line *line, double reach,
-                                    struct hawser_report *report);
-
 /* own_tests.c: tests and number of unstable multipliers of an equilibrium or a cycle, and the angle of
  * a torus if it is not known. */
 enum hawser_status hawser__own_judge_rest(struct hawser__own_spot *spot, const struct hawser_rom *rom,

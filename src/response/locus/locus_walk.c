@@ -100,7 +100,8 @@ static struct hawser__metric metric_at(struct hawser__locus_walk *walk, const do
 	return (struct hawser__metric){walk->locus->size, walk->weight};
 }
 
-enum hawser_status hawser__locus_grow(struct hawser__locus_walk *walk, int order)
+/* Change the number of harmonics, and keep the borders. */
+static enum hawser_status locus_grow(struct hawser__locus_walk *walk, int order)
 {
 	struct hawser__locus *locus = walk->locus;
 	int n = locus->n, blocks = locus->blocks, shift;
@@ -157,7 +158,7 @@ enum hawser_status hawser__locus_correct(struct hawser__locus_walk *walk,
 		*failed = 1;
 		if (order <= locus->order)
 			return HAWSER_OK;
-		if ((status = hawser__locus_grow(walk, order)))
+		if ((status = locus_grow(walk, order)))
 			return status;
 	}
 }

@@ -63,8 +63,6 @@ enum hawser_status hawser__locus_correct(struct hawser__locus_walk *walk,
 /* Tangent (along `side`, as row of the plane), tests and the point's numbers. */
 enum hawser_status hawser__locus_finish(struct hawser__locus_walk *walk,
                                         struct hawser__locus_station *station, const double *side);
-/* Change the number of harmonics, and keep the borders. */
-enum hawser_status hawser__locus_grow(struct hawser__locus_walk *walk, int order);
 /* From start, which is corrected. direction: of the parameter, 1 or -1. */
 enum hawser_status hawser__locus_follow(struct hawser__locus_walk *walk,
                                         struct hawser__locus_list *list, int direction);
@@ -100,9 +98,6 @@ void hawser__locus_test_angle(const struct hawser__locus *locus,
 enum hawser_status hawser__locus_find_events(struct hawser__locus_walk *walk);
 /* The end of a torus locus at kappa = 0 or 1/2, beyond `here`. */
 enum hawser_status hawser__locus_resonance(struct hawser__locus_walk *walk, double kappa);
-enum hawser_status hawser__locus_add_event(struct hawser__locus_list *list,
-                                           const struct hawser_locus_event *event,
-                                           struct hawser_report *report);
 
 /* Amplitudes and the state at the phase 0, of the orbit that was evaluated last. The largest value lies
  * between samples: it is that of the parabola through the three largest. */

@@ -427,9 +427,11 @@ static enum hawser_status meet(struct hawser__own_spot *spot, int *found,
 	return status;
 }
 
-enum hawser_status hawser__own_meet(struct hawser__own_spot *spot, int *found,
-                                    struct hawser__own_line *line, double reach,
-                                    struct hawser_report *report)
+/* The bifurcation on the line next to t = 0, from the guess that the spot has; *found: there is one
+ * within `reach`. HAWSER_ERR_MEMORY. */
+static enum hawser_status own_meet(struct hawser__own_spot *spot, int *found,
+                                   struct hawser__own_line *line, double reach,
+                                   struct hawser_report *report)
 {
 	for (int k = 0; k < HAWSER__OWN_TESTS; k++)
 		spot->test[k] = NAN;
@@ -473,7 +475,7 @@ enum hawser_status hawser__own_across(struct hawser__own *own, struct hawser__ow
 		own->line.normal[k] = (k ? -1.0 : 1.0)*direction[!k]/length;
 	}
 	own->locus->solves++;
-	status = hawser__own_meet(spot, found, &own->line, reach, report);
+	status = own_meet(spot, found, &own->line, reach, report);
 	spot->test[HAWSER__OWN_START] = *found ? spot->at[1] - own->o->at/own->line.extent[1] : NAN;
 	return status;
 }

@@ -95,7 +95,7 @@ enum hawser_status hawser__balance_init(struct hawser__balance *balance,
  * does not resolve and that have hardly any damping. Harmonics near them would cause spurious
  * resonances, too narrow to be followed and, for a slack span, arbitrarily many. Expanded models
  * need no such limit, since their coordinates are modes that the basis resolves. */
-void hawser__balance_limit(struct hawser__balance *balance, double lowest)
+static void balance_limit(struct hawser__balance *balance, double lowest)
 {
 	const struct hawser_rom *rom = balance->base.rom;
 	double top = 0.0, most;
@@ -344,7 +344,7 @@ static enum hawser_status open_method(struct hawser__orbit **orbit, const struct
 		return hawser__no_memory(report, "frf");
 	status = hawser__balance_init(balance, rom, report);
 	if (!status)
-		hawser__balance_limit(balance, fmin(options->from, options->to));
+		balance_limit(balance, fmin(options->from, options->to));
 	if (status)
 		free(balance);
 	else

@@ -116,7 +116,6 @@ enum hawser_status hawser__balance_init(struct hawser__balance *balance,
 int hawser__balance_lowest(const struct hawser_rom *rom);
 /* Limit top to the harmonics that a full-order model's basis resolves, for orbits at Omega >=
  * lowest. */
-void hawser__balance_limit(struct hawser__balance *balance, double lowest);
 void hawser__balance_release(struct hawser__balance *balance);
 
 /* balance_sample.c: defects at y for all harmonics of r, and with derive also T and by_omega. */

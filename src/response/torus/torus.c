@@ -69,7 +69,8 @@ void hawser__torus_clear(struct hawser__torus *torus)
 	memset(torus, 0, sizeof *torus);
 }
 
-int hawser__torus_place(struct hawser__torus *torus, double place)
+/* The model and the frequency at this place; 1 if there is none. */
+static int torus_place(struct hawser__torus *torus, double place)
 {
 	const struct hawser_rom_family *family = torus->family;
 	const struct hawser_rom *rom;
@@ -91,13 +92,13 @@ static int differentiate_family(struct hawser__torus *torus, const struct hawser
 	double place = torus->place, wide = HAWSER__NUDGE*torus->extent;
 
 	for (int side = -1; side <= 1 && !failed; side += 2) {
-		failed = hawser__torus_place(torus, place + side*wide);
+		failed = torus_place(torus, place + side*wide);
 		memcpy(torus->other, torus->x, (size_t)Nm*sizeof *torus->x);
 		(void)hawser__flow_map(&torus->flow, torus->other, NULL, stretch, torus->omega);
 		for (int i = 0; i < Nm; i++)
 			torus->b[i] = (side < 0 ? 0.0 : torus->b[i]) + side*torus->other[i]/(2.0*wide);
 	}
-	return hawser__torus_place(torus, place) || failed;
+	return torus_place(torus, place) || failed;
 }
 
 double hawser__torus_cardinal(int N, double t, int derivative)
@@ -146,7 +147,7 @@ enum hawser_status hawser__torus_begin(struct hawser__torus *torus, const double
 	struct hawser__stretch stretch = {.h = 2.0*M_PI/torus->steps, .steps = torus->steps, .count = 1};
 	double *re = torus->right, *im = re + m, *v = torus->matrix, length = 0.0;
 
-	if (hawser__torus_place(torus, place))
+	if (torus_place(torus, place))
 		return hawser__fail(report, HAWSER_ERR_CONVERGENCE, WHERE,
 		                    "there is no model at the parameter %.9g", place);
 	for (;;) {
@@ -189,7 +190,7 @@ static double assemble(struct hawser__torus *torus)
 	struct hawser__stretch stretch = {.h = 2.0*M_PI/torus->steps, .steps = torus->steps, .count = N};
 	double *J = torus->matrix, *r = torus->right, largest = 0.0, most = 0.0, error;
 
-	if (hawser__torus_place(torus, torus->place))
+	if (torus_place(torus, torus->place))
 		return INFINITY;
 	memcpy(torus->image, torus->x, (size_t)N*(size_t)m*sizeof *torus->x);
 	error = hawser__flow_derive(&torus->flow, torus->image, torus->A, torus->b, NULL, &stretch,

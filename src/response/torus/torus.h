@@ -62,8 +62,6 @@ enum hawser_status hawser__torus_room(struct hawser__torus *torus, const struct 
                                       int points, int most, double omega,
                                       struct hawser_report *report);
 void hawser__torus_clear(struct hawser__torus *torus);
-/* The model and the frequency at this place; 1 if there is none. */
-int hawser__torus_place(struct hawser__torus *torus, double place);
 /* The linear circle about the orbit x0 [m] at a torus point, with this largest distance. */
 enum hawser_status hawser__torus_begin(struct hawser__torus *torus, const double *x0, double place,
                                        double distance, struct hawser_report *report);

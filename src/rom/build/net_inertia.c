@@ -7,7 +7,6 @@
 #include <cblas.h>
 #include <math.h>
 
-#include "core/report.h"
 #include "rom/build/net.h"
 
 /* --- amplitudes --- */

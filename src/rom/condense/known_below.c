@@ -5,7 +5,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/report.h"
 #include "rom/build/build.h"
 #include "rom/terms/dampers.h"
 #include "rom/energy/kernel.h"

@@ -32,7 +32,6 @@
 #include "core/report.h"
 #include "core/vec3.h"
 #include "modes/label.h"
-#include "rom/build/build.h"
 #include "rom/build/model.h"
 #include "rom/condense/condense.h"
 #include "rom/terms/ends.h"
@@ -69,8 +68,10 @@ double hawser__support_weight(int number, int end, int axis, const struct hawser
 	return end == 0 ? -in[number] : in[number];
 }
 
-void hawser__support_signal(struct hawser__signal *signal, const struct hawser_scene *scene, int end,
-                            int axis, const struct hawser_statics *statics)
+/* Displacement of `end` (0: A, 1: B), or with end 2 of B relative to A, along `axis` of the plane of
+ * the cable, scaled. */
+static void support_signal(struct hawser__signal *signal, const struct hawser_scene *scene, int end,
+                           int axis, const struct hawser_statics *statics)
 {
 	memset(signal, 0, sizeof *signal);
 	for (int e = 0; e < 2; e++) {
@@ -94,7 +95,7 @@ int hawser__support_factor(struct hawser__signal *signal, const struct hawser_sc
 {
 	int any = 0;
 
-	hawser__support_signal(signal, scene, number < HAWSER__AXES ? 2 : 0, number%HAWSER__AXES, statics);
+	support_signal(signal, scene, number < HAWSER__AXES ? 2 : 0, number%HAWSER__AXES, statics);
 	for (int i = 0; i < 2*HAWSER__AXES; i++)
 		any |= scene->support[i/HAWSER__AXES].present &&
 		       scene->support[i/HAWSER__AXES].given[i%HAWSER__AXES] &&

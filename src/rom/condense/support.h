@@ -33,10 +33,6 @@ struct hawser__signal {
 	double c[3*HAWSER__SUPPORT_TOP + 1], s[3*HAWSER__SUPPORT_TOP + 1];
 };
 
-/* Displacement of `end` (0: A, 1: B), or with end 2 of B relative to A, along `axis` of the plane of
- * the cable, scaled. */
-void hawser__support_signal(struct hawser__signal *signal, const struct hawser_scene *scene, int end,
-                            int axis, const struct hawser_statics *statics);
 /* The factor of shape `number` (struct hawser__support_shapes); returns whether it is not 0. */
 int hawser__support_factor(struct hawser__signal *signal, const struct hawser_scene *scene, int number,
                            const struct hawser_statics *statics);

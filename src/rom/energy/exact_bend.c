@@ -21,7 +21,6 @@
 #include <stdlib.h>
 
 #include "core/report.h"
-#include "modes/grid.h"
 #include "rom/condense/follow.h"
 #include "rom/energy/exact_bend.h"
 

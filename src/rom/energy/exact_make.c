@@ -13,7 +13,6 @@
 #include "rom/terms/dampers.h"
 #include "rom/energy/exact.h"
 #include "rom/energy/exact_bend.h"
-#include "rom/condense/support.h"
 
 void hawser__exact_free(struct hawser_rom_exact *exact)
 {

@@ -14,7 +14,6 @@
 #include <lapacke.h>
 
 #include "core/report.h"
-#include "rom/energy/kernel.h"
 #include "rom/file/entries.h"
 
 enum { MOST = 24 };                            /* n^4 entries of C, and as many products each */

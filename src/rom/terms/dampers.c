@@ -213,9 +213,11 @@ static enum hawser_status vibrate(struct hawser_modes *with, const struct work *
 	return status;
 }
 
-enum hawser_status hawser__dampers_extend(struct hawser_modes *with,
-                                          const struct hawser_modes *modes,
-                                          struct hawser_report *report)
+/* The modes, followed by the static shapes of the forces of dampers, also of absorbers and of their
+ * cubic springs (dampers.c). with->n = 0 if there are none, or no shapes beyond the modes. */
+static enum hawser_status dampers_extend(struct hawser_modes *with,
+                                         const struct hawser_modes *modes,
+                                         struct hawser_report *report)
 {
 	const struct hawser_statics *st = &modes->statics;
 	struct work work = {.modes = modes};
@@ -272,5 +274,5 @@ enum hawser_status hawser__rom_attached(struct hawser_modes *with, const struct 
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
 		                    "model.modes: auto does not know dampers of attachments: give a number "
 		                    "of modes");
-	return hawser__dampers_extend(with, modes, report);
+	return dampers_extend(with, modes, report);
 }

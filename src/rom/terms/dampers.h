@@ -17,10 +17,4 @@ void hawser__dampers_add(double *D, const struct hawser_modes *modes, double alp
 /* Stiffness [n][n] of the springs in these modes. */
 void hawser__springs_add(double *K, const struct hawser_modes *modes);
 
-/* The modes, followed by the static shapes of the forces of dampers, also of absorbers and of their
- * cubic springs (dampers.c). with->n = 0 if there are none, or no shapes beyond the modes. */
-enum hawser_status hawser__dampers_extend(struct hawser_modes *with,
-                                          const struct hawser_modes *modes,
-                                          struct hawser_report *report);
-
 #endif

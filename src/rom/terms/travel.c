@@ -30,7 +30,6 @@
 
 #include "core/report.h"
 #include "rom/condense/follow.h"
-#include "rom/build/model.h"
 #include "rom/energy/project.h"
 #include "rom/terms/travel.h"
 

@@ -23,7 +23,6 @@
 
 #include "core/hold.h"
 #include "core/report.h"
-#include "modes/grid.h"
 #include "modes/label.h"
 #include "rom/condense/follow.h"
 #include "rom/terms/travel.h"

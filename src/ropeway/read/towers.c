@@ -8,7 +8,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/report.h"
 #include "ropeway/read/read.h"
 
 static enum hawser_status train(struct hawser__reader *reader, const struct hawser_ropeway_tower *tower,

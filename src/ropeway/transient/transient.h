@@ -112,8 +112,6 @@ enum hawser_status hawser__chain_begin(struct hawser__chain *chain, double speed
                                        struct hawser_report *report) HAWSER_MUST_CHECK;
 /* Statics, masses and bounds at the phase that belongs to a travel of the rope (m). */
 void hawser__chain_place(struct hawser__chain *chain, double travelled);
-/* Masses of the nodes at that travel. */
-void hawser__chain_masses(struct hawser__chain *chain, double travelled);
 /* Bounds of friction from the tensions of the step. */
 void hawser__chain_bounds(struct hawser__chain *chain);
 /* Force that presses the rope on a battery, N; normal 1: integral of the normal force. */

@@ -72,7 +72,8 @@ static void add_carrier(struct hawser__chain *chain, int lane, double S, double 
 		chain->top_mass[lane] += part*mass;
 }
 
-void hawser__chain_masses(struct hawser__chain *chain, double travelled)
+/* Masses of the nodes at that travel. */
+static void chain_masses(struct hawser__chain *chain, double travelled)
 {
 	const struct hawser__slow *slow = chain->slow;
 	const struct hawser_ropeway *rw = chain->rw;
@@ -107,7 +108,7 @@ void hawser__chain_place(struct hawser__chain *chain, double travelled)
 		for (int e = 0; e < chain->m; e++)
 			d[e] = sags ? 0.0 : grown/chain->m;
 	}
-	hawser__chain_masses(chain, travelled);
+	chain_masses(chain, travelled);
 }
 
 /* --- friction --- */

@@ -313,7 +313,8 @@ int hawser__accuracy_cut(const struct hawser_accuracy *a)
 	       a->slack;
 }
 
-void hawser__accuracy_first(struct hawser_choice *choice)
+/* Of the modes that hawser_accuracy_choose keeps, keep only those of the first model. */
+static void accuracy_first(struct hawser_choice *choice)
 {
 	if (kept(choice) > FIRST)
 		hawser_choice_first(choice, FIRST);
@@ -327,7 +328,7 @@ static enum hawser_status condensed(struct hawser_accuracy *a, struct hawser__ma
 	struct hawser_frf_options frf = hawser__accuracy_settle(options, a->asked);
 	enum hawser_status status = HAWSER_OK;
 
-	hawser__accuracy_first(&a->choice);
+	accuracy_first(&a->choice);
 	while (!status && a->tries < CONDENSED_TRIES) {
 		status = hawser__accuracy_attempt(a, marks, scene, 0, &frf, NULL, report);
 		if (status || hawser__accuracy_cut(a))

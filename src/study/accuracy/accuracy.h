@@ -35,9 +35,6 @@ hawser__accuracy_settle(const struct hawser_accuracy_options *options, double ac
  * with bending. */
 int hawser__accuracy_largest(int asked, const struct hawser_statics *st);
 
-/* Of the modes that hawser_accuracy_choose keeps, keep only those of the first model. */
-void hawser__accuracy_first(struct hawser_choice *choice);
-
 /* Trace the next response and compute its distance from the previous one, which *marks describes;
  * *marks then describes the new one. functions = 0: a model of the modes that are kept now is
  * built; otherwise a->rom is the full-order model with that number of functions. known: orbits of it,

@@ -13,9 +13,11 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include <hawser/choose.h>
+#include <hawser/frf.h>
+
 #include "core/report.h"
 #include "hawser/accuracy.h"
-#include "study/accuracy/chosen.h"
 #include "study/accuracy/motions.h"
 #include "study/accuracy/respond.h"
 
@@ -25,6 +27,15 @@ enum { first_least = 8 };                  /* smallest number of modes of the fi
 static const double reach = 5.0;           /* candidates reach up to this multiple of the upper end
                                             * of the range; chosen */
 static const double coarse = 1e-7;
+
+/* The first model, and the options with which its response is traced. Must not be moved: choice
+ * refers to modes. */
+struct chosen {
+	struct hawser_choice choice;
+	struct hawser_modes modes;
+	struct hawser_scene scene;         /* its `name` is owned by the caller */
+	struct hawser_frf_options options;
+};
 
 static int at_least(int a, int b)
 {
@@ -88,15 +99,17 @@ static enum hawser_status weigh(struct hawser_choice *choice, const struct hawse
 	return status;
 }
 
-enum hawser_status hawser__chosen_begin(struct hawser__chosen *begin,
-                                        const struct hawser_statics *statics,
-                                        const struct hawser_scene *scene,
-                                        const struct hawser_frf_options *options, int n,
-                                        struct hawser_report *report)
+/* Find the first model. Statuses of hawser_modes_solve and hawser_choose. Release with
+ * chosen_clear, whatever the status. */
+static enum hawser_status chosen_begin(struct chosen *begin,
+                                       const struct hawser_statics *statics,
+                                       const struct hawser_scene *scene,
+                                       const struct hawser_frf_options *options, int n,
+                                       struct hawser_report *report)
 {
 	enum hawser_status status;
 
-	*begin = (struct hawser__chosen){.scene = *scene, .options = *options};
+	*begin = (struct chosen){.scene = *scene, .options = *options};
 	begin->scene.model.condense = HAWSER_CONDENSE_STATIC;
 	begin->scene.model.energy = HAWSER_ENERGY_QUARTIC;
 	begin->options.tolerance = fmax(coarse, options->tolerance);
@@ -110,7 +123,7 @@ enum hawser_status hawser__chosen_begin(struct hawser__chosen *begin,
 	return status;
 }
 
-void hawser__chosen_clear(struct hawser__chosen *begin)
+static void chosen_clear(struct chosen *begin)
 {
 	hawser_choice_clear(&begin->choice);
 	hawser_modes_clear(&begin->modes);
@@ -123,9 +136,9 @@ enum hawser_status hawser__study_chosen(struct hawser_study_curve *curve, struct
                                         struct hawser_report *report)
 {
 	struct hawser_frf frf = {.n = 0};
-	struct hawser__chosen first;
+	struct chosen first;
 	int n = (int)curve->choice.number;
-	enum hawser_status status = hawser__chosen_begin(&first, statics, scene, options, n, report);
+	enum hawser_status status = chosen_begin(&first, statics, scene, options, n, report);
 
 	if (!status)
 		status = hawser_choice_build(rom, &first.choice, &first.scene, report);
@@ -139,6 +152,6 @@ enum hawser_status hawser__study_chosen(struct hawser_study_curve *curve, struct
 		hawser_rom_clear(rom);
 		status = hawser_choice_build(rom, &first.choice, &first.scene, report);
 	}
-	hawser__chosen_clear(&first);
+	chosen_clear(&first);
 	return status ? status : hawser__study_trace(curve, rom, statics, scene, options, report);
 }

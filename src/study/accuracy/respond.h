@@ -22,23 +22,6 @@ enum hawser_status hawser__study_balance(struct hawser_study_curve *curve,
                                          const struct hawser_frf_options *options,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* The scene for which an accuracy is requested, whose `name` is owned by the caller; and this
- * accuracy. */
-struct hawser_scene hawser__auto_scene(const struct hawser_scene *scene);
-double hawser__auto_accuracy(const struct hawser_fidelity_choice *choice,
-                             const struct hawser_scene *scene);
-
-/* The search for a model of this accuracy, as in hawser__study_auto. *accuracy is filled even if
- * the search is interrupted. *settings becomes the options of the search. Statuses of
- * hawser_accuracy_trace. */
-enum hawser_status hawser__study_search(struct hawser_accuracy *accuracy,
-                                        struct hawser_accuracy_options *settings,
-                                        const struct hawser_fidelity_choice *choice,
-                                        const struct hawser_statics *statics,
-                                        const struct hawser_scene *scene,
-                                        const struct hawser_frf_options *options,
-                                        struct hawser_report *report) HAWSER_MUST_CHECK;
-
 /* With modes chosen for an accuracy, by continuation. */
 enum hawser_status hawser__study_auto(struct hawser_study_curve *curve, struct hawser_rom *rom,
                                       const struct hawser_statics *statics,

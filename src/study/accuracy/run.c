@@ -58,7 +58,9 @@ enum hawser_status hawser__study_balance(struct hawser_study_curve *curve,
 	return hawser__study_trace(curve, rom, statics, scene, &balance, report);
 }
 
-struct hawser_scene hawser__auto_scene(const struct hawser_scene *scene)
+/* The scene for which an accuracy is requested, whose `name` is owned by the caller; and this
+ * accuracy. */
+static struct hawser_scene auto_scene(const struct hawser_scene *scene)
 {
 	struct hawser_scene changed = *scene;
 
@@ -68,24 +70,27 @@ struct hawser_scene hawser__auto_scene(const struct hawser_scene *scene)
 	return changed;
 }
 
-double hawser__auto_accuracy(const struct hawser_fidelity_choice *choice,
-                             const struct hawser_scene *scene)
+static double auto_accuracy(const struct hawser_fidelity_choice *choice,
+                            const struct hawser_scene *scene)
 {
 	return choice->number > 0.0 ? choice->number/100.0 : scene->model.accuracy;
 }
 
-enum hawser_status hawser__study_search(struct hawser_accuracy *accuracy,
-                                        struct hawser_accuracy_options *settings,
-                                        const struct hawser_fidelity_choice *choice,
-                                        const struct hawser_statics *statics,
-                                        const struct hawser_scene *scene,
-                                        const struct hawser_frf_options *options,
-                                        struct hawser_report *report)
+/* The search for a model of this accuracy, as in hawser__study_auto. *accuracy is filled even if
+ * the search is interrupted. *settings becomes the options of the search. Statuses of
+ * hawser_accuracy_trace. */
+static enum hawser_status study_search(struct hawser_accuracy *accuracy,
+                                       struct hawser_accuracy_options *settings,
+                                       const struct hawser_fidelity_choice *choice,
+                                       const struct hawser_statics *statics,
+                                       const struct hawser_scene *scene,
+                                       const struct hawser_frf_options *options,
+                                       struct hawser_report *report)
 {
-	struct hawser_scene changed = hawser__auto_scene(scene);
+	struct hawser_scene changed = auto_scene(scene);
 
 	*settings = (struct hawser_accuracy_options){.most = 0};
-	settings->accuracy = hawser__auto_accuracy(choice, scene);
+	settings->accuracy = auto_accuracy(choice, scene);
 	settings->frf.from = options->from;
 	settings->frf.to = options->to;
 	settings->frf.progress = options->progress;
@@ -105,8 +110,8 @@ enum hawser_status hawser__study_auto(struct hawser_study_curve *curve, struct h
 
 	if (!accuracy)
 		return hawser__no_memory(report, "study");
-	status = hawser__study_search(accuracy, &settings, &curve->choice, statics, scene, options,
-	                              report);
+	status = study_search(accuracy, &settings, &curve->choice, statics, scene, options,
+	                      report);
 	if (!status) {
 		curve->unreached = !accuracy->reached;
 		curve->estimated = accuracy->estimated;
