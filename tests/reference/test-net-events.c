@@ -201,6 +201,27 @@ static void balances(void)
 	hawser_net_clear(&net);
 }
 
+/* A cable that is drawn over a rough bed, which gives way, parts there: both ends stay on the bed, and
+ * share the friction. */
+static void on_bed(void)
+{
+	static const char text[] =
+		"kind: net\nnodes: {P: [-30, 0, 0], Q: [30, 0.5, 3]}\nsupports: {P: fixed, Q: {motion: "
+		"{z: {amplitude: -3, Omega: 1.2}}}}\nobstacles: [{plane: {point: [0, 0], normal: [0, 1]}, "
+		"stiffness: 3e6, damping: 3e5, friction: 0.5}]\ncables: [{name: c1, from: P, to: Q, EA: 5e6, "
+		"rho: 20, diameter: 0.04, length0: 60.1, elements: 10}]\ndamping: {axial: 0.02, alpha: 5}\n"
+		"failures: [{cable: c1, at: 50 %, time: 2.3}]\n";
+	struct hawser_net net;
+	struct hawser_net_motion motion = {0};
+
+	if (opened(&net, text) &&
+	    moved(&motion, &net, 4.0, 1.0, 0.01, (struct hawser_net_probe){-1, 0, 0.5}))
+		ok(motion.touching[2] == 8 && motion.touching[4] == 10 && motion.friction[4] > 1e4,
+		   "%d, then %d nodes touch", motion.touching[2], motion.touching[4]);
+	hawser_net_motion_clear(&motion);
+	hawser_net_clear(&net);
+}
+
 /* A sinker in water: on two lines of which one parts, and on a winch; numbers of two other programs. */
 #define SINKER "masses: {J: 2000 kg}\nbuoys: {J: {volume: 0.25 m^3, CdA: 0.8 m^2, added_mass: 0.5}}\n" \
 	"water: {density: 1025 kg/m^3, surface: 100 m}\n"
@@ -253,5 +274,6 @@ CASE(reference_net_events)
 	winch();
 	parts();
 	balances();
+	on_bed();
 	return done_testing();
 }

@@ -186,19 +186,17 @@ static double force(double *slope, const struct hawser__bed_node *of,
 }
 
 /* The elements with both ends in the list. */
-static int touchdowns(struct hawser__motion *motion)
+static void touchdowns(struct hawser__motion *motion)
 {
 	struct hawser__bed *bed = motion->bed;
 	const struct hawser__mesh *mesh = motion->mesh;
-	int *first = hawser__hold(&bed->hold, (size_t)motion->nodes + 1, sizeof *first);
 
-	bed->touchdown = hawser__hold(&bed->hold, (size_t)motion->elements + 1, sizeof *bed->touchdown);
-	if (!first || !bed->touchdown)
-		return 0;
+	bed->touchdowns = 0;
+	memset(bed->first, 0, (size_t)motion->nodes*sizeof *bed->first);
 	for (int i = bed->nodes; i > 0; i--)
-		first[mesh->touch[bed->node[i - 1].touch].node] = i;
+		bed->first[mesh->touch[bed->node[i - 1].touch].node] = i;
 	for (int e = 0; e < motion->elements; e++) {
-		int a = first[motion->element[e].a] - 1, b = first[motion->element[e].b] - 1;
+		int a = bed->first[motion->element[e].a] - 1, b = bed->first[motion->element[e].b] - 1;
 		const struct hawser_surface *plane;
 
 		if (a < 0 || b < 0 || motion->element[e].rod)
@@ -210,14 +208,33 @@ static int touchdowns(struct hawser__motion *motion)
 			bed->touchdown[bed->touchdowns++].end[1] = b;
 		}
 	}
-	return 1;
+}
+
+static void list(struct hawser__motion *motion)
+{
+	const struct hawser__mesh *mesh = motion->mesh;
+	struct hawser__bed *bed = motion->bed;
+
+	bed->nodes = 0;
+	for (int i = 0; i < mesh->touches; i++) {
+		const struct hawser__touch *touch = &mesh->touch[i];
+		struct hawser__bed_node *to = &bed->node[bed->nodes];
+
+		if (!(touch->give > 0.0))
+			continue;
+		*to = (struct hawser__bed_node){.touch = i, .k = 1.0/touch->give};
+		to->c = to->k*touch->surface->damping/touch->surface->stiffness;
+		(void)hawser_surface_gap(to->n, NULL, touch->surface, mesh->q[touch->node]);
+		bed->nodes++;
+	}
+	touchdowns(motion);
 }
 
 enum hawser_status hawser__bed_open(struct hawser__motion *motion, struct hawser_report *report)
 {
 	const struct hawser__mesh *mesh = motion->mesh;
+	size_t nodes = (size_t)motion->nodes, count = 0;
 	struct hawser__bed *bed;
-	int count = 0;
 
 	for (int i = 0; i < mesh->touches; i++)
 		count += mesh->touch[i].give > 0.0;
@@ -226,25 +243,37 @@ enum hawser_status hawser__bed_open(struct hawser__motion *motion, struct hawser
 	bed = motion->bed = calloc(1, sizeof *bed);
 	if (!bed)
 		return hawser__no_memory(report, "net");
-	bed->node = hawser__hold(&bed->hold, (size_t)count, sizeof *bed->node);
-	for (int i = 0; i < mesh->touches && bed->node; i++) {
-		const struct hawser__touch *touch = &mesh->touch[i];
-		struct hawser__bed_node *to = &bed->node[bed->nodes];
-
-		if (!(touch->give > 0.0))
-			continue;
-		to->touch = i;
-		to->k = 1.0/touch->give;
-		to->c = to->k*touch->surface->damping/touch->surface->stiffness;
-		(void)hawser_surface_gap(to->n, NULL, touch->surface, mesh->q[touch->node]);
-		bed->nodes++;
-	}
+	count += (size_t)(mesh->net->failures*mesh->net->surfaces); /* where cables may part */
+	bed->node = hawser__hold(&bed->hold, count, sizeof *bed->node);
+	bed->first = hawser__hold(&bed->hold, nodes + 1, sizeof *bed->first);
+	bed->touchdown = hawser__hold(&bed->hold, (size_t)motion->elements + 1, sizeof *bed->touchdown);
 	if (!motion->block)
-		motion->block = hawser__hold(&bed->hold, (size_t)motion->nodes, sizeof *motion->block);
+		motion->block = hawser__hold(&bed->hold, nodes, sizeof *motion->block);
 	if (!motion->other)
 		motion->other = hawser__hold(&bed->hold, (size_t)motion->elements + 1, sizeof *motion->other);
-	return bed->node && touchdowns(motion) && !bed->hold.short_of_memory ? HAWSER_OK
-		: hawser__no_memory(report, "net");
+	if (bed->hold.short_of_memory)
+		return hawser__no_memory(report, "net");
+	list(motion);
+	return HAWSER_OK;
+}
+
+void hawser__bed_part(struct hawser__motion *motion, int from, int to)
+{
+	struct hawser__mesh *mesh = motion->mesh;
+
+	for (int i = 0; i < mesh->touches; i++) {
+		struct hawser__touch *a = &mesh->touch[i];
+
+		for (int j = 0; j < mesh->touches && a->node == from && a->give > 0.0; j++) {
+			struct hawser__touch *b = &mesh->touch[j];
+
+			for (int k = 0; k < 3 && b->node == to && b->number == a->number; k++) {
+				b->friction[k] = a->friction[k]*a->give/(a->give + b->give);
+				a->friction[k] -= b->friction[k];
+			}
+		}
+	}
+	list(motion);
 }
 
 void hawser__bed_clear(struct hawser__bed *bed)

@@ -27,6 +27,7 @@ struct hawser__bed {
 	int nodes, touchdowns;
 	struct hawser__bed_node *node;
 	struct hawser__touchdown *touchdown;
+	int *first;          /* [nodes of the motion] 1 + the first of the list that is of it; 0: none */
 	struct hawser__hold hold;
 };
 
