@@ -32,7 +32,10 @@
 
 enum { STEPS = 40, HALVES = 30 };
 /* Of the coordinates: a step of this size ends the search. */
-static const double ROUND = 4.0*DBL_EPSILON;
+static const double ROUND = DBL_EPSILON, FEW = 1e3; /* FEW: where steps may get no shorter */
+/* Of the square of the distance: more is no step down. Near the end the steps, which are exact to
+ * round-off, are too short for the distance to tell. */
+static const double NO_MORE = 1e-9;
 /* Of the metric: a curvature that leaves less is that of a place above a centre of curvature. */
 static const double LEAST = 1e-3;
 /* Of the coordinates: so near to the edge a place is at it. */
@@ -61,7 +64,8 @@ static void locate(struct within *at, const double *x, const double *round, int 
 		else
 			low = middle;
 	}
-	line = value - x[low] < round[low] ? low : x[low + 1] - value < round[low + 1] ? low + 1 : -1;
+	line = fabs(value - x[low]) < round[low] ? low
+		: fabs(value - x[low + 1]) < round[low + 1] ? low + 1 : -1;
 	at->first = line < 0 ? low : line - 1;
 	at->d = value - x[line < 0 ? low : line];
 	at->l[0] = x[at->first + 1] - x[at->first];
@@ -161,31 +165,29 @@ static double apart(double r[3], const struct bed *bed, const double at[2], cons
 
 static void nearest(struct bed *bed, double r[3], const struct hawser_heights *of, const double x[3])
 {
-	double at[2] = {x[0], x[2]}, square;
 	const double floor = ROUND*(fabs(x[0]) + fabs(x[1]) + fabs(x[2]));
+	double at[2] = {x[0], x[2]}, square, last = INFINITY;
 
 	bed_at(bed, of, at[0], at[1]);
 	square = apart(r, bed, at, x);
 	for (int i = 0; i < STEPS; i++) {
-		double step[2], part = 1.0, now = square;
-		struct bed next;
+		double step[2], part = 1.0, size, now = INFINITY;
 
 		step_of(step, bed, r);
-		for (int k = 0; k < HALVES; k++, part *= 0.5) {
-			double to[2] = {at[0] + part*step[0], at[1] + part*step[1]}, r_to[3];
+		for (int k = 0; k < HALVES && !(now <= square*(1.0 + NO_MORE)); k++) {
+			double to[2] = {at[0] + part*step[0], at[1] + part*step[1]};
 
-			bed_at(&next, of, to[0], to[1]);
-			now = apart(r_to, &next, to, x);
-			if (now <= square*(1.0 + 4.0*DBL_EPSILON)) {
-				*bed = next;
-				memcpy(at, to, sizeof at);
-				memcpy(r, r_to, sizeof r_to);
-				break;
-			}
+			bed_at(bed, of, to[0], to[1]);
+			now = apart(r, bed, to, x);
+			part *= 0.5;
 		}
-		if (!(part*hypot(step[0], step[1]) > floor) || (now >= square && i > 3))
+		for (int k = 0; k < 2; k++)
+			at[k] += 2.0*part*step[k];
+		size = hypot(step[0], step[1]);
+		if (!(size > floor) || (size < FEW*floor && size > 0.5*last))
 			return;
-		square = now;
+		square = fmin(square, now);
+		last = size;
 	}
 }
 

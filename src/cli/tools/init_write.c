@@ -138,10 +138,13 @@ void cli_mooring_write(FILE *stream, const struct cli_mooring *mooring)
 	cables(stream, mooring);
 	bodies(stream, mooring);
 	failures(stream, mooring);
-	if (!deep)
+	if (*mooring->bed)
+		fprintf(stream, "obstacles:\n  - {name: bed, grid: \"%s\"", mooring->bed);
+	else if (deep)
+		fprintf(stream, "obstacles:\n  - {name: bed, plane: {point: [0, %.12g], normal: [0, 1]}",
+		        -mooring->depth);
+	else
 		return;
-	fprintf(stream, "obstacles:\n  - {name: bed, plane: {point: [0, %.12g], normal: [0, 1]}",
-	        -mooring->depth);
 	if (mooring->stiffness > 0.0)
 		fprintf(stream, ", stiffness: %.12g", mooring->stiffness);
 	if (mooring->stiffness > 0.0 && mooring->damping > 0.0)
