@@ -249,6 +249,12 @@ static void roundings(double *round, const double *x, int n, double most)
 			: fmin(most, 0.5*fmin(x[i] - x[i - 1], x[i + 1] - x[i]));
 }
 
+void hawser__heights_round(struct hawser_heights *of, double round)
+{
+	roundings(of->round_x, of->x, of->nx, round);
+	roundings(of->round_z, of->z, of->nz, round);
+}
+
 /* 1 if the second differences of one direction, n values apart by `stride`, are not below 0. */
 static int rises(const double *x, const double *y, int n, int stride, double size)
 {
@@ -333,8 +339,7 @@ enum hawser_status hawser_heights_make(struct hawser_heights **heights, int nx, 
 	if (nz > 1)
 		memcpy(of->z, z, (size_t)nz*sizeof *z);
 	memcpy(of->y, y, points*sizeof *y);
-	roundings(of->round_x, x, nx, round);
-	roundings(of->round_z, of->z, nz, round);
+	hawser__heights_round(of, round);
 	of->convex = convex(of);
 	*heights = of;
 	return HAWSER_OK;

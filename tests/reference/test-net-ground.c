@@ -1,7 +1,7 @@
 /* Beds of any shape, against a program that shares no code with this one: Newton's method for the
  * energy of the nodes, with heights as means of the polyline over the rounding (box), and the nearest
- * point by tangent planes, in Python. Level and sloped grids against planes, grids against profiles, and
- * the ledger of motions over corners. SPDX-License-Identifier: GPL-3.0-or-later */
+ * point by tangent planes, in Python. Level and sloped grids against planes, grids against profiles,
+ * and the ledger of motions over corners. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <math.h>
@@ -141,7 +141,8 @@ static void same(void)
 		grid(level ? slope : hills, 5, x, 3, z);
 		snprintf(bed, sizeof bed, "grid: %s%s", path, rules[i % 4]);
 		moved(one, bed, 40, 4.0);
-		snprintf(bed, sizeof bed, "%s%s", level ? "plane: {point: [0, -0.5, 0], normal: [0.03, 1, -0.02]}"
+		snprintf(bed, sizeof bed, "%s%s", level
+		         ? "plane: {point: [0, -0.5, 0], normal: [0.03, 1, -0.02]}"
 		         : "profile: [[-50, 0], [150, -8], [300, 5], [450, -20], [900, 0]]", rules[i % 4]);
 		moved(other, bed, 40, 4.0);
 		for (int k = 0; k < 2; k++)

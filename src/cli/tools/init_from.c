@@ -347,30 +347,6 @@ static enum hawser_status read_failure(struct cli_mooring *mooring, const struct
 	return status;
 }
 
-/* The file of the bathymetry: as the option has it, or beside the file of the mooring. */
-static enum hawser_status read_bed(struct cli_mooring *mooring, const char *name,
-                                   struct hawser_report *report)
-{
-	const int folder = (int)(hawser__file_name(mooring->path) - mooring->path);
-	size_t room = sizeof mooring->bed;
-	int length = 0;
-
-	for (int beside = 0; beside < 2 && !length; beside++) {
-		FILE *file;
-
-		length = snprintf(mooring->bed, room, "%.*s%s", beside ? folder : 0, mooring->path, name);
-		file = fopen(mooring->bed, "r");
-		if (file)
-			fclose(file);
-		else
-			length = 0;
-	}
-	if (!length || (size_t)length >= room || strpbrk(name, "\"\\"))
-		return wrong(report, mooring, "the bathymetry '%s' cannot be read: its path is that of the folder "
-		             "where hawser runs, or of this file", name);
-	return HAWSER_OK;
-}
-
 static enum hawser_status read_option(struct cli_mooring *mooring, const struct words *words,
                                       struct hawser_report *report)
 {
@@ -390,7 +366,9 @@ static enum hawser_status read_option(struct cli_mooring *mooring, const struct 
 
 	for (size_t i = 0; i < sizeof bed/sizeof *bed; i++)
 		if (!strcasecmp(words->word[1], bed[i]) && !number(&value, words->word[0]))
-			return read_bed(mooring, words->word[0], report);
+			return cli_mooring_bed(mooring, words->word[0]) ? HAWSER_OK
+				: wrong(report, mooring, "the bathymetry '%s' cannot be read: its path is that of the "
+				        "folder where hawser runs, or of this file", words->word[0]);
 	for (size_t i = 0; i < sizeof known/sizeof *known; i++)
 		if (!strcasecmp(words->word[1], known[i].key))
 			return numbers(known[i].value, 1, mooring, words, 0, report);

@@ -52,7 +52,9 @@ struct cli_mooring {
 	double g, density, depth, stiffness, damping, friction; /* depth: NAN: not given */
 	char bed[CLI_MOORING_PATH]; /* file of the bathymetry, "": none */
 };
-/* init_write.c */
+/* init_write.c. _bed: the file of the bathymetry, as an option has it or beside the file of the
+ * mooring; 0: none can be read. */
+int cli_mooring_bed(struct cli_mooring *mooring, const char *name);
 void cli_mooring_write(FILE *stream, const struct cli_mooring *mooring);
 
 #endif

@@ -3,6 +3,7 @@
 #include "config.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "cli/tools/init_from.h"
 #include "core/file.h"
@@ -121,6 +122,22 @@ static void failures(FILE *stream, const struct cli_mooring *mooring)
 		        mooring->point[failure->point].id, timed ? "time" : "tension",
 		        timed ? failure->time : failure->tension);
 	}
+}
+
+int cli_mooring_bed(struct cli_mooring *mooring, const char *name)
+{
+	const int folder = (int)(hawser__file_name(mooring->path) - mooring->path);
+	FILE *file = NULL;
+
+	for (int beside = 0; beside < 2 && !file && !strpbrk(name, "\"\\"); beside++) {
+		int length = snprintf(mooring->bed, sizeof mooring->bed, "%.*s%s", beside ? folder : 0,
+		                      mooring->path, name);
+
+		file = (size_t)length < sizeof mooring->bed ? fopen(mooring->bed, "r") : NULL;
+	}
+	if (file)
+		fclose(file);
+	return file != NULL;
 }
 
 void cli_mooring_write(FILE *stream, const struct cli_mooring *mooring)
