@@ -151,6 +151,36 @@ static void same(void)
 	}
 }
 
+/* The stiffness at the fairlead: a sloped grid as the plane; over hills, where the line leaves flat
+ * parts and a rounded corner, differences of equilibria 0.1 m off. */
+static void stiffness(void)
+{
+	static const char *const bed[] = {"plane: {point: [0, -0.5, 0], normal: [0.03, 1, -0.02]}", path,
+	                                  HILLS, HILLS, HILLS};
+	static const double x[] = {0.0, 0.0, 796.732, 796.632, 796.832};
+	double H[5] = {0}, K[5] = {0};
+
+	for (int i = 0; i < 5; i++) {
+		struct hawser_net net = {0};
+		struct hawser_net_stiffness at;
+		struct hawser_report report = {0};
+		char nodes[100], file[sizeof path + 20];
+
+		snprintf(file, sizeof file, "grid: %s", path);
+		snprintf(nodes, sizeof nodes, "nodes={A: [0, -0.48, 0], B: [%.17g, 186, 0]}",
+		         i < 2 ? 780.0 : x[i]);
+		if (opened(&net, i == 1 ? file : bed[i], 835.5, 400, nodes, NULL) &&
+		    ok(!hawser_net_stiffness_of(&at, &net, (const int []){1}, 1, NULL, &report), "%s",
+		       report.message)) {
+			H[i] = at.force[0];
+			K[i] = at.K[0][0];
+		}
+		hawser_net_clear(&net);
+	}
+	close_to(K[1], K[0], 1e-7, "stiffness along x on a grid, as on a plane, N/m");
+	close_to(K[2], (H[4] - H[3])/0.2, 4e-4, "and over hills, by differences, N/m");
+}
+
 CASE(reference_net_ground)
 {
 	int file = mkstemp(path);
@@ -158,6 +188,8 @@ CASE(reference_net_ground)
 	ok(file >= 0, "a temporary file");
 	judged();
 	same();
+	grid(slope, 5, (const double []){-50, 150, 300, 450, 900}, 2, (const double []){-100, 200});
+	stiffness();
 	remove(path);
 	return done_testing();
 }

@@ -238,22 +238,29 @@ enum hawser_status hawser__touch_beyond(const struct hawser__mesh *mesh,
 	                    of->x[0], of->x[of->nx - 1], across);
 }
 
-/* Largest depth of an element in a bed between its ends, over its length: at eight places. */
+static double depth(const struct hawser_surface *bed, const double x[3])
+{
+	return hawser_heights_at(bed->heights, x[0], x[2]) - x[1];
+}
+
+/* Largest depth of an element in a bed between its ends, beyond that of these, over its length: at
+ * eight places. */
 static double cut_of(double x[3], const struct hawser__mesh *mesh, int e,
                      const struct hawser_surface *bed)
 {
 	const double *a = mesh->q[mesh->end[e][0]], *b = mesh->q[mesh->end[e][1]];
+	const double ends = fmax(fmax(depth(bed, a), depth(bed, b)), 0.0);
 	double most = 0.0;
 
 	for (int i = 1; i < PLACES; i++) {
-		double at[3], depth;
+		double at[3], deep;
 
 		for (int k = 0; k < 3; k++)
 			at[k] = a[k] + i*(b[k] - a[k])/PLACES;
-		depth = (hawser_heights_at(bed->heights, at[0], at[2]) - at[1])/mesh->length0[e];
-		if (!(depth > most))
+		deep = (depth(bed, at) - ends)/mesh->length0[e];
+		if (!(deep > most))
 			continue;
-		most = depth;
+		most = deep;
 		memcpy(x, at, sizeof at);
 	}
 	return most;
