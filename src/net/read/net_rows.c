@@ -279,8 +279,11 @@ static const struct hawser__tree_key net_rows[] = {
 	       "[x, y, z] of its centre, with that of its groove")
 	ROW("net.obstacles[].profile", LIST, 0, "", ANY, 0, 0, ONE_OF, NOWHERE, 1, SURFACE_AT(kind), NULL,
 	    "a bed along x below the net, which extends along z: its places, between them straight; "
-	    "corners that point upwards are rounded over an element")
+	    "corners are rounded over an element")
 	VECTOR("net.obstacles[].profile[]", 2, OPTIONAL, "m", ANY, NOWHERE, NULL, "[x, y], x rising")
+	ROW("net.obstacles[].grid", TEXT, 0, "", ANY, 0, 0, ONE_OF, SURFACE_AT(file), 1, SURFACE_AT(kind),
+	    NULL, "file of a bed below the net: points x y z in m, y upwards, every x with every z; or "
+	    "the bathymetry of MoorDyn and MoorPy; rounded as profiles")
 	WORD("net.obstacles[].side", OPTIONAL, "above|below|left|right|inside|around", SURFACE_AT(side),
 	     "above", "side where the net is: left or right of a vertical segment, inside a circle, or "
 	     "around one, as a belt: then all nodes must have places, cables begin straight between "
@@ -293,12 +296,12 @@ static const struct hawser__tree_key net_rows[] = {
 	NUMBER("net.obstacles[].friction.transverse", REQUIRED, "1", POSITIVE, SURFACE_AT(friction), NULL,
 	       "coefficient across them")
 	NUMBER("net.obstacles[].stiffness", OPTIONAL, "Pa/m", POSITIVE, SURFACE_AT(stiffness), "rigid",
-	       "of a plane that gives way, as a seabed: force per unstretched length over the diameter and "
-	       "the depth")
+	       "of a plane, profile or grid that gives way, as a seabed: force per unstretched length over "
+	       "the diameter and the depth")
 	NUMBER("net.obstacles[].damping", OPTIONAL, "Pa.s/m", NOT_NEGATIVE, SURFACE_AT(damping), "0",
 	       "of this: the same over the rate of the depth, in motions; it does not pull")
 	NUMBER("net.obstacles[].velocity", OPTIONAL, "m/s", ANY, SURFACE_AT(speed), NULL,
-	       "speed of the surface along a segment or counterclockwise around a circle")
+	       "speed of the surface along a segment or profile, or counterclockwise around a circle")
 	PLACE_OR("net.obstacles[].velocity", 3, OPTIONAL, "m/s", SURFACE_AT(velocity),
 	         "velocity of a plane, along it")
 	WORD("net.obstacles[].groove", OPTIONAL, "no|yes", SURFACE_AT(groove), "no",
