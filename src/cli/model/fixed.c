@@ -341,7 +341,8 @@ void cli_range_warn(struct cli_model *model, double *reached)
 	snprintf(text, sizeof text, "coordinate u_%d (%s) moves by up to %.3g m: its static force (with "
 	         "all other coordinates at rest under it), inertia and damping are right within %.0f %% "
 	         "only up to %.3g m, and results beyond that may be wrong: take model.energy: exact, or "
-	         "other modes (hawser rom prints the range of each)", j + 1, rom->label ? rom->label[j] : "mode",
+	         "other modes (hawser rom prints the range of each)", j + 1,
+	         rom->label ? rom->label[j] : "mode",
 	         reached[j]*rom->range[j].largest, 100.0*HAWSER_LAW_LIMIT, rom->range[j].amplitude);
 	free(reached);
 	cli_caution("moves further than the model is right", text);

@@ -110,7 +110,8 @@ static void free_exact(struct hawser__law *law)
 }
 
 /* The power p for which the damping of a mode is proportional to omega^p, from mode j and the highest
- * mode that is kept or known: 0 for damping by mass, 1 for damping ratios, 2 for damping by stiffness. */
+ * mode that is kept or known: 0 for damping by mass, 1 for damping ratios, 2 for damping by
+ * stiffness. */
 static double damping_power(const struct hawser_rom *rom, int j)
 {
 	const struct hawser_rom_known *known = &rom->known;
