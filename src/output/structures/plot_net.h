@@ -1,7 +1,6 @@
 /* output/structures/plot_net.h - a net in perspective, its cables coloured by their tension.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_OUTPUT_PLOT_NET_H
-#define HAWSER_OUTPUT_PLOT_NET_H
+#pragma once
 
 #include <hawser/net.h>
 
@@ -14,5 +13,3 @@ enum hawser_status hawser__plot_net(const char *path, const struct hawser_net *n
 enum hawser_status hawser__plot_mooring(const char *path, const struct hawser_net *net,
                                         const struct hawser_net_statics *st,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
-
-#endif
