@@ -129,7 +129,8 @@ static void check_written(void)
 	FILE *stream = open_memstream(&text, &size);
 
 	if (!is_read(&scene, INCLINED "loads: [{per_length: [1, 2, -1], from: 13.7 %, to: 71 m, "
-	             "harmonic: 2, phase: 1.1, wave: -3}, {force: [120, -60, 30], at: 17.3 m, frame: local, name: a}]\n"))
+	             "harmonic: 2, phase: 1.1, wave: -3}, "
+	             "{force: [120, -60, 30], at: 17.3 m, frame: local, name: a}]\n"))
 		return;
 	ok(!hawser_scene_write(&scene, stream, NULL), "written");
 	fclose(stream);
