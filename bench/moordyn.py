@@ -75,13 +75,18 @@ LAYOUTS = {
                           ("Coupled", 0, 0, -15, 0, 0, 0, 0)], [("chain", 1, 2, 610, 36), ("wire", 2, 3, 172, 12)])}
 
 
-def write_layout(layout, finer, step):
+STORM = (200, ["chain 0.0766 113.35 753.6e6 -0.5 0 2 1 0.4 0"], [("Fixed", x, y, -200, 0, 0, 0, 0) for x, y in ANCHORS] +
+         [("Coupled", x, y, -14, 0, 0, 0, 0) for x, y in FAIRLEADS], [("chain", i, i + 3, 880, 1) for i in (1, 2, 3)])
+
+
+def write(layout, finer, step, scheme="RK2"):
+    """The file of MoorDyn, which hawser init --from reads too; lines with so many times their elements."""
     depth, types, points, lines = layout
-    rows = ["Layout", "--- LINE TYPES ---", "names", "units"] + types + ["--- POINTS ---", "names", "units"]
-    rows += ["%d %s %g %g %g %g %g %g %g" % ((i + 1,) + one) for i, one in enumerate(points)]
+    rows = ["Storm", "--- LINE TYPES ---", "names", "units"] + types + ["--- POINTS ---", "names", "units"]
+    rows += ["%d %s %.9g %.9g %.9g %g %g %g %g" % ((i + 1,) + one) for i, one in enumerate(points)]
     rows += ["--- LINES ---", "names", "units"]
     rows += ["%d %s %d %d %g %d -" % (i + 1, one[0], one[1], one[2], one[3], one[4]*finer) for i, one in enumerate(lines)]
-    rows += ["--- OPTIONS ---", "%.12g dtM" % step, "RK2 tScheme", "3e6 kBot", "3e5 cBot", "1025 rho", "%g WtrDpth" % depth, "9.81 g",
+    rows += ["--- OPTIONS ---", "%.12g dtM" % step, scheme + " tScheme", "3e6 kBot", "3e5 cBot", "1025 rho", "%g WtrDpth" % depth, "9.81 g",
              "1 disableOutput", "1 disableOutTime", "--- OUTPUTS ---", "FairTen1", "--- need this line ---"]
     with open("storm.txt", "w") as to:
         to.write("\n".join(rows) + "\n")
@@ -93,7 +98,7 @@ def moordyn_layout(library, layout, finer, until):
     pace = {one.split()[0]: math.sqrt(float(one.split()[2])/float(one.split()[3])) for one in types}
     step = min(0.3*one[3]/(one[4]*finer)*pace[one[0]] for one in lines)
     step = EVERY/math.ceil(EVERY/step)
-    write_layout(layout, finer, step)
+    write(layout, finer, step)
     library.MoorDyn_Create.restype = library.MoorDyn_GetLine.restype = ctypes.c_void_p
     system = ctypes.c_void_p(library.MoorDyn_Create(b"storm.txt"))
     three, (x, y, z) = ctypes.c_double*3, points[-1][1:4]
@@ -113,7 +118,7 @@ def moordyn_layout(library, layout, finer, until):
 
 
 def hawser_layout(program, layout, finer, until):
-    write_layout(layout, finer, 0.01)
+    write(layout, finer, 0.01)
     return run_hawser(program, "P%d" % len(layout[2]), 0.025, until)[0]
 
 
@@ -134,22 +139,9 @@ def compare(program, library):
     print("\n".join(table))
 
 
-def write(elements, step, scheme):
-    """The file of MoorDyn, which hawser init --from reads too."""
-    rows = ["Storm", "--- LINE TYPES ---", "names", "units", "chain 0.0766 113.35 753.6e6 -0.5 0 2 1 0.4 0", "--- POINTS ---",
-            "names", "units"]
-    rows += ["%d Fixed %.9g %.9g -200 0 0 0 0" % (i + 1, x, y) for i, (x, y) in enumerate(ANCHORS)]
-    rows += ["%d Coupled %.9g %.9g -14 0 0 0 0" % (i + 4, x, y) for i, (x, y) in enumerate(FAIRLEADS)]
-    rows += ["--- LINES ---", "names", "units"] + ["%d chain %d %d 880 %d -" % (i + 1, i + 1, i + 4, elements) for i in range(3)]
-    rows += ["--- OPTIONS ---", "%.12g dtM" % step, scheme + " tScheme", "3e6 kBot", "3e5 cBot", "1025 rho", "200 WtrDpth", "9.81 g",
-             "1 disableOutput", "1 disableOutTime", "--- OUTPUTS ---", "FairTen1", "--- need this line ---"]
-    with open("storm.txt", "w") as to:
-        to.write("\n".join(rows) + "\n")
-
-
 def of_moordyn(library, elements, step, scheme, until):
     """Rows (t, three tensions), and the processor time."""
-    write(elements, step, scheme)
+    write(STORM, elements, step, scheme)
     library.MoorDyn_Create.restype = library.MoorDyn_GetLine.restype = ctypes.c_void_p
     system = ctypes.c_void_p(library.MoorDyn_Create(b"storm.txt"))
     nine = ctypes.c_double*9
@@ -201,7 +193,7 @@ def run_hawser(program, ends, step, until):
 
 
 def of_hawser(program, elements, step, until):
-    write(elements, 0.01, "RK2")
+    write(STORM, elements, 0.01)
     return run_hawser(program, "P4,P5,P6", step, until)
 
 

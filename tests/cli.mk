@@ -25,7 +25,7 @@ CLI_TESTS = \
 	%D%/cli/net-contact.sh \
 	%D%/cli/net.sh \
 	%D%/cli/obstacles.sh \
-	%D%/cli/rod.sh %D%/cli/rod-motion.sh %D%/cli/rod-winch.sh \
+	%D%/cli/rod.sh %D%/cli/rod-motion.sh %D%/cli/rod-water.sh %D%/cli/rod-winch.sh \
 	%D%/cli/ropeway.sh \
 	%D%/cli/ropeway-modes.sh \
 	%D%/cli/ropeway-rom.sh \

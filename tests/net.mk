@@ -22,6 +22,7 @@ tests_net_SOURCES = tests/cases.c \
 	tests/reference/test-net-bed.c \
 	tests/reference/test-net-belt.c \
 	tests/reference/test-net-body.c \
+	tests/reference/test-net-body-bed.c \
 	tests/reference/test-net-body-waves.c \
 	tests/reference/test-net-contact-modes.c \
 	tests/reference/test-net-contact.c \

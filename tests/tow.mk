@@ -4,6 +4,7 @@ tests_tow_SOURCES = tests/cases.c \
 	tests/property/test-tow-loads.c \
 	tests/reference/test-tow-motion.c \
 	tests/reference/test-tow-steady.c \
+	tests/reference/test-tow-water.c \
 	tests/reference/test-trajectory.c \
 	tests/unit/test-set-keys.c \
 	tests/unit/test-tree-keys.c \

@@ -152,6 +152,8 @@ struct hawser_net_body {
 	char name[HAWSER_NET_NAME];
 	int *node, nodes;   /* [nodes] of the net */
 	double mass, inertia[3]; /* kg; kg m^2, about its axes: beside the masses of nodes and rods */
+	double bearing;     /* m^2: of each of its nodes on an obstacle that gives way, beside the diameter
+	                     * times half of the elements of rods and lines there */
 	double centre[3];   /* m, of that mass */
 	double axes[3][3];  /* rows: unit vectors; those of the scene where it is as in the scene */
 };

@@ -11,6 +11,7 @@
 #include <stddef.h>
 #include <hawser/document.h>
 #include <hawser/status.h>
+#include <hawser/water.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -28,6 +29,7 @@ struct hawser_rod_segment {
 	double EI[2], GJ;    /* N m^2; EI about e2 and e3 */
 	double curvature[3]; /* 1/m, at rest: twist, about e2 and about e3 */
 	double inertia[3];   /* kg m, of a unit length about e1, e2, e3; all 0: not given */
+	struct hawser_water_line line; /* in the water; its diameter is that of its outside */
 	int elements;
 };
 
@@ -75,6 +77,7 @@ struct hawser_rod {
 	int from_rest;                      /* 1: a motion begins in the shape at rest, though held */
 	struct hawser_rod_drive drive[2];   /* how start and end move, where they are held */
 	struct hawser_rod_winch winch;      /* at the start, which is held */
+	struct hawser_water water;          /* density 0: none */
 };
 
 /* Read a scene of kind `rod`; `set` has overrides, such as "rod.EI=2 kN m^2". */
@@ -116,6 +119,7 @@ struct hawser_rod_statics {
 	                        * sheared */
 	double M_max, M_max_s; /* N m, m: largest moment, and where */
 	double energy;         /* J, of strain */
+	double wet;            /* m, unstretched length in the water */
 	double residual;       /* N: largest force that is not balanced */
 	double increment;      /* the last one, see tolerance */
 	int elements, steps, iterations;

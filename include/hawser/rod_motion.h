@@ -63,6 +63,8 @@ struct hawser_rod_motion {
 	double (*force)[3], (*moment)[3];     /* [rows] N, N m: of what holds the start, scene's axes */
 	int nodes;
 	double (*shape)[3];  /* [rows*nodes] m */
+	double *water;       /* [rows] J, work of the water since the beginning: of buoyancy, drag and added
+	                      * mass, whose kinetic energy is not in `kinetic` */
 	double *winch;       /* [rows] J, work of the winch, with the energy of the material that enters */
 	double *length;      /* [rows] m, unstretched */
 	double *turned;      /* [rows] mean rotation of the rod about z since the beginning, revolutions */

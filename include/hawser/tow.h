@@ -28,6 +28,7 @@ struct hawser_tow_segment {
 	double normal, tangential; /* drag coefficients cn, ct */
 	double lift, strouhal;     /* of vortex shedding, ck and St; lift 0: none */
 	int elements;       /* 0: HAWSER_TOW_ELEMENTS */
+	double added_normal, added_tangential; /* added mass over that of the water displaced */
 };
 enum { HAWSER_TOW_ELEMENTS = 100 };
 
@@ -50,6 +51,8 @@ struct hawser_tow_body {
 	double torsion;          /* N m/rad, of a spring */
 	double inertia;          /* kg m^2, of a mass, about any axis; 0: a point */
 	struct hawser_ring ring; /* with the density of the air */
+	double volume;           /* m^3, of a mass in water: a sphere where the surface cuts it */
+	double added;            /* its added mass over that of the water displaced */
 };
 
 struct hawser_tow {
@@ -59,7 +62,8 @@ struct hawser_tow {
 	int waypoints;                      /* 0: straight flight or orbit */
 	int clamped;                        /* 1: the towing point clamps a cable with EI, downwards */
 	double g;                           /* m/s^2 */
-	double density, wind[3];            /* kg/m^3 and m/s, of the air */
+	double density, wind[3];            /* kg/m^3 and m/s, of the air; in water the density of that */
+	struct hawser_water water;          /* in place of air; density 0: none */
 	struct hawser_waypoint *gust;       /* [gusts] wind in time, m/s in at[0], linear
 	                                     * between; owned */
 	int gusts;                          /* 0: constant */
@@ -164,7 +168,7 @@ struct hawser_tow_sample {
 	double tilt;         /* rad, angle of the body's axis to the vertical */
 	double tension_top, tension_end; /* N */
 	double kinetic, strain, height; /* J, energies; height: potential energy of the weight */
-	double towed, air;   /* J, work of the towing point and of the air since the beginning */
+	double towed, air;   /* J, work of the towing point and of air or water since the beginning */
 	double winch;        /* J, work of the winch, with the energy of the material paid out */
 	double length;       /* m, unstretched length of the cable */
 };

@@ -54,6 +54,9 @@ struct hawser_water_buoy {
 void hawser_water_at(double u[3], double du[3], const struct hawser_water *water, const double x[3],
                      double t);
 
+/* Release what it owns; all is zero then. */
+void hawser_water_clear(struct hawser_water *water);
+
 #ifdef __cplusplus
 }
 #endif

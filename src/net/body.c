@@ -8,7 +8,6 @@
 #include "config.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "core/report.h"
@@ -17,8 +16,6 @@
 
 /* Of the distance of two hinges: what is nearer to their line is on it. */
 static const double STRAIGHT = 1e-9;
-/* Of the distance from the origin: what is less inside an obstacle is at its surface. */
-static const double INSIDE = 1e-9;
 
 static void points(struct hawser__mesh *mesh, const struct hawser_net_body *body, int number, int first)
 {
@@ -202,6 +199,12 @@ enum hawser_status hawser__bodies_release(struct hawser__mesh *mesh, const struc
 	if (!mesh->body || !held)
 		return hawser__no_memory(report, "net");
 	hawser__mesh_gradient(held, NULL, mesh);
+	for (int i = 0; i < mesh->touches; i++) {
+		const struct hawser__touch *touch = &mesh->touch[i];
+
+		for (int k = 0; k < 3 && touch->r > 0.0; k++)
+			held[touch->node][k] -= touch->r*touch->n[k] + touch->friction[k];
+	}
 	for (int b = 0; b < net->bodies; b++) {
 		struct hawser__mesh_body *body = &mesh->body[b];
 
@@ -212,30 +215,6 @@ enum hawser_status hawser__bodies_release(struct hawser__mesh *mesh, const struc
 		turns(mesh, b, (const double (*)[3])held);
 		mesh->unknowns += body->motions;
 		mesh->body_unknowns += body->motions;
-	}
-	return HAWSER_OK;
-}
-
-enum hawser_status hawser__bodies_outside(const struct hawser_net *net, const double (*x)[3],
-                                          double t, struct hawser_report *report)
-{
-	for (int i = 0; i < net->nodes*net->surfaces; i++) {
-		const struct hawser_net_node *node = &net->node[i/net->surfaces];
-		const struct hawser_surface *surface = &net->surface[i % net->surfaces];
-		const double *at = x ? x[i/net->surfaces] : node->x;
-		double size = fabs(at[0]) + fabs(at[1]) + fabs(at[2]), g;
-		char when[40] = "";
-
-		if (!node->body || node->support)
-			continue;
-		g = hawser_surface_gap(NULL, NULL, surface, at);
-		if (!isnan(t))
-			snprintf(when, sizeof when, "at %.6g s ", t);
-		if (g < -INSIDE*size)
-			return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "net", "%s: %snode %s of body %s is "
-			                    "%.4g m inside obstacle %s: bodies do not touch obstacles; move the "
-			                    "obstacle, or hold the body by lines", net->name, when, node->name,
-			                    net->body[node->body - 1].name, -g, surface->name);
 	}
 	return HAWSER_OK;
 }

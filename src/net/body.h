@@ -27,8 +27,15 @@ enum hawser_status hawser__bodies_release(struct hawser__mesh *mesh, const struc
  * there. */
 void hawser__body_place(double x[3], const double *z, const struct hawser__mesh *mesh, int node);
 void hawser__body_push(double *z, const struct hawser__mesh *mesh, int node, const double v[3]);
+/* touch/touch-body.c: list the nodes of bodies among the touches too, without the hinges that are not
+ * in loose [nodes of the net] (or NULL); _land: with the forces of the planes at mesh->q. */
+enum hawser_status hawser__bodies_stand(struct hawser__mesh *mesh, const struct hawser_net *net,
+                                        const unsigned char *loose,
+                                        struct hawser_report *report) HAWSER_MUST_CHECK;
+enum hawser_status hawser__bodies_land(struct hawser__mesh *mesh, const struct hawser_net *net,
+                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 /* Fail if a node of a body, at x [nodes of the net] or, NULL, where the net has it, is inside an
- * obstacle, which bodies do not touch. t: s of a motion; else NAN. */
+ * obstacle that is rigid, or on which it has no area. t: s of a motion; else NAN. */
 enum hawser_status hawser__bodies_outside(const struct hawser_net *net, const double (*x)[3], double t,
                                           struct hawser_report *report) HAWSER_MUST_CHECK;
 /* Fail if there are bodies, which `what` does not know. */
@@ -43,10 +50,11 @@ enum hawser_status hawser__bodies_tangent(double *K, double *force, double *scal
                                           const struct hawser_net *net, const double (*about)[3],
                                           struct hawser_report *report) HAWSER_MUST_CHECK;
 /* statics/seat.c: the net with its bodies in their equilibrium, the largest force that is not
- * balanced, N, in *rest. To be released by hawser__bodies_unseat, also after a failure. */
+ * balanced, N, in *rest; moves 1: with lines that leave planes between nodes, as in motions. To be
+ * released by hawser__bodies_unseat, also after a failure. */
 enum hawser_status hawser__bodies_seat(struct hawser_net *seated, double *rest,
-                                       const struct hawser_net *net, struct hawser_report *report)
-	HAWSER_MUST_CHECK;
+                                       const struct hawser_net *net, int moves,
+                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser__bodies_unseat(struct hawser_net *seated, const struct hawser_net *net);
 
 #endif

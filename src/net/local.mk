@@ -115,6 +115,7 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/touch/touch.c \
 	%D%/touch/touch.h \
 	%D%/touch/touch-drag.c \
+	%D%/touch/touch-body.c \
 	%D%/touch/touch-oval.c \
 	%D%/touch/touch-flow.c \
 	%D%/touch/touch-hold.c \
@@ -122,6 +123,8 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/touch/touched.c \
 	%D%/touch/touching.c \
 	%D%/water/ends.c \
+	%D%/water/flow.c \
+	%D%/water/flow.h \
 	%D%/water/load.c \
 	%D%/water/water-motion.c \
 	%D%/water/water-statics.c \

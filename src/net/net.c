@@ -34,8 +34,6 @@ void hawser_net_clear(struct hawser_net *net)
 	for (int i = 0; i < net->bodies; i++)
 		free(net->body[i].node);
 	free(net->body);
-	free(net->water.current);
-	free(net->water.file);
-	hawser_waves_clear(&net->water.waves);
+	hawser_water_clear(&net->water);
 	memset(net, 0, sizeof *net);
 }

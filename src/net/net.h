@@ -53,6 +53,9 @@ struct hawser__mesh {
 	double g, alpha;       /* as in struct hawser_net */
 	struct hawser__touch *touch; /* [touches] each node that can move, with each obstacle */
 	int touches;
+	unsigned char *stands; /* [nodes of the net] 1: of a body, and no hinge. With it, `touch` has nodes
+	                        * of bodies with planes that give way, too; NULL: while statics looks
+	                        * for the equilibrium of the lines */
 	int surfaces_rest;     /* 1: the surfaces of obstacles do not move: before a motion */
 	struct hawser__mesh_rotor {
 		int unknown, surface;
@@ -83,7 +86,7 @@ struct hawser__mesh {
 struct hawser__touch {
 	const struct hawser_surface *surface; /* of the net */
 	int number;            /* of that surface */
-	int node, element, end; /* the node is this end of this element */
+	int node, element, end; /* the node is this end of this element; element -1: a body's, of none */
 	int other;             /* another element of the node; -1: there is none */
 	double give;           /* m/N: how far the obstacle gives way; 0: rigid */
 	int curved;            /* 1: the matrix has the second derivatives of the gap */
@@ -98,6 +101,10 @@ struct hawser__touch {
 	double drag[3];        /* friction of one that slides over r: follows r within a step */
 	double turn[3][3];     /* N/m: the derivative of its direction by the place, times friction*r */
 };
+
+/* Springs along a plane that gives way over that across it, by which friction holds: the slip before it
+ * slides is this part of mu times the depth, of which the friction of moorings feels nothing. */
+#define HAWSER__STIFFER_ALONG 10.0
 
 /* value*cos(Omega*t + phase) at a node: a force, N, or a displacement, m. */
 struct hawser__mesh_wave {

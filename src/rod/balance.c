@@ -27,6 +27,7 @@ void hawser__rod_loads(struct hawser__rod_mesh *mesh, const double *factor, doub
 {
 	const struct hawser_rod *rod = mesh->rod;
 
+	mesh->water.part = part;
 	memset(mesh->line, 0, (size_t)mesh->elements*sizeof *mesh->line);
 	memset(mesh->point, 0, (size_t)mesh->nodes*sizeof *mesh->point);
 	for (int e = 0; e < mesh->elements; e++)
@@ -98,6 +99,8 @@ static void assemble(struct hawser__rod_mesh *mesh, int tangent)
 
 	for (int i = 0; i < mesh->nodes; i++)
 		hawser__rod_load(mesh->r + (long)HAWSER__ROD_FREE*i, mesh, i);
+	if (mesh->water.of)
+		hawser__rod_water_load(mesh, tangent);
 	for (int e = 0; e < mesh->elements; e++) {
 		int at = HAWSER__ROD_FREE*e;
 

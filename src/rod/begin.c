@@ -88,6 +88,13 @@ enum hawser_status hawser__rod_twin_open(struct hawser__rod_twin *twin, const st
 		status = hawser__rod_winch_open(&twin->motion.winch, &twin->mesh, 0.0, until, report);
 	if (status)
 		return status;
+	if (twin->mesh.water.of) {
+		status = hawser__water_flow_open(&twin->mesh.water.flow, twin->mesh.water.of,
+		                                 twin->mesh.nodes, report);
+		twin->motion.loading = hawser__rod_water_push;
+	}
+	if (status)
+		return status;
 	hawser__rod_motion_factors(&twin->motion, 0.0, 0);
 	if (!free && !rest && !rod->from_rest)
 		status = hawser__rod_equilibrium(&twin->mesh, &effort, 0, 1, twin->motion.factor, TOLERANCE,

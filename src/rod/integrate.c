@@ -57,6 +57,7 @@ void hawser_rod_motion_clear(struct hawser_rod_motion *motion)
 	free(motion->damped);
 	free(motion->lost);
 	free(motion->turned);
+	free(motion->water);
 	free(motion->winch);
 	free(motion->length);
 	free(motion->momentum);

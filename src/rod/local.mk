@@ -30,6 +30,8 @@ noinst_LTLIBRARIES += %D%/librod.la
 	%D%/solve.c \
 	%D%/solve.h \
 	%D%/statics.c \
+	%D%/water.c \
+	%D%/water.h \
 	%D%/winch.c \
 	%D%/winch.h
 # the table of keys, data alone, which the library of the scene has

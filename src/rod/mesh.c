@@ -157,6 +157,11 @@ static enum hawser_status allocate(struct hawser__rod_mesh *mesh, struct hawser_
 	mesh->held = hawser__hold(&mesh->hold, n, sizeof *mesh->held);
 	mesh->r = hawser__hold(&mesh->hold, n, sizeof *mesh->r);
 	mesh->work = hawser__hold(&mesh->hold, n*(HAWSER__BAND_SIDE + 1), sizeof *mesh->work);
+	if (mesh->rod->water.density > 0.0) {
+		mesh->water.of = &mesh->rod->water;
+		mesh->water.load = hawser__hold(&mesh->hold, elements, sizeof *mesh->water.load);
+		mesh->water.buoy.node = -1;
+	}
 	if (mesh->hold.short_of_memory)
 		return hawser__no_memory(report, "rod");
 	return hawser__band_open(&mesh->band, mesh->n, report);
@@ -225,6 +230,7 @@ enum hawser_status hawser__rod_mesh_open(struct hawser__rod_mesh *mesh, const st
 
 void hawser__rod_mesh_clear(struct hawser__rod_mesh *mesh)
 {
+	hawser__rod_water_still(mesh);
 	hawser__hold_clear(&mesh->hold);
 	hawser__band_clear(&mesh->band);
 	memset(mesh, 0, sizeof *mesh);

@@ -8,6 +8,7 @@
 #include "core/hold.h"
 #include "rod/band.h"
 #include "rod/element.h"
+#include "rod/water.h"
 
 /* Of a node, or of a unit length of an element. */
 struct hawser__rod_force {
@@ -32,6 +33,7 @@ struct hawser__rod_mesh {
 	double *r;                         /* [n] forces that are not balanced, then increments */
 	double *work;                      /* [n][HAWSER__BAND_SIDE + 1] */
 	struct hawser__band band;
+	struct hawser__rod_water water;
 	double spin[2];                    /* N m: held lightly, of the ends, see hawser__rod_tangent */
 	struct hawser__hold hold;
 };

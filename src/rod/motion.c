@@ -37,6 +37,7 @@ enum hawser_status hawser__rod_motion_open(struct hawser__rod_motion *motion,
 	motion->alpha = mesh->rod->alpha;
 	for (size_t i = 0; i < sizeof six/sizeof *six; i++)
 		good = (*six[i] = calloc(nodes, sizeof **six[i])) != NULL && good;
+	motion->added = hawser__hold(&motion->hold, nodes, sizeof *motion->added);
 	motion->mass = hawser__hold(&motion->hold, nodes, sizeof *motion->mass);
 	motion->mass0 = hawser__hold(&motion->hold, nodes, sizeof *motion->mass0);
 	motion->factor = hawser__hold(&motion->hold, (size_t)mesh->rod->loads + 1, sizeof *motion->factor);

@@ -68,6 +68,7 @@ struct hawser__rod_motion {
 	/* the state */
 	double (*rate)[6];               /* [nodes] derivatives of the velocities */
 	double (*mean)[6];               /* [nodes] the scheme's `a` */
+	double (*added)[9];              /* [nodes] kg: added mass of the loads of the function */
 	double (*mass)[4], (*mass0)[4];  /* [nodes] kg, kg m^2 about e1, e2, e3, of the rod; 0: before
 	                                  * the step */
 	double *factor;                  /* [loads] of the scene's loads at this time */
@@ -128,6 +129,8 @@ enum hawser_status hawser__rod_motion_adapt(struct hawser__rod_motion *motion, d
 
 /* Add force and moment, f [6], on a node. */
 void hawser__rod_push(struct hawser__rod_motion *motion, int node, const double f[6]);
+/* Its part -M a, which is in f, of the added mass M (kg) and the acceleration a of the node. */
+void hawser__rod_push_mass(struct hawser__rod_motion *motion, int node, const double (*M)[3]);
 /* Add the derivatives of the load of node i by place and turn (at [6][6]), and by velocity and spin
  * (by [6][6], or NULL), of node j; |i - j| <= 1. */
 void hawser__rod_push_tangent(struct hawser__rod_motion *motion, int i, int j, const double at[36],

@@ -103,6 +103,12 @@ void hawser__rod_push(struct hawser__rod_motion *motion, int node, const double 
 		motion->pushed[node][k] += f[k];
 }
 
+void hawser__rod_push_mass(struct hawser__rod_motion *motion, int node, const double (*M)[3])
+{
+	for (int k = 0; k < 9; k++)
+		motion->added[node][k] += M[k/3][k%3];
+}
+
 /* Columns of the spin are multiplied by Ji: the increments are turns of the state, and those of the
  * step's turn, of which the spin is a linear function, are Ji times these. */
 static void turn_columns(double to[36], const double by[36], const double Ji[9])
@@ -219,6 +225,7 @@ static void inertia_tangent(double rates[36], double velocities[36], double turn
 	memset(velocities, 0, 36*sizeof *velocities);
 	memset(turns, 0, 36*sizeof *turns);
 	inertia_of(J, mass, body);
+	set(rates, 0, 0, motion->added[i], 1.0);
 	set(rates, 1, 1, J, 1.0);
 	hawser__skew(W, w);
 	hawser__mul(part, W, J);
@@ -272,6 +279,7 @@ static int forces(struct hawser__rod_motion *motion, double t, int tangent)
 	if (motion->winch.as)
 		hawser__rod_winch_slip(motion);
 	memset(motion->pushed, 0, (size_t)mesh->nodes*sizeof *motion->pushed);
+	memset(motion->added, 0, (size_t)mesh->nodes*sizeof *motion->added);
 	if (motion->loading)
 		motion->refused = motion->loading(motion->data, motion, t, tangent);
 	if (motion->loading && motion->refused)

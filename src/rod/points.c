@@ -14,7 +14,8 @@
 #include "rod/so3.h"
 
 /* Loads on half an element at a node, as they act on its unknowns. */
-static void half_load(double r[6], const struct hawser__rod_mesh *mesh, int e, const double R[9])
+static void half_load(double r[6], const struct hawser__rod_mesh *mesh, int e, int side,
+                      const double R[9])
 {
 	const struct hawser__rod_force *of = &mesh->line[e];
 	double follow[3], moment[3], half = 0.5*mesh->element[e].h;
@@ -22,7 +23,7 @@ static void half_load(double r[6], const struct hawser__rod_mesh *mesh, int e, c
 	hawser__apply(follow, R, of->follow);
 	hawser__apply_left(moment, R, of->moment);
 	for (int k = 0; k < 3; k++) {
-		r[k] = half*(of->force[k] + follow[k]);
+		r[k] = half*(of->force[k] + follow[k]) + (mesh->water.of ? mesh->water.load[e][side][k] : 0.0);
 		r[3 + k] = half*(of->turn[k] + moment[k]);
 	}
 }
@@ -34,7 +35,7 @@ static void point(struct hawser_rod_point *to, struct hawser__rod_mesh *mesh, in
 
 	hawser__rod_forces(f, NULL, &mesh->element[e], &mesh->strain[e]);
 	hawser__quaternion_matrix(R, mesh->node[i].q);
-	half_load(own, mesh, e, R);
+	half_load(own, mesh, e, side, R);
 	to->s = mesh->s[i];
 	memcpy(to->x, mesh->node[i].x, sizeof to->x);
 	memcpy(to->q, mesh->node[i].q, sizeof to->q);
@@ -92,6 +93,7 @@ enum hawser_status hawser__rod_points(struct hawser_rod_statics *st, struct haws
 	st->T_max = -INFINITY;
 	st->M_max = -1.0;
 	(void)hawser__rod_strains(mesh);
+	hawser__rod_residual(mesh);
 	for (int i = 0; i < mesh->nodes; i++) {
 		const struct hawser_rod_point *at = &st->point[i];
 		double moment;
@@ -114,6 +116,7 @@ enum hawser_status hawser__rod_points(struct hawser_rod_statics *st, struct haws
 		for (int k = 0; k < 3; k++)
 			st->strain = fmax(st->strain, fabs(mesh->strain[e].w[k] - mesh->element[e].w0[k]));
 	st->energy = hawser__rod_strain_energy(mesh);
+	st->wet = mesh->water.wet;
 	supports(st, mesh);
 	return HAWSER_OK;
 }

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "net/read/read.h"
 #include "rod/read.h"
 #include "rod/so3.h"
 #include "scene/tree_keys.h"
@@ -49,6 +50,8 @@ static enum hawser_status segments(struct hawser__reader *reader, struct hawser_
 		status = hawser__tree_fill(reader, to, one, section, "rod.rod");
 		if (!status)
 			status = turns(reader, to, one, section);
+		if (!status)
+			status = hawser__net_wet(reader, &rod->water, one, section);
 		rod->length += to->length;
 		rod->segments++;
 	}
@@ -178,6 +181,25 @@ static enum hawser_status end(struct hawser__reader *reader, struct hawser_rod *
 	return status ? status : drive(reader, rod, 1, tree);
 }
 
+/* What the water asks of the ends. */
+static enum hawser_status submerged(struct hawser__reader *reader, const struct hawser_rod *rod,
+                                    const struct hawser__tree *root)
+{
+	const struct hawser__tree *first = hawser__tree_find(root, "start");
+	const struct hawser__tree *at = hawser__tree_find(first, "at");
+	const struct hawser__tree *winch = hawser__tree_find(first, "winch");
+	enum hawser_status status = hawser__water_bed(reader, &rod->water, rod->at[1], at ? at : root,
+	                                              "start.at");
+
+	at = hawser__tree_find(hawser__tree_find(root, "end"), "at");
+	if (!status && at)
+		status = hawser__water_bed(reader, &rod->water, rod->end_at[1], at, "end.at");
+	return status || !winch || !(rod->water.density > 0.0) ? status
+		: hawser__reader_fail(reader, &winch->at, "start.winch in water: the added mass of a rod that "
+		                      "lengthens is not known here; leave water out, or give a net with "
+		                      "winches, whose cables do not bend");
+}
+
 static enum hawser_status interpret(struct hawser__reader *reader, void *scene,
                                     const struct hawser__tree *root)
 {
@@ -192,11 +214,15 @@ static enum hawser_status interpret(struct hawser__reader *reader, void *scene,
 		status = hawser__reader_fail(reader, &(struct hawser__mark){.pass = 1}, "the section rod is "
 		                             "missing: give its %s (see hawser-scene(5))", keys);
 	if (!status)
+		status = hawser__water_of(reader, &rod->water, rod->g, hawser__tree_find(root, "water"));
+	if (!status)
 		status = segments(reader, rod, tree);
 	if (!status)
 		status = start(reader, rod, hawser__tree_find(root, "start"));
 	if (!status && last)
 		status = end(reader, rod, last);
+	if (!status)
+		status = submerged(reader, rod, root);
 	tree = hawser__tree_find(root, "loads");
 	if (!status && tree)
 		status = hawser__rod_read_loads(reader, rod, tree);
@@ -216,6 +242,7 @@ void hawser_rod_clear(struct hawser_rod *rod)
 	for (int i = 0; i < rod->loads; i++)
 		free(rod->load[i].factor);
 	free(rod->load);
+	hawser_water_clear(&rod->water);
 	free(rod->drive[0].path);
 	free(rod->drive[1].path);
 	free(rod->winch.row);

@@ -26,6 +26,7 @@
 	       "at rest: [twist, about e2, about e3]") \
 	VECTOR(path ".inertia", 3, OPTIONAL, "kg.m", POSITIVE, SEGMENT_AT(inertia), NULL, \
 	       "of rotation per length, about e1, e2, e3; for motions") \
+	LINE_IN_WATER(path, SEGMENT_AT) \
 	INTEGER(path ".elements", OPTIONAL, 1, 100000, SEGMENT_AT(elements), "20", "number of elements")
 #define PLACE(path, given, doc) \
 	WORD(path, OPTIONAL, "start|end", NOWHERE, given, doc) \
@@ -81,6 +82,7 @@ static const struct hawser__tree_key rod_rows[] = {
 	LIST("rod.loads[].factor", OPTIONAL,
 	     "its history in motions: [time, factor], linear between; two at one time: a jump")
 	VECTOR("rod.loads[].factor[]", 2, OPTIONAL, "s, 1", ANY, NOWHERE, NULL, "[time, factor]")
+	MAPPING("rod.water", OPTIONAL, "as that of nets")
 	SECTION("rod.damping", OPTIONAL, "damping, of motions")
 	NUMBER("rod.damping.alpha", REQUIRED, "s^-1", NOT_NEGATIVE, ROD_AT(alpha), NULL,
 	       "damping force per mass and velocity, and moment per inertia and angular velocity")

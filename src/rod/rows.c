@@ -15,7 +15,7 @@ enum hawser_status hawser__rod_rows_open(struct hawser_rod_motion *to, size_t ro
 {
 	double **const plain[] = {&to->time, &to->kinetic, &to->strain, &to->height, &to->work,
 	                          &to->support, &to->damped, &to->lost, &to->turned,
-	                          &to->winch, &to->length};
+	                          &to->winch, &to->water, &to->length};
 	/* cppcheck-suppress uninitvar ; sizeof of its elements alone */
 	double (**const three[])[3] = {&to->momentum, &to->angular, &to->force, &to->moment};
 	int good = 1;
@@ -109,6 +109,7 @@ enum hawser_status hawser__rod_row(struct hawser_rod_motion *to, struct hawser__
 	to->work[i] = motion->energy.work;
 	to->support[i] = motion->energy.support;
 	to->damped[i] = motion->energy.damped;
+	to->water[i] = motion->energy.pushed;
 	to->winch[i] = motion->energy.winch;
 	to->length[i] = mesh->s[mesh->nodes - 1];
 	to->lost[i] = motion->energy_lost;

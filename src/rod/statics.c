@@ -20,9 +20,13 @@ void hawser_rod_settle(struct hawser_rod_options *options)
 	hawser__settle(&options->tolerance, 1e-9); /* the next one would be 1e-16 */
 }
 
-/* Forces of fixed direction have a potential; moments in general have not. */
+/* Forces of fixed direction and buoyancy have a potential; moments in general and the drag of a current
+ * have not. */
 int hawser__rod_potential(const struct hawser_rod *rod)
 {
+	for (int i = 0; i < rod->water.levels; i++)
+		if (hawser__dot(rod->water.current[i].u, rod->water.current[i].u) > 0.0)
+			return 0;
 	for (int i = 0; i < rod->loads; i++) {
 		const struct hawser_rod_load *load = &rod->load[i];
 

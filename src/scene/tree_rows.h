@@ -78,6 +78,20 @@
 	       "across the axis, referred to the diameter") \
 	NUMBER(path ".tangential", OPTIONAL, "1", NOT_NEGATIVE, along, "0", \
 	       "along it, referred to the surface")
+#define ADDED_MASS(path, across, along) \
+	SECTION(path, OPTIONAL, "added mass over the mass of the water that is displaced") \
+	NUMBER(path ".normal", REQUIRED, "1", NOT_NEGATIVE, across, NULL, "across the cable") \
+	NUMBER(path ".tangential", OPTIONAL, "1", NOT_NEGATIVE, along, "0", "along it")
+/* AT: where the members of a struct hawser_water_line `line` go. */
+#define LINE_IN_WATER(path, AT) \
+	NUMBER(path ".diameter", OPTIONAL, "m", NOT_NEGATIVE, AT(line.diameter), NULL, \
+	       "diameter, in water: of the buoyancy, the drag and the added mass") \
+	SECTION(path ".drag", OPTIONAL, "coefficients of the drag of the water") \
+	NUMBER(path ".drag.normal", REQUIRED, "1", NOT_NEGATIVE, AT(line.normal), NULL, \
+	       "across the cable, referred to the diameter") \
+	NUMBER(path ".drag.tangential", OPTIONAL, "1", NOT_NEGATIVE, AT(line.tangential), "0", \
+	       "along it, referred to the surface") \
+	ADDED_MASS(path ".added_mass", AT(line.added_normal), AT(line.added_tangential))
 #define CIRCLE(path, need, pick, centre, radius) \
 	SHAPE(path, need, pick, "a circle, which extends along z") \
 	VECTOR(path ".centre", 2, REQUIRED, "m", ANY, centre, NULL, "[x, y] of its centre") \

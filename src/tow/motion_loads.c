@@ -264,7 +264,8 @@ int hawser__tow_push(void *data, struct hawser__rod_motion *motion, double t, in
 	struct hawser__tow_run *run = data;
 	double wind[3];
 
-	(void)motion;
+	if (motion->mesh->water.of)
+		return hawser__rod_water_push(NULL, motion, t, tangent);
 	hawser__tow_wind(wind, run->tow, t);
 	for (int e = 0; e < run->rod.last; e++)
 		push_element(run, wind, t, e, tangent);

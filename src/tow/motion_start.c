@@ -95,6 +95,7 @@ static enum hawser_status prepare(struct hawser__tow_run *run, double (*state)[3
 	    own->wind[2] == 0.0)
 		return HAWSER_OK;
 	own->path = (struct hawser_path){.kind = HAWSER_PATH_STRAIGHT, .to = INFINITY};
+	memcpy(own->path.origin, state[0], sizeof own->path.origin);
 	memcpy(own->path.velocity, state[1], sizeof own->path.velocity);
 	return HAWSER_OK;
 }
@@ -157,6 +158,10 @@ static enum hawser_status begin(struct hawser__tow_run *run, double (*state)[3],
 	double angle[3] = {0.0};
 	enum hawser_status status = hawser__rod_motion_open(&run->motion, &b->mesh, report);
 
+	if (status)
+		return status;
+	if (b->mesh.water.of)
+		status = hawser__water_flow_open(&b->mesh.water.flow, b->mesh.water.of, b->mesh.nodes, report);
 	if (status)
 		return status;
 	run->phase = calloc(2*(size_t)b->mesh.elements, sizeof *run->phase);

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "net/read/read.h"
 #include "rod/read.h"
 #include "tow/read.h"
 
@@ -20,9 +21,38 @@ static enum hawser_status in_air(struct hawser__reader *reader, const struct haw
 
 	for (int i = 0; i < tow->segments; i++)
 		drag += tow->segment[i].normal + tow->segment[i].tangential;
-	if (drag > 0.0 && !hawser__tree_find(root, "air"))
+	if (drag > 0.0 && !hawser__tree_find(root, "air") && !hawser__tree_find(root, "water"))
 		return hawser__reader_fail(reader, &root->at, "cable or body has drag, but the section air "
 		                           "is missing: give air: {density: 1.2 kg/m^3}");
+	return HAWSER_OK;
+}
+
+/* What water asks of the other sections, and what they ask of it. */
+static enum hawser_status in_water(struct hawser__reader *reader, struct hawser_tow *tow,
+                                   const struct hawser__tree *root)
+{
+	static const char *const other[] = {"air", "winch"}, *const of_water[] = {"volume", "added_mass"};
+	const struct hawser__tree *body = hawser__tree_find(root, "body"), *one;
+	int wet = tow->water.density > 0.0;
+
+	for (int i = 0; i < 2; i++) {
+		if (wet && (one = hawser__tree_find(root, other[i])) != NULL)
+			return hawser__reader_fail(reader, &one->at, i ? "winch in water: the added mass of a "
+			                           "cable that lengthens is not known here; leave out one of both"
+			                           : "the scene has air and water: what is above the surface has "
+			                           "no loads; leave out one of both");
+		if ((!wet || (body && hawser__tree_find(body, "ring"))) &&
+		    (one = hawser__tree_find(body, of_water[i])) != NULL)
+			return hawser__reader_fail(reader, &one->at, "body.%s is of a mass in water: add water: "
+			                           "{density: 1025 kg/m^3}, and no ring, or leave it out",
+			                           of_water[i]);
+	}
+	one = hawser__tree_find(body, "ring");
+	if (wet && one)
+		return hawser__reader_fail(reader, &one->at, "body.ring in water: buoyancy and added mass of a "
+		                           "ring are not known; give mass, volume, CdA and added_mass");
+	if (wet)
+		tow->density = tow->water.density;
 	return HAWSER_OK;
 }
 
@@ -61,6 +91,8 @@ static enum hawser_status interpret(struct hawser__reader *reader, void *scene,
 	if (!status)
 		status = hawser__tow_path(reader, tow, section);
 	if (!status)
+		status = hawser__water_of(reader, &tow->water, tow->g, hawser__tree_find(root, "water"));
+	if (!status)
 		status = hawser__tow_cable(reader, tow, hawser__tree_find(root, "cable"));
 	if (!status)
 		status = hawser__tow_air(reader, tow, hawser__tree_find(root, "air"));
@@ -68,6 +100,8 @@ static enum hawser_status interpret(struct hawser__reader *reader, void *scene,
 		status = hawser__tow_body(reader, tow, hawser__tree_find(root, "body"));
 	if (!status && winch)
 		status = hawser__rod_read_winch(reader, &tow->winch, winch, "winch", "tow.winch");
+	if (!status)
+		status = in_water(reader, tow, root);
 	tow->body.ring.drag.density = tow->density;
 	if (!status)
 		status = borne(reader, tow, root);
@@ -88,6 +122,7 @@ void hawser_tow_clear(struct hawser_tow *tow)
 	free(tow->segment);
 	free(tow->gust);
 	free(tow->winch.row);
+	hawser_water_clear(&tow->water);
 	hawser_path_clear(&tow->path);
 	memset(tow, 0, sizeof *tow);
 }

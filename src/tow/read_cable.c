@@ -8,14 +8,16 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "net/read/read.h"
 #include "tow/read.h"
 
 enum { MOST = 1000 /* parts of a cable */ };
 
-static enum hawser_status segment(struct hawser__reader *reader, struct hawser_tow_segment *to,
-                                  const struct hawser__tree *tree, const char *section)
+static enum hawser_status segment(struct hawser__reader *reader, const struct hawser_water *water,
+                                  struct hawser_tow_segment *to, const struct hawser__tree *tree,
+                                  const char *section)
 {
-	const struct hawser__tree *shedding;
+	const struct hawser__tree *shedding, *added;
 	enum hawser_status status = hawser__tree_fill(reader, to, tree, section, "tow.cable.segments[]");
 
 	if (status)
@@ -24,6 +26,15 @@ static enum hawser_status segment(struct hawser__reader *reader, struct hawser_t
 	if (shedding && !(to->diameter > 0.0))
 		return hawser__reader_fail(reader, &shedding->at, "%s.shedding needs the diameter, which is "
 		                           "not given", section);
+	if (shedding && water->density > 0.0)
+		return hawser__reader_fail(reader, &shedding->at, "%s.shedding in water: the lift of vortices "
+		                           "is that of air; leave it out", section);
+	if (water->density > 0.0)
+		return hawser__net_wet(reader, water, tree, section);
+	added = hawser__tree_find(tree, "added_mass");
+	if (added)
+		return hawser__reader_fail(reader, &added->at, "%s.added_mass is of water, and the scene has "
+		                           "none: add water: {density: 1025 kg/m^3}", section);
 	return !hawser__tree_find(tree, "drag") || hawser__tree_find(tree, "diameter") ? HAWSER_OK
 		: hawser__reader_fail(reader, &tree->at, "%s.diameter is missing: give it in m, for the drag",
 		                      section);
@@ -46,7 +57,7 @@ enum hawser_status hawser__tow_cable(struct hawser__reader *reader, struct hawse
 		char what[HAWSER__TOW_WHAT];
 
 		snprintf(what, sizeof what, "cable.segments[%d]", tow->segments);
-		status = segment(reader, &tow->segment[tow->segments++], one, what);
+		status = segment(reader, &tow->water, &tow->segment[tow->segments++], one, what);
 	}
 	return status;
 }

@@ -15,6 +15,8 @@
 #include "tow/steady_rod.h"
 
 static const char where[] = "tow steady";
+enum { SINKS = 100 }; /* iterations for the depth: without a current over the depth 2 */
+#define LEVEL 1e-12 /* of the cable's length: of the depth */
 #define SEGMENTS (4.0/3.0) /* the error of a ring over its change: 8/7 for order 3, with a margin */
 #define COARSE 1e-3 /* of the cable's length: a mesh error beyond it is no result */
 
@@ -38,7 +40,37 @@ static enum hawser_status check(const struct hawser_tow *tow, struct hawser_repo
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where, "an orbit in a horizontal wind has "
 		                    "no steady state: the flow changes along the circle; leave air.wind "
 		                    "out, or give a vertical one");
+	if (tow->path.kind == HAWSER_PATH_ORBIT && tow->path.speed != 0.0 && tow->water.density > 0.0)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where, "the steady state of an orbit in water "
+		                    "is not known: give tow.ramp, with which a motion begins at rest and comes "
+		                    "to it, or tow.speed");
 	return HAWSER_OK;
+}
+
+/* In water: the height of the axes of the frame, in which the free end is at 0, by the height of the
+ * towing point. */
+static enum hawser_status sink(struct hawser__tow_frame *frame, const double end[3],
+                               struct hawser__tow_end *body, struct hawser_report *report)
+{
+	double top[3], n[3], change = INFINITY, length = 0.0, part = 1.0;
+
+	for (int i = 0; i < frame->tow->segments; i++)
+		length += frame->tow->segment[i].length;
+	frame->lift = frame->tow->path.origin[1];
+	for (int i = 0; i < SINKS; i++) {
+		double before = fabs(change);
+
+		(void)hawser__tow_body_at(body, frame, end);
+		hawser__tow_string(top, n, NULL, frame, end, body, 4);
+		change = frame->tow->path.origin[1] - top[1] - frame->lift;
+		if (fabs(change) <= LEVEL*length)
+			return HAWSER_OK;
+		part *= fabs(change) > 0.5*before ? 0.7 : 1.0;
+		frame->lift += part*change;
+	}
+	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, where, SINKS, change/length, "the depth of "
+	                       "the free end was not found: it changes by %.2g m from one iteration to the "
+	                       "next; lines or bodies that float on the surface have none here", change);
 }
 
 static enum hawser_status straight(struct hawser__tow_frame *frame, double end[3],
@@ -52,7 +84,7 @@ static enum hawser_status straight(struct hawser__tow_frame *frame, double end[3
 		                       "times force): give body.ring.segments more than %d", body->residual,
 		                       frame->tow->body.ring.segments ? frame->tow->body.ring.segments
 		                                                      : HAWSER_RING_SEGMENTS);
-	return HAWSER_OK;
+	return frame->tow->water.density > 0.0 ? sink(frame, end, body, report) : HAWSER_OK;
 }
 
 /* --- from a solution --- */

@@ -24,6 +24,7 @@
 #include <string.h>
 
 #include "tow/steady.h"
+#include "water/morison.h"
 
 enum { ITERATIONS = 50, /* of Newton's method: it needs 4 */
        NEAR = 10,       /* bisections of the angle before it: to 3 mrad */
@@ -326,6 +327,8 @@ int hawser__tow_body_at(struct hawser__tow_end *end, const struct hawser__tow_fr
 	const struct hawser_tow_body *body = &frame->tow->body;
 	struct hawser__tow_frame within;
 	struct hawser_tow own;
+	struct hawser__water_past past;
+	struct hawser__water_end wet;
 	struct ring ring;
 	double w[3], u[3], speed;
 
@@ -339,6 +342,15 @@ int hawser__tow_body_at(struct hawser__tow_end *end, const struct hawser__tow_fr
 	}
 	hawser__tow_flow(u, frame, x);
 	hawser__tow_gravity(w, frame, x);
+	if (frame->tow->water.density > 0.0) {
+		past = (struct hawser__water_past){
+			.height = x[1] + frame->lift - frame->tow->water.surface, .r = {u[0], u[1], u[2]}};
+		hawser__morison_buoy(&wet, &(struct hawser_water_buoy){0.0, body->volume, body->CdA,
+		                     body->added}, frame->tow->density, frame->tow->g, 0.0, &past);
+		for (int i = 0; i < 3; i++)
+			end->force[i] = body->mass*w[i] + wet.load[i];
+		return 1;
+	}
 	speed = hawser__norm(u);
 	for (int i = 0; i < 3; i++)
 		end->force[i] = body->mass*w[i] + 0.5*frame->tow->density*body->CdA*speed*u[i];

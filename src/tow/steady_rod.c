@@ -72,6 +72,8 @@ static void describe(struct hawser__tow_rod *b, int parts, double tension)
 		to->rho = from->rho;
 		to->EI[0] = to->EI[1] = from->EI;
 		to->GJ = from->GJ > 0.0 ? from->GJ : to->EI[0];
+		to->line = (struct hawser_water_line){from->diameter, from->normal, from->tangential,
+		                                      from->added_normal, from->added_tangential};
 		stiff = fmax(stiff, to->EI[0]/(h*h));
 		b->rod.length += from->length;
 	}
@@ -85,6 +87,7 @@ static void describe(struct hawser__tow_rod *b, int parts, double tension)
 	}
 	b->rod.segments = tow->segments;
 	b->rod.g = tow->g;
+	b->rod.water = tow->water;
 	b->rod.hold[0] = tow->clamped ? HAWSER_ROD_CLAMPED : HAWSER_ROD_HINGED;
 	b->rod.hold[1] = HAWSER_ROD_FREE;
 	b->rod.tangent[1] = -1.0;
@@ -121,6 +124,13 @@ static enum hawser_status open_rod(struct hawser__tow_rod *b, int parts, double 
 	if (status)
 		return status;
 	b->end = b->mesh.nodes - 1;
+	b->mesh.water.lift = b->frame->lift;
+	memcpy(b->mesh.water.velocity, b->frame->velocity, sizeof b->frame->velocity);
+	if (b->mesh.water.of && tow->body.kind == HAWSER_TOW_MASS) {
+		b->mesh.water.buoy.node = b->end;
+		b->mesh.water.buoy.of = (struct hawser_water_buoy){0.0, tow->body.volume, tow->body.CdA,
+		                                                   tow->body.added};
+	}
 	b->last = b->end - spring;
 	if (spring) {
 		const struct hawser__rod_element *el = &b->mesh.element[b->last - 1];
@@ -373,6 +383,8 @@ static void lay(struct hawser_tow_point *point, const struct hawser__tow_rod *b,
 	point->tension = 0.0;
 	memcpy(point->x, b->mesh.node[i].x, sizeof point->x);
 	for (int k = 0; k < 3; k++) {
+		if (b->mesh.water.of)
+			q[k] = b->mesh.water.load[e][side][k]/(0.5*el->h);
 		q[k] += tow->segment[b->mesh.segment[e]].rho*w[k];
 		point->along[k] = R[3*k];
 		point->tension += (sign*f[6*side + k] - sign*0.5*el->h*q[k])*R[3*k];

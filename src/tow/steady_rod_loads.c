@@ -64,6 +64,8 @@ static void load_element(struct hawser__tow_rod *b, int e)
 	double half = 0.5*b->mesh.element[e].h;
 	double mass = half*b->rod.segment[b->mesh.segment[e]].rho;
 
+	if (b->mesh.water.of) /* it is in the mesh's own loads; without orbits there is no more */
+		return;
 	hawser__tow_rod_drag(f, f_u, f_d, b, e);
 	by_place(f_x, f_u, spin);
 	for (int n = 0; n < 2; n++) {
@@ -150,6 +152,11 @@ static void load_body(struct hawser__tow_rod *b)
 	double spin = b->frame->spin, n_x[3][3];
 	int row = FREE*b->end;
 
+	if (b->mesh.water.of) { /* the water's part is in the mesh's own loads */
+		(void)hawser__tow_body_at(&b->now, b->frame, b->mesh.node[b->end].x);
+		b->mesh.r[row + 1] -= b->frame->tow->body.mass*b->frame->tow->g;
+		return;
+	}
 	if (spin != 0.0)
 		(void)hawser__tow_body_near(&b->now, b->frame, b->mesh.node[b->end].x, 0);
 	else

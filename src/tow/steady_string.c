@@ -17,10 +17,17 @@
 #include <string.h>
 
 #include "tow/steady.h"
+#include "water/morison.h"
+#include "water/water.h"
 
 void hawser__tow_flow(double u[3], const struct hawser__tow_frame *frame, const double x[3])
 {
-	const double *wind = frame->tow->wind;
+	const struct hawser_tow *tow = frame->tow;
+	double wind[3], ignored[3];
+
+	memcpy(wind, tow->wind, sizeof wind);
+	if (tow->water.density > 0.0)
+		hawser__water_current(wind, ignored, &tow->water, x[1] + frame->lift);
 
 	/* the frame turns: the velocity of the point is spin * (y-axis) x x */
 	u[0] = wind[0] - frame->velocity[0] - frame->spin*x[2];
@@ -33,6 +40,20 @@ void hawser__tow_gravity(double w[3], const struct hawser__tow_frame *frame, con
 	w[0] = frame->spin*frame->spin*x[0];
 	w[1] = -frame->tow->g;
 	w[2] = frame->spin*frame->spin*x[2];
+}
+
+double hawser__tow_wet(double *buoyancy, const struct hawser__tow_frame *frame,
+                       const struct hawser_tow_segment *segment, const double x[3])
+{
+	const struct hawser_water *water = &frame->tow->water;
+	double band = HAWSER__WATER_BAND*segment->diameter, part;
+
+	*buoyancy = 0.0;
+	if (!(water->density > 0.0 && band > 0.0))
+		return 1.0;
+	part = fmin(fmax((water->surface - x[1] - frame->lift)/band + 0.5, 0.0), 1.0);
+	*buoyancy = part*water->density*M_PI*0.25*segment->diameter*segment->diameter*frame->tow->g;
+	return part;
 }
 
 /* t = cos(angle) e + sin(angle) d */
@@ -97,7 +118,8 @@ static struct hawser_drag drag_of(const struct hawser_tow *tow,
 static void rates(double dy[6], const struct string *of, const double y[6])
 {
 	const double *n = &y[3];
-	double T = hawser__norm(n), t[3], u[3], w[3], f[3];
+	double T = hawser__norm(n), t[3], u[3], w[3], f[3], up;
+	double part = hawser__tow_wet(&up, of->frame, of->segment, y);
 
 	for (int i = 0; i < 3; i++)
 		t[i] = T > 0.0 ? n[i]/T : of->fallback[i];
@@ -106,7 +128,7 @@ static void rates(double dy[6], const struct string *of, const double y[6])
 	hawser_drag_line(f, NULL, NULL, &of->drag, u, t);
 	for (int i = 0; i < 3; i++) {
 		dy[i] = -(1.0 + T/of->segment->EA)*t[i];
-		dy[3 + i] = of->segment->rho*w[i] + f[i];
+		dy[3 + i] = of->segment->rho*w[i] + part*f[i] + (i == 1 ? up : 0.0);
 	}
 }
 
@@ -137,12 +159,13 @@ static void line_drag(double f[3], const void *context, const double t[3])
 /* The direction of a free end without tension at x. */
 static void free_direction(struct string *of, const double *x)
 {
-	double w[3], u[3], t[3];
+	double w[3], u[3], t[3], up, part = hawser__tow_wet(&up, of->frame, of->segment, x);
 
 	hawser__tow_flow(u, of->frame, x);
 	hawser__tow_gravity(w, of->frame, x);
 	for (int i = 0; i < 3; i++)
-		w[i] *= of->segment->rho;
+		w[i] = w[i]*of->segment->rho + (i == 1 ? up : 0.0);
+	of->drag.density *= part;
 	memcpy(of->fallback, u, sizeof u);
 	hawser__tow_direction(t, w, u, line_drag, of, HAWSER__BISECTIONS);
 	memcpy(of->fallback, t, sizeof t);

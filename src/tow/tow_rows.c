@@ -85,6 +85,7 @@ static const struct hawser__tree_key tow_rows[] = {
 	INTEGER("tow.cable.segments[].elements", OPTIONAL, 1, 100000, PART_AT(elements), "100",
 	        "number of elements")
 	DRAG("tow.cable.segments[].drag", OPTIONAL, PART_AT(normal), PART_AT(tangential))
+	ADDED_MASS("tow.cable.segments[].added_mass", PART_AT(added_normal), PART_AT(added_tangential))
 	SECTION("tow.cable.segments[].shedding", OPTIONAL, "lift of shed vortices, in motions")
 	NUMBER("tow.cable.segments[].shedding.lift", REQUIRED, "1", NOT_NEGATIVE, PART_AT(lift), NULL,
 	       "lift coefficient")
@@ -96,6 +97,7 @@ static const struct hawser__tree_key tow_rows[] = {
 	       "velocity of the wind")
 	TEXT("tow.air.file", OPTIONAL, NOWHERE, NULL, "a file of the wind over time, in place of wind: "
 	     "lines t wx wy wz (s, m/s), linear between; a steady state has that of the first line")
+	MAPPING("tow.water", OPTIONAL, "in place of air, as that of nets")
 	WINCH("tow.winch", TOW_WINCH_AT)
 	SECTION("tow.body", OPTIONAL, "what is towed; without it the end is free")
 	SECTION("tow.body.ring", OPTIONAL, "a ring")
@@ -114,6 +116,10 @@ static const struct hawser__tree_key tow_rows[] = {
 	       "of a point, in place of a ring")
 	NUMBER("tow.body.CdA", OPTIONAL, "m^2", NOT_NEGATIVE, TOW_AT(body.CdA), "0",
 	       "drag coefficient times area")
+	NUMBER("tow.body.volume", OPTIONAL, "m^3", NOT_NEGATIVE, TOW_AT(body.volume), "0",
+	       "of a point in water: volume of the water that it displaces")
+	NUMBER("tow.body.added_mass", OPTIONAL, "1", NOT_NEGATIVE, TOW_AT(body.added), "0",
+	       "of a point in water: added mass over that of the water that is displaced")
 	NUMBER("tow.body.inertia", OPTIONAL, "kg.m^2", NOT_NEGATIVE, TOW_AT(body.inertia), "0",
 	       "of a point, about any axis; steady states do not depend on it")
 	WORD("tow.body.joint", OPTIONAL, "clamped|free", TOW_AT(body.joint), "clamped",

@@ -4,6 +4,8 @@ noinst_LTLIBRARIES += %D%/libwater.la
 	%D%/line.h \
 	%D%/linear.c \
 	%D%/linear.h \
+	%D%/morison.c \
+	%D%/morison.h \
 	%D%/near.c \
 	%D%/near.h \
 	%D%/profile.h \

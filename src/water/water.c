@@ -2,11 +2,20 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 #include <hawser/water.h>
 
 #include "water/water.h"
+
+void hawser_water_clear(struct hawser_water *water)
+{
+	free(water->current);
+	free(water->file);
+	hawser_waves_clear(&water->waves);
+	*water = (struct hawser_water){0};
+}
 
 void hawser__water_current(double u[3], double u_y[3], const struct hawser_water *water, double y)
 {

@@ -1,4 +1,4 @@
-/* water/water.h - what nets need of the water. SPDX-License-Identifier: GPL-3.0-or-later */
+/* water/water.h - what meshes need of the water. SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_WATER_WATER_H
 #define HAWSER_WATER_WATER_H
 

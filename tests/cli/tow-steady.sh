@@ -40,7 +40,7 @@ bad 'bad.yaml:3:19: air.wind in air of density 0 has no effect: give the density
 	"tow: {speed: 3}
 $cable
 air: {density: 0, wind: [3, 0, 0]}"
-bad 'bad.yaml:2:47: unknown key cable.segments[0].diametre: did you mean diameter? cable.segments[0] takes length, EA, EI, GJ, GA, rho, diameter, elements, drag, shedding' \
+bad 'bad.yaml:2:47: unknown key cable.segments[0].diametre: did you mean diameter? cable.segments[0] takes length, EA, EI, GJ, GA, rho, diameter, elements, drag, added_mass, shedding' \
 	'tow: {speed: 3}
 cable: {segments: [{length: 9 m, rho: 1 kg/m, diametre: 1 cm}]}'
 bad 'bad.yaml:2:39: cable.segments[0].rho: "1 kg" has a wrong unit "kg", not convertible to kg/m: give a number in kg/m, or with a unit that converts to kg/m' \

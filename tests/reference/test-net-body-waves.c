@@ -33,7 +33,7 @@ static int opened(struct hawser_net *net, const char *text)
 static void spar(double D, double m, double low, double J)
 {
 	const double a = 1025.0*M_PI*D*D/4.0, h = m/a, up = low - 0.5*h;
-	const double I = J + a*h*h*h/12.0 + a*h*up*up;
+	const double about = J + a*h*h*h/12.0 + a*h*up*up;
 	char text[TEXT];
 	struct hawser_net net = {0};
 	struct hawser_net_modes modes = {0};
@@ -46,7 +46,7 @@ static void spar(double D, double m, double low, double J)
 	         "added_mass: {normal: 1}, elements: 200}]}}\n", -h, m, -low, J, 0.3*J, J, D);
 	if (opened(&net, text) &&
 	    ok(!hawser_net_modes_solve(&modes, &net, 6, &report), "a spar: %s", report.message)) {
-		const double heave = sqrt(a*9.81/m), pitch = sqrt(m*9.81*up/(I - a*h*up*up*a*h/(m + a*h)));
+		const double heave = sqrt(a*9.81/m), pitch = sqrt(m*9.81*up/(about - a*h*up*up*a*h/(m + a*h)));
 		int at = fabs(modes.omega[5] - heave) < fabs(modes.omega[3] - heave) ? 5 : 3;
 
 		ok(modes.omega[0] + modes.omega[1] + modes.omega[2] == 0.0, "surge, sway and yaw are free");

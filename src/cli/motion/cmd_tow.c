@@ -76,7 +76,7 @@ static const struct hawser__field sample_field[] = {
 	{"energy.strain", NULL, "of stretch, bending and twist (J)", OF(strain)},
 	{"energy.height", NULL, "of the weight, counted from y = 0 (J)", OF(height)},
 	{"energy.towed", NULL, "done by the towing point since the beginning (J)", OF(towed)},
-	{"energy.air", NULL, "done by the air, and the spring of a joint (J)", OF(air)},
+	{"energy.air", NULL, "done by the air or the water, and the spring of a joint (J)", OF(air)},
 	{"energy.winch", NULL, "done by the winch, with the energy of what it pays out (J)", OF(winch)},
 	HAWSER__END,
 };
@@ -158,8 +158,8 @@ static void comments(struct hawser__table *table, const void *of)
 			when = m->sample[i].t;
 		}
 	}
-	hawser__table_comment(table, "g = %.10g m/s^2, air %.6g kg/m^3", result->tow.g,
-	                      result->tow.density);
+	hawser__table_comment(table, "g = %.10g m/s^2, %s %.6g kg/m^3", result->tow.g,
+	                      result->tow.water.density > 0.0 ? "water" : "air", result->tow.density);
 	hawser__table_comment(table, "%d elements, %ld steps, of these %ld again; shortest %.3g s",
 	                      m->elements, m->steps, m->rejected, m->shortest);
 	hawser__table_comment(table, "of the rows: largest tilt = %.6g rad at t = %.6g s, largest "
@@ -220,12 +220,14 @@ static enum hawser_status animate(const struct result *result, struct hawser_rep
 	int points = m->elements + 2;
 	double (*x)[3] = calloc((size_t)m->samples*(size_t)points, sizeof *x);
 	double *time = calloc((size_t)m->samples, sizeof *time);
-	enum hawser_status status = x && time ? HAWSER_OK : hawser__no_memory(report, "tow");
+	double (*top)[3] = calloc((size_t)m->samples, sizeof *top);
+	enum hawser_status status = x && time && top ? HAWSER_OK : hawser__no_memory(report, "tow");
 
 	for (int i = 0; i < m->samples && !status; i++) {
 		double (*shape)[3] = m->shape + (size_t)i*((size_t)m->elements + 1);
 
 		time[i] = m->sample[i].t;
+		memcpy(top[i], shape[0], sizeof top[i]);
 		for (int n = 0; n < points; n++)
 			for (int k = 0; k < 3; k++)
 				x[(size_t)i*(size_t)points + (size_t)n][k] =
@@ -234,8 +236,11 @@ static enum hawser_status animate(const struct result *result, struct hawser_rep
 	if (!status)
 		status = hawser__animate(result->settings->animate, &(struct hawser__animation){
 			.time = time, .x = (const double (*)[3])x, .rows = m->samples, .points = points,
-			.frames = result->settings->frames, .note = "seen from the towing point"}, report);
+			.frames = result->settings->frames, .note = "seen from the towing point",
+			.water = result->tow.water.density > 0.0 ? &result->tow.water : NULL,
+			.origin = (const double (*)[3])top}, report);
 	free(x);
+	free(top);
 	free(time);
 	return status;
 }

@@ -138,9 +138,13 @@ static void comments(struct hawser__table *table, const void *of)
 	const struct result *result = of;
 	const struct hawser_tow_steady *s = &result->steady;
 
-	hawser__table_comment(table, "g = %.10g m/s^2, air %.6g kg/m^3, wind [%.6g, %.6g, %.6g] m/s",
-	                      result->tow.g, result->tow.density, result->tow.wind[0], result->tow.wind[1],
-	                      result->tow.wind[2]);
+	if (result->tow.water.density > 0.0)
+		hawser__table_comment(table, "g = %.10g m/s^2, water %.6g kg/m^3 below y = %.6g m",
+		                      result->tow.g, result->tow.density, result->tow.water.surface);
+	else
+		hawser__table_comment(table, "g = %.10g m/s^2, air %.6g kg/m^3, wind [%.6g, %.6g, %.6g] m/s",
+		                      result->tow.g, result->tow.density, result->tow.wind[0],
+		                      result->tow.wind[1], result->tow.wind[2]);
 	hawser__table_comment(table, "tension: %.9g N at the towing point, %.9g N at the free end",
 	                      s->tension_top, s->tension_end);
 	hawser__table_comment(table, "free end at [%.9g, %.9g, %.9g] m, %.9g m below the towing point",

@@ -118,6 +118,7 @@ static void comments(struct hawser__table *table, const void *of)
 		hawser__table_comment(table, "%s", result->warning);
 }
 
+enum { WATER = 1 };
 #define ROWS_OF(member) HAWSER__ALONG(struct result, motion.member)
 #define AXES_OF(member) HAWSER__VECTOR_ALONG(struct result, motion.member, cli_axes)
 #define ONE(member) HAWSER__IN(struct result, motion.member)
@@ -138,6 +139,8 @@ const struct hawser__field cli_rod_motion_field[] = {
 	{"energy.lost", "lost", "by the scheme", ROWS_OF(lost), JOULE},
 	{"energy.winch", "winch", "work of the winch, with the energy of the material that enters",
 	 ROWS_OF(winch), JOULE, .place = 1},
+	{"energy.water", "water", "work of the water: of buoyancy, drag and added mass", ROWS_OF(water),
+	 JOULE, .place = 1, .when = WATER},
 	{"energy.closure", NULL, "largest |lost| over the largest term", ONE(closure)},
 	{"momentum.linear", "P_", "momentum", AXES_OF(momentum), .unit = HAWSER__NEWTON_SECOND},
 	{"momentum.angular", "H_", "angular momentum about the origin", AXES_OF(angular),
@@ -185,7 +188,8 @@ static struct cli_head head(const void *of)
 {
 	const struct result *result = of;
 
-	return cli_si_head(result->common, "integrate", result->motion.scheme, &result->probed, 0);
+	return cli_si_head(result->common, "integrate", result->motion.scheme, &result->probed,
+	                   result->rod.water.density > 0.0 ? WATER : 0u);
 }
 
 static enum hawser_status draw(const char *path, const void *of, struct hawser_report *report)
@@ -279,7 +283,8 @@ static enum hawser_status solve(struct result *result, struct hawser_report *rep
 		status = hawser__animate(settings->animate, &(struct hawser__animation){
 			.time = result->motion.time, .x = (const double (*)[3])result->motion.shape,
 			.rows = (int)result->motion.rows, .points = (int)result->motion.nodes,
-			.frames = settings->frames}, report);
+			.frames = settings->frames,
+			.water = result->rod.water.density > 0.0 ? &result->rod.water : NULL}, report);
 	return status;
 }
 

@@ -54,6 +54,7 @@ const struct hawser__field cli_rod_number_field[] = {
 	{"strain", NULL, "largest part of its length by which an element is stretched, shortened or "
 	 "sheared", OF(strain)},
 	{"energy", NULL, "energy of strain", OF(energy), .unit = HAWSER__J},
+	{"wet", NULL, "in water: unstretched length in it", OF(wet), METRE, .when = CLI_ROD_WATER},
 	{"residual", NULL, "largest force that is not balanced", OF(residual), NEWTON},
 	{"increment", NULL, "last increment of the iteration, in lengths of the rod and rad",
 	 OF(increment)},
@@ -89,7 +90,7 @@ const struct hawser__field cli_rod_field[] = {
 	{"", NULL, "", PART(cli_rod_number_field)},
 	{"", NULL, "", PART(count_field)},
 	{"stable", NULL, "whether the equilibrium is stable; null: loads without a potential, such as "
-	 "moments", HAWSER__FLAG_AT(struct cli_rod, stable), .flags = HAWSER__NULL},
+	 "moments and a current", HAWSER__FLAG_AT(struct cli_rod, stable), .flags = HAWSER__NULL},
 	{"mesh_error", NULL, "estimated from twice as many elements", HAWSER__OBJECT_OF(error_field)},
 	{"profile_columns", NULL, "columns of the profile", HAWSER__KEYS_OF(cli_rod_point_list)},
 	{"profile", NULL, "nodes of the mesh: lists of these columns",

@@ -16,7 +16,8 @@ struct cli_rod {
 	char warning[CLI_WARNING_SIZE]; /* "": none */
 };
 
-/* rod_fields.c */
+/* rod_fields.c; CLI_ROD_WATER: what a rod in water has besides */
+enum { CLI_ROD_WATER = 1 };
 extern const struct hawser__field cli_rod_number_field[], cli_rod_field[];
 extern const struct hawser__list cli_rod_point_list;
 

@@ -17,12 +17,17 @@
 #define ROUGH 0.2     /* mesh error of forces over the largest force: a warning */
 #define COARSE 0.02   /* mesh error, in lengths of the rod, that is visible in a picture */
 
+static unsigned columns(const struct cli_rod *result)
+{
+	return result->scene.water.density > 0.0 ? CLI_ROD_WATER : 0u;
+}
+
 static struct cli_head head(const void *of)
 {
 	const struct cli_rod *result = of;
 
 	return cli_si_head(result->common, "statics", result->st.flow ? "damped motion under the full load"
-	                   : "Newton's method, load steps", NULL, 0);
+	                   : "Newton's method, load steps", NULL, columns(result));
 }
 
 static void support_comment(struct hawser__table *table, const struct hawser_rod_statics *st, int end)
@@ -37,7 +42,7 @@ static void comments(struct hawser__table *table, const void *of)
 {
 	const struct cli_rod *result = of;
 	const struct hawser_rod_statics *st = &result->st;
-	const struct hawser__view view = cli_si_view(0);
+	const struct hawser__view view = cli_si_view(columns(result));
 
 	hawser__table_comment(table, "g = %.10g m/s^2; elements: %d; %s: %d; iterations: %d",
 	                      result->scene.g, st->elements, st->flow ? "steps of a damped motion"
@@ -49,8 +54,8 @@ static void comments(struct hawser__table *table, const void *of)
 	if (st->judged)
 		hawser__table_comment(table, "the equilibrium is %s", st->negative ? "unstable" : "stable");
 	else
-		hawser__table_comment(table, "stability not judged: moments and following forces have no "
-		                      "potential");
+		hawser__table_comment(table, "stability not judged: moments, following forces and a current "
+		                      "have no potential");
 	if (st->checked)
 		hawser__table_comment(table, "mesh errors, from twice as many elements: %.2g m of places, "
 		                      "%.2g N of forces, %.2g N.m of moments", st->error_x, st->error_N,

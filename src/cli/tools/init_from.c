@@ -186,6 +186,11 @@ static enum hawser_status read_mass(struct cli_mooring_body *body, struct cli_mo
 	body->moves = body->mass > 0.0;
 	body->CdA = area[0];
 	body->added = added[0];
+	if (!body->moves) {
+		left_out(mooring, "the motion of body %d, which has no mass: its points are supports where "
+		         "they are; give it a mass, or write it, with its rods, as one of bodies", body->id);
+		return HAWSER_OK;
+	}
 	left_out(mooring, "of body %d, the form of what displaces water: it is a sphere at its place, with "
 	         "the drag and the added mass along the first axis", body->id);
 	return HAWSER_OK;
@@ -195,6 +200,7 @@ static enum hawser_status read_body(struct cli_mooring *mooring, const struct wo
                                     struct hawser_report *report)
 {
 	struct cli_mooring_body body = {.id = 0};
+	int free = !strcasecmp(words->word[1], "free") && words->count > 13;
 	double angle[3];
 	enum hawser_status status = identity(&body.id, mooring, words, report);
 
@@ -207,11 +213,11 @@ static enum hawser_status read_body(struct cli_mooring *mooring, const struct wo
 	if (angle[0] != 0.0 || angle[1] != 0.0 || angle[2] != 0.0)
 		return wrong(report, mooring, "body %d is turned: give the places of its points as they are, "
 		             "and angles of 0", body.id);
-	if (!strcasecmp(words->word[1], "free") && words->count > 13)
+	if (free)
 		status = read_mass(&body, mooring, words, report);
 	if (status)
 		return status;
-	if (!body.moves && strcasecmp(words->word[1], "fixed") != 0)
+	if (!free && strcasecmp(words->word[1], "fixed") != 0)
 		left_out(mooring, "the motion of body %d: its points are supports where they are, to which "
 		         "supports.*.motion can be given", body.id);
 	if (hawser__more(&mooring->body, mooring->bodies, sizeof *mooring->body))

@@ -24,6 +24,14 @@
 		return HAWSER_OK; \
 	}
 
+static void water_facts(char *text, const struct hawser_water *water)
+{
+	if (water->density > 0.0 && !water->air)
+		hawser__append(text, CLI_SCENE_FACTS, "", "  water: below y = %.6g m%s%s\n", water->surface,
+		               water->levels ? ", with a current" : "",
+		               water->waves.count ? ", with waves" : "");
+}
+
 static void net_facts(char *text, int *forced, const struct hawser_net *net)
 {
 	const char *unknown = net->bodies ? "rigid bodies" : net->surfaces ? "obstacles"
@@ -43,10 +51,7 @@ static void net_facts(char *text, int *forced, const struct hawser_net *net)
 	         net->nodes, supports, net->cables, elements, net->loads, net->motions);
 	if (net->winds)
 		hawser__append(text, CLI_SCENE_FACTS, "", "  wind: %.6g m/s\n", net->wind->speed);
-	else if (net->water.density > 0.0)
-		hawser__append(text, CLI_SCENE_FACTS, "", "  water: below y = %.6g m%s%s\n",
-		               net->water.surface, net->water.levels ? ", with a current" : "",
-		               net->water.waves.count ? ", with waves" : "");
+	water_facts(text, &net->water);
 	if (net->bodies)
 		hawser__append(text, CLI_SCENE_FACTS, "", "  rigid bodies: %d\n", net->bodies);
 	if (unknown)
@@ -79,6 +84,7 @@ static void rod_facts(char *text, int *forced, const struct hawser_rod *rod)
 		elements += rod->segment[i].elements;
 	snprintf(text, CLI_SCENE_FACTS, "  segments: %d, with %ld elements; length: %.6g m\n"
 	         "  loads: %d\n", rod->segments, elements, rod->length, rod->loads);
+	water_facts(text, &rod->water);
 }
 LOOK(rod, rod_facts)
 
@@ -90,6 +96,7 @@ static void tow_facts(char *text, int *forced, const struct hawser_tow *tow)
 	snprintf(text, CLI_SCENE_FACTS, "  path: %s\n  parts of the cable: %d\n  body: %s\n",
 	         hawser_path_name(tow->path.kind), tow->segments,
 	         body[tow->body.kind == HAWSER_TOW_RING ? 2 : tow->body.kind == HAWSER_TOW_MASS]);
+	water_facts(text, &tow->water);
 }
 LOOK(tow, tow_facts)
 

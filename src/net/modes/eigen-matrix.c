@@ -254,7 +254,7 @@ static void add_curvature(struct hawser__sparse *sparse, const struct hawser__me
 		const struct hawser__touch *touch = &mesh->touch[i];
 		double block[3][3];
 
-		if (!(touch->r > 0.0))
+		if (!(touch->r > 0.0) || mesh->rigid[touch->node])
 			continue;
 		turned(block, mesh, touch->node, touch->H, touch->node);
 		for (int k = 0; k < 9; k++)

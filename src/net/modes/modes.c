@@ -283,7 +283,7 @@ enum hawser_status hawser__net_modal_open(struct hawser__net_modal *modal,
 	struct hawser_net_modes *modes = &modal->modes;
 	const struct hawser_net *net = &modal->seated;
 	double rest;
-	enum hawser_status status = hawser__bodies_seat(&modal->seated, &rest, given, report);
+	enum hawser_status status = hawser__bodies_seat(&modal->seated, &rest, given, 0, report);
 
 	*modes = (struct hawser_net_modes){.nodes = given->nodes};
 	modal->eigen = (struct hawser__eigen){.n = 0};
@@ -296,6 +296,8 @@ enum hawser_status hawser__net_modal_open(struct hawser__net_modal *modal,
 		status = hawser__no_memory(report, "net");
 	if (!status)
 		status = hawser__net_equilibrium(mesh, modal->T, net, report);
+	if (!status)
+		status = hawser__bodies_land(mesh, net, report);
 	if (!status && axes != HAWSER__NET_SPACE)
 		hawser__mesh_along(mesh, axes);
 	hawser__absorbers_release(mesh, status ? 0 : axes);

@@ -60,25 +60,6 @@ static void clear(struct run *run)
 
 /* --- the beginning --- */
 
-/* Supports where they are at t = 0. */
-static void displace(struct run *run)
-{
-	struct hawser__mesh *mesh = &run->mesh;
-	double rate[3];
-
-	for (int i = 0; i < mesh->motions; i++)
-		for (int k = 0; k < 3; k++)
-			mesh->q[mesh->motion[i].node][k] += mesh->motion[i].value[k]*cos(mesh->motion[i].phase);
-	for (int i = 0; i < run->tables; i++) {
-		struct hawser__support_table *table = &run->table[i];
-
-		hawser__support_at(table->from, rate, table, 0.0);
-		for (int k = 0; k < 3; k++)
-			if (mesh->unknown[table->node][k] < 0)
-				mesh->q[table->node][k] += table->from[k];
-	}
-}
-
 /* The reference: the equilibrium or, if that was another net's, the one of the state. */
 static int place(struct run *run)
 {
@@ -156,6 +137,8 @@ static enum hawser_status start(struct run *run, struct hawser_report *report)
 	hawser__events_spare(&run->mesh, net);
 	if (net->surfaces && net->dynamics.releases)
 		status = hawser__touch_again(&run->mesh, net, report);
+	if (!status && net->dynamics.releases)
+		status = hawser__bodies_stand(&run->mesh, net, loose, report);
 	hawser__touch_measure(&run->mesh);
 	if (initial && !status)
 		status = hawser__motion_read(&run->state, initial, &run->mesh, report);
@@ -220,6 +203,8 @@ static enum hawser_status still(struct run *run, struct hawser_report *report)
 		status = hawser__net_history(&run->mesh, T, &found, run->net, &settings, report);
 		free(T);
 	}
+	if (!status)
+		status = hawser__bodies_land(&run->mesh, run->net, report);
 	run->mesh.surfaces_rest = 0;
 	if (!status)
 		status = hawser__motion_settle(&run->mesh, report);
@@ -245,7 +230,6 @@ static enum hawser_status check(const struct hawser_net *net, struct hawser_repo
 static enum hawser_status prepare(struct run *run, struct hawser_report *report)
 {
 	const struct hawser_net_motion_options *options = run->options;
-	double rest;
 	enum hawser_status status = check(run->net, report);
 
 	if (status)
@@ -258,18 +242,17 @@ static enum hawser_status prepare(struct run *run, struct hawser_report *report)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%.3g rows are more than %d: choose "
 		                    "a longer time between them", options->until/run->every, ROWS);
 	run->step = options->step != 0.0 ? fmax(options->step, 0.0) : run->net->dynamics.step;
-	status = hawser__bodies_seat(&run->seated, &rest, run->given, report);
+	status = hawser__supports_read(&run->table, &run->tables, run->given, run->options->until, report);
+	if (!status)
+		status = hawser__motion_seat(&run->seated, run->given, run->table, run->tables, report);
 	run->net = &run->seated;
 	if (!status)
 		status = hawser__mesh_build(&run->mesh, run->net, report);
 	if (!status)
 		status = hawser__net_supported(&run->mesh, run->net, report);
-	if (!status)
-		status = hawser__supports_read(&run->table, &run->tables, run->net, run->options->until,
-		                               report);
 	if (status)
 		return status;
-	displace(run);
+	hawser__supports_begin(run->mesh.q, run->net, run->table, run->tables);
 	status = still(run, report);
 	if (!status)
 		status = start(run, report);

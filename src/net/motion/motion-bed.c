@@ -27,9 +27,6 @@
 #include "net/motion/motion-bed.h"
 #include "net/motion/motion-contact.h"
 
-/* Of a spring along the plane over that across it: the slip before it slides is this part of mu times
- * the depth, of which the friction of moorings feels nothing. */
-static const double STIFFER_ALONG = 10.0;
 enum { PROJECTIONS = 30 }; /* most steps of Newton's method for the multiplier; chosen */
 
 /* The friction nearest to q in the ellipse with the half axes a N and b N, and its derivatives by q and
@@ -115,7 +112,7 @@ static void rub(double T[3], double *block, const struct hawser__motion *motion,
 	const struct hawser__touch *touch = &motion->mesh->touch[of->touch];
 	const struct hawser_surface *plane = touch->surface;
 	const struct hawser__motion_touch *now = &motion->contact->touch[of->touch];
-	const double *x = motion->x[touch->node], stiff = STIFFER_ALONG*of->k;
+	const double *x = motion->x[touch->node], stiff = HAWSER__STIFFER_ALONG*of->k;
 	double e[2][3], q[2] = {0.0}, along[2], by_q[2][2], by_N[2];
 
 	directions(e, motion, of);
@@ -200,8 +197,7 @@ static int touchdowns(struct hawser__motion *motion)
 		return 0;
 	for (int i = bed->nodes; i > 0; i--)
 		first[mesh->touch[bed->node[i - 1].touch].node] = i;
-	/* bodies begin where statics, with the plane at nodes, has them in balance */
-	for (int e = 0; e < motion->elements && !mesh->net->bodies; e++) {
+	for (int e = 0; e < motion->elements; e++) {
 		int a = first[motion->element[e].a] - 1, b = first[motion->element[e].b] - 1;
 		const struct hawser_surface *plane;
 
@@ -354,7 +350,7 @@ double hawser__bed_energy(const struct hawser__motion *motion)
 		double p = fmax(depth(motion, at, u), 0.0);
 
 		sum += 0.5*at->k*p*p;
-		sum += T ? 0.5*hawser__dot(T, T)/(STIFFER_ALONG*at->k) : 0.0;
+		sum += T ? 0.5*hawser__dot(T, T)/(HAWSER__STIFFER_ALONG*at->k) : 0.0;
 	}
 	for (int i = 0; i < bed->touchdowns; i++) {
 		const int *end = bed->touchdown[i].end;
@@ -374,7 +370,7 @@ static void rubbed(struct hawser__motion *motion, const struct hawser__bed_node 
 	const double *x = motion->x[at->node], *T = touch->rubbed, *before = touch->T;
 	double drives = h*hawser__dot(T, at->surface->velocity);
 	double lost = drives - hawser__dot(T, x) - 0.5*(hawser__dot(T, T) - hawser__dot(before, before))/
-	                                    (STIFFER_ALONG*of->k);
+	                                    (HAWSER__STIFFER_ALONG*of->k);
 	motion->contact->friction += lost;
 	motion->contact->surfaces += drives;
 	motion->energy.dissipated += lost;

@@ -128,9 +128,10 @@ static enum hawser_status not_in_time(const struct hawser_net *net,
 			                    "is not yet known in motions: give locked, a velocity, or "
 			                    "friction: 0", net->name, surface->name);
 		if (surface->axial > 0.0 && !(surface->stiffness > 0.0))
-			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s: obstacles.%s.friction: axial "
-			                    "and transverse are in motions of planes that give way: give it a "
-			                    "stiffness, such as 3 MPa/m, or one number", net->name, surface->name);
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s: obstacles.%s.friction: in "
+			                    "motions, axial and transverse need a plane that gives way: give it "
+			                    "a stiffness, such as 3 MPa/m, or one number", net->name,
+			                    surface->name);
 		if (surface->groove && !flat)
 			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s: obstacles.%s.groove is not "
 			                    "yet known in motions along z: leave it out, or what moves the net "

@@ -9,13 +9,17 @@
 #include "config.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
+#include "core/report.h"
+#include "net/body.h"
 #include "net/motion/motion-bed.h"
 #include "net/water/water.h"
 
-/* Most solutions; the loads of the water are those of the places of the one before. */
-enum { ROUNDS = 5 };
+/* Most solutions, for the loads of the water, which are those of the places of the one before; and for
+ * the tension by which cables rise from the plane, which is that of the reference. */
+enum { ROUNDS = 5, REFERENCES = 8 };
 /* Of the longest element: it does not move any more. */
 static const double STILL = 1e-12;
 
@@ -52,9 +56,11 @@ static enum hawser_status relax(struct hawser__motion *motion, int *found,
 	return status;
 }
 
-static enum hawser_status settle(struct hawser__mesh *mesh, struct hawser_report *report)
+/* *moves: whether a node moves. */
+static enum hawser_status settle(struct hawser__mesh *mesh, int *moves, struct hawser_report *report)
 {
 	struct hawser__motion motion;
+	double most = 0.0, reach = 0.0;
 	int found = 0;
 	enum hawser_status status;
 
@@ -65,8 +71,13 @@ static enum hawser_status settle(struct hawser__mesh *mesh, struct hawser_report
 	if (!status && motion.bed->touchdowns)
 		status = relax(&motion, &found, report);
 	for (int i = 0; i < motion.nodes && !status && found; i++)
-		for (int k = 0; k < 3; k++)
+		for (int k = 0; k < 3; k++) {
 			mesh->q[i][k] += motion.u[i][k];
+			most = fmax(most, fabs(motion.u[i][k]));
+		}
+	for (int e = 0; e < mesh->elements; e++)
+		reach = fmax(reach, mesh->length0[e]);
+	*moves = most > STILL*reach;
 	if (!status && found)
 		hawser__bed_forces(mesh, motion.bed);
 	hawser__motion_clear(&motion);
@@ -77,8 +88,8 @@ enum hawser_status hawser__motion_settle(struct hawser__mesh *mesh, struct hawse
 {
 	const struct hawser_water *water = mesh->water ? mesh->water->of : NULL;
 	struct hawser_water calm;
-	int waves = mesh->waves, motions = mesh->motions, soft = 0;
-	enum hawser_status status;
+	int waves = mesh->waves, motions = mesh->motions, soft = 0, moves = 1;
+	enum hawser_status status = HAWSER_OK;
 
 	for (int i = 0; i < mesh->touches; i++)
 		soft |= mesh->touch[i].give > 0.0;
@@ -90,10 +101,45 @@ enum hawser_status hawser__motion_settle(struct hawser__mesh *mesh, struct hawse
 		calm.waves.count = 0;
 		mesh->water->of = &calm;
 	}
-	status = settle(mesh, report);
+	for (int i = 0; i < REFERENCES && !status && moves; i++)
+		status = settle(mesh, &moves, report);
 	mesh->waves = waves;
 	mesh->motions = motions;
 	if (water)
 		mesh->water->of = water;
+	return status;
+}
+
+enum hawser_status hawser__motion_seat(struct hawser_net *seated, const struct hawser_net *net,
+                                       struct hawser__support_table *table, int tables,
+                                       struct hawser_report *report)
+{
+	struct hawser_net first = *net; /* with its supports where they are at t = 0 */
+	size_t nodes = (size_t)net->nodes;
+	double rest, (*x)[3];
+	enum hawser_status status;
+
+	*seated = *net;
+	if (!net->bodies)
+		return HAWSER_OK;
+	first.node = malloc(nodes*sizeof *first.node);
+	x = malloc(nodes*sizeof *x);
+	memset(seated, 0, sizeof *seated);
+	status = first.node && x ? HAWSER_OK : hawser__no_memory(report, "net");
+	for (size_t i = 0; i < nodes && !status; i++)
+		memcpy(x[i], net->node[i].x, sizeof *x);
+	if (!status)
+		hawser__supports_begin(x, net, table, tables);
+	for (size_t i = 0; i < nodes && !status; i++) {
+		first.node[i] = net->node[i];
+		memcpy(first.node[i].x, x[i], sizeof *x);
+	}
+	if (!status)
+		status = hawser__bodies_seat(seated, &rest, &first, 1, report);
+	for (size_t i = 0; i < nodes && !status; i++)
+		if (!net->node[i].body)
+			memcpy(seated->node[i].x, net->node[i].x, sizeof *x);
+	free(first.node);
+	free(x);
 	return status;
 }

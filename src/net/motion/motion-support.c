@@ -285,3 +285,19 @@ enum hawser_status hawser__supports_read(struct hawser__support_table **table, i
 	}
 	return status;
 }
+
+void hawser__supports_begin(double (*q)[3], const struct hawser_net *net,
+                            struct hawser__support_table *table, int tables)
+{
+	double rate[3];
+
+	for (int i = 0; i < net->motions; i++)
+		for (int k = 0; k < 3; k++)
+			q[net->motion[i].node][k] += net->motion[i].value[k]*cos(net->motion[i].phase);
+	for (int i = 0; i < tables; i++) {
+		hawser__support_at(table[i].from, rate, &table[i], 0.0);
+		for (int k = 0; k < 3; k++)
+			if (net->node[table[i].node].held[k])
+				q[table[i].node][k] += table[i].from[k];
+	}
+}

@@ -133,6 +133,9 @@ enum hawser_status hawser__support_read(struct hawser__support_table *table, con
 enum hawser_status hawser__supports_read(struct hawser__support_table **table, int *tables,
                                          const struct hawser_net *net, double until,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Supports of q [nodes of the net or more] where they are at t = 0. */
+void hawser__supports_begin(double (*q)[3], const struct hawser_net *net,
+                            struct hawser__support_table *table /* [tables] */, int tables);
 void hawser__support_at(double x[3], double v[3], const struct hawser__support_table *table, double t);
 /* As at the ends of the table beyond it. */
 void hawser__support_within(double x[3], double v[3], const struct hawser__support_table *table,
@@ -214,9 +217,13 @@ enum hawser_status hawser__motion_open(struct hawser__motion *motion, struct haw
 	HAWSER_MUST_CHECK;
 void hawser__motion_clear(struct hawser__motion *motion);
 /* motion-settle.c: an equilibrium of statics on planes that give way to that of motions: mesh->q and
- * the forces of the planes. */
+ * the forces of the planes. _seat: the net with its bodies in that equilibrium, with the supports as
+ * they are at t = 0, as hawser__bodies_seat. */
 enum hawser_status hawser__motion_settle(struct hawser__mesh *mesh, struct hawser_report *report)
 	HAWSER_MUST_CHECK;
+enum hawser_status hawser__motion_seat(struct hawser_net *seated, const struct hawser_net *net,
+                                       struct hawser__support_table *table, int tables,
+                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 /* The state as numbers, bit by bit: what the next step needs, its length h too. _read allocates
  * *state. */
 int hawser__motion_states(const struct hawser__motion *motion);

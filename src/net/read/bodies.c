@@ -121,7 +121,7 @@ static enum hawser_status rod(struct hawser__reader *reader, struct hawser_net *
 	if (!status)
 		status = end_of_rod(reader, &to->to, net, tree, "to", what);
 	if (!status)
-		status = hawser__net_wet(reader, net, tree, what);
+		status = hawser__net_wet(reader, &net->water, tree, what);
 	for (int k = 0; k < 3 && !status; k++)
 		square += pow(net->node[to->to].x[k] - net->node[to->from].x[k], 2.0);
 	to->value = sqrt(square);

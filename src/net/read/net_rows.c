@@ -63,19 +63,6 @@
 	NUMBER(path ".amplitude", REQUIRED, "m", ANY, LOAD_AT(value[k]), NULL, \
 	       "amplitude of the motion") \
 	WAVE(path)
-#define LINE_IN_WATER(path) \
-	NUMBER(path ".diameter", OPTIONAL, "m", NOT_NEGATIVE, CABLE_AT(line.diameter), NULL, \
-	       "diameter, in water: of the buoyancy, the drag and the added mass") \
-	SECTION(path ".drag", OPTIONAL, "coefficients of the drag of the water") \
-	NUMBER(path ".drag.normal", REQUIRED, "1", NOT_NEGATIVE, CABLE_AT(line.normal), NULL, \
-	       "across the cable, referred to the diameter") \
-	NUMBER(path ".drag.tangential", OPTIONAL, "1", NOT_NEGATIVE, CABLE_AT(line.tangential), "0", \
-	       "along it, referred to the surface") \
-	SECTION(path ".added_mass", OPTIONAL, "added mass over the mass of the water that is displaced") \
-	NUMBER(path ".added_mass.normal", REQUIRED, "1", NOT_NEGATIVE, CABLE_AT(line.added_normal), \
-	       NULL, "across the cable") \
-	NUMBER(path ".added_mass.tangential", OPTIONAL, "1", NOT_NEGATIVE, \
-	       CABLE_AT(line.added_tangential), "0", "along it")
 /* A third number, along z, may be left out: 0. */
 #define PLACE_OR(path, most, need, unit, at, doc) \
 	VECTOR(path, 2, need, unit, ANY, at, NULL, doc ", z = 0") \
@@ -109,7 +96,7 @@ static const struct hawser__tree_key net_rows[] = {
 	       "damper")
 	NUMBER("net.cables[].damper", OPTIONAL, "N.s/m", NOT_NEGATIVE, CABLE_AT(damper), "0",
 	       "force over the rate of its length, beside axial: a damper between two cables is a cable")
-	LINE_IN_WATER("net.cables[]")
+	LINE_IN_WATER("net.cables[]", CABLE_AT)
 	MAPPING("net.cables[].wind", OPTIONAL, "its own section in the wind")
 	SECTION_IN_WIND("net.cables[].wind", "that of wind")
 	CHOICE("net.cables[].length0", "m", CABLE_AT(value), CABLE_AT(given), "unstretched length")
@@ -158,6 +145,8 @@ static const struct hawser__tree_key net_rows[] = {
 	       "[x, y, z] of the centre of this mass")
 	VECTOR("net.bodies.*.inertia", 3, OPTIONAL, "kg.m^2", NOT_NEGATIVE, BODY_AT(inertia),
 	       "[0, 0, 0]", "moments of inertia of this mass about axes through its centre along x, y, z")
+	NUMBER("net.bodies.*.bearing", OPTIONAL, "m^2", NOT_NEGATIVE, BODY_AT(bearing), "0",
+	       "area of each of its nodes on obstacles that give way, beside those of rods and lines there")
 	LIST("net.bodies.*.rods", OPTIONAL, "straight parts between two of its nodes, as of steel tubes")
 	MAPPING("net.bodies.*.rods[]", OPTIONAL, "one of them")
 	TEXT("net.bodies.*.rods[].name", OPTIONAL, NOWHERE, "BODY_rod0, BODY_rod1 and so on", "name")
@@ -165,7 +154,7 @@ static const struct hawser__tree_key net_rows[] = {
 	TEXT("net.bodies.*.rods[].to", REQUIRED, NOWHERE, NULL, "node at its end")
 	NUMBER("net.bodies.*.rods[].rho", OPTIONAL, "kg/m", NOT_NEGATIVE, CABLE_AT(rho), "0",
 	       "mass per length")
-	LINE_IN_WATER("net.bodies.*.rods[]")
+	LINE_IN_WATER("net.bodies.*.rods[]", CABLE_AT)
 	INTEGER("net.bodies.*.rods[].elements", OPTIONAL, 1, 1e6, CABLE_AT(elements), "20",
 	        "parts with loads of the water at their ends")
 	MAPPING("net.dampers", OPTIONAL, "dampers from nodes to the ground")
@@ -388,7 +377,7 @@ static const struct hawser__tree_key mesh_rows[] = {
 	NUMBER("mesh.cable.EA", REQUIRED, "N", POSITIVE, CABLE_AT(EA), NULL, "axial stiffness")
 	NUMBER("mesh.cable.rho", REQUIRED, "kg/m", NOT_NEGATIVE, CABLE_AT(rho), NULL,
 	       "mass per unstretched length")
-	LINE_IN_WATER("mesh.cable")
+	LINE_IN_WATER("mesh.cable", CABLE_AT)
 	INTEGER("mesh.cable.elements", OPTIONAL, 1, 1e6, CABLE_AT(elements), "200", "number of elements")
 	MAPPING("mesh.span", REQUIRED, "the positions of the ends")
 	NUMBER("mesh.span.d", REQUIRED, "m", POSITIVE, NODE_AT(x[0]), NULL,

@@ -327,7 +327,7 @@ static enum hawser_status rules(struct hawser__reader *reader, struct hawser_net
 			status = plausible(reader, net, one, i);
 		snprintf(what, sizeof what, "cable %s", name);
 		if (!status)
-			status = hawser__net_wet(reader, net, one, what);
+			status = hawser__net_wet(reader, &net->water, one, what);
 		if (!status)
 			status = hawser__net_section(reader, net, i, one, what);
 		blown |= net->cable[i].wind != NULL;
@@ -446,7 +446,7 @@ static enum hawser_status interpret(struct hawser__reader *reader, void *scene,
 		if (!status)
 			status = common(reader, net, root, DYNAMICS);
 		return status ? status
-			: hawser__net_wet(reader, net, hawser__tree_find(root, "cable"), "cable");
+			: hawser__net_wet(reader, &net->water, hawser__tree_find(root, "cable"), "cable");
 	}
 	if (!status)
 		status = hawser__tree_keys(reader, root, "the scene", "net");

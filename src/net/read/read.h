@@ -39,8 +39,16 @@ enum hawser_status hawser__net_water(struct hawser__reader *reader, struct hawse
                                      const struct hawser__tree *tree) HAWSER_MUST_CHECK;
 enum hawser_status hawser__net_buoys(struct hawser__reader *reader, struct hawser_net *net,
                                      const struct hawser__tree *tree) HAWSER_MUST_CHECK;
-enum hawser_status hawser__net_wet(struct hawser__reader *reader, const struct hawser_net *net,
+enum hawser_status hawser__net_wet(struct hawser__reader *reader, const struct hawser_water *water,
                                    const struct hawser__tree *tree, const char *what)
+	HAWSER_MUST_CHECK;
+/* `water` of another kind of scenes, whose keys are those of nets; to be cleared also after a failure.
+ * g: m/s^2. */
+enum hawser_status hawser__water_of(struct hawser__reader *reader, struct hawser_water *water, double g,
+                                    const struct hawser__tree *tree) HAWSER_MUST_CHECK;
+/* Refuse the height y (m) of what is named there, below the bed of the water. */
+enum hawser_status hawser__water_bed(struct hawser__reader *reader, const struct hawser_water *water,
+                                     double y, const struct hawser__tree *tree, const char *what)
 	HAWSER_MUST_CHECK;
 /* blown.c: `wind` of the scene; that of a cable, whose mapping is `tree`. */
 enum hawser_status hawser__net_wind(struct hawser__reader *reader, struct hawser_net *net,

@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -124,15 +125,15 @@ enum hawser_status hawser__net_buoys(struct hawser__reader *reader, struct hawse
 	return status;
 }
 
-enum hawser_status hawser__net_wet(struct hawser__reader *reader, const struct hawser_net *net,
+enum hawser_status hawser__net_wet(struct hawser__reader *reader, const struct hawser_water *water,
                                    const struct hawser__tree *tree, const char *what)
 {
 	static const char *const of_water[] = {"drag", "added_mass"};
 
-	if (net->water.density > 0.0 && !net->water.air && !hawser__tree_find(tree, "diameter"))
+	if (water->density > 0.0 && !water->air && !hawser__tree_find(tree, "diameter"))
 		return hawser__reader_fail(reader, &tree->at, "%s has no diameter, which its buoyancy and its "
 		                           "drag in the water need: add, for example, diameter: 0.1 m", what);
-	if (net->water.density > 0.0 && !net->water.air)
+	if (water->density > 0.0 && !water->air)
 		return HAWSER_OK;
 	for (size_t i = 0; i < sizeof of_water/sizeof *of_water; i++)
 		if (hawser__tree_find(tree, of_water[i]))
@@ -141,23 +142,45 @@ enum hawser_status hawser__net_wet(struct hawser__reader *reader, const struct h
 	return HAWSER_OK;
 }
 
+enum hawser_status hawser__water_of(struct hawser__reader *reader, struct hawser_water *water, double g,
+                                    const struct hawser__tree *tree)
+{
+	struct hawser_net net = {.g = g};
+	enum hawser_status status = HAWSER_OK;
+
+	if (tree)
+		status = hawser__tree_value(reader, &net, tree, "water", "net.water");
+	if (tree && !status)
+		status = hawser__net_water(reader, &net, tree);
+	*water = net.water;
+	return status;
+}
+
+enum hawser_status hawser__water_bed(struct hawser__reader *reader, const struct hawser_water *water,
+                                     double y, const struct hawser__tree *tree, const char *what)
+{
+	double bed = water->surface - water->depth;
+
+	if (!(water->density > 0.0 && water->depth > 0.0 && y < bed - ROUND_OFF*water->depth))
+		return HAWSER_OK;
+	return hawser__reader_fail(reader, &tree->at, "%s is at y = %.9g m, below the bed of the water, "
+	                           "surface - depth = %.9g m: give water.depth at its deepest place, or "
+	                           "move %s", what, y, bed, what);
+}
+
 enum hawser_status hawser__net_bed(struct hawser__reader *reader, const struct hawser_net *net,
                                    const struct hawser__tree *nodes)
 {
-	const struct hawser_water *water = &net->water;
-	double bed = water->surface - water->depth;
+	enum hawser_status status = HAWSER_OK;
 
-	if (!(water->density > 0.0 && water->depth > 0.0))
-		return HAWSER_OK;
-	for (int i = 0; i < net->nodes; i++) {
+	for (int i = 0; i < net->nodes && !status; i++) {
 		const struct hawser_net_node *node = &net->node[i];
 		const struct hawser__tree *at = hawser__tree_find(nodes, node->name);
+		char what[sizeof node->name + 8];
 
-		if (node->placed && node->x[1] < bed - ROUND_OFF*water->depth)
-			return hawser__reader_fail(reader, at ? &at->at : &nodes->at, "node %s is at y = %.9g m, "
-			                           "below the bed of the water, surface - depth = %.9g m: give "
-			                           "water.depth at its deepest place, or move the node",
-			                           node->name, node->x[1], bed);
+		snprintf(what, sizeof what, "node %s", node->name);
+		if (node->placed)
+			status = hawser__water_bed(reader, &net->water, node->x[1], at ? at : nodes, what);
 	}
-	return HAWSER_OK;
+	return status;
 }

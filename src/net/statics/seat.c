@@ -21,6 +21,7 @@
 #include "core/report.h"
 #include "core/vec3.h"
 #include "net/body.h"
+#include "net/motion/motion.h"
 #include "net/statics/solution.h"
 #include "net/touch/touch.h"
 
@@ -46,6 +47,7 @@ struct seat {
 	double *A, *dz, *F1;      /* [n][n], [n], [n] */
 	lapack_int *pivot;        /* [n] */
 	double size;              /* m, of the net */
+	int moves;                /* 1: of lines on planes that give way as motions have them */
 	double rest;              /* of F over the forces on the bodies */
 	struct hawser__hold hold;
 };
@@ -159,8 +161,13 @@ static enum hawser_status forces_of(double *F, double *K, double *rest, struct s
 		status = hawser__no_memory(report, "net");
 	if (!status)
 		status = hawser__net_supported(&mesh, net, report);
+	mesh.surfaces_rest = seat->moves && net->dynamics.surfaces_start;
 	if (!status)
 		status = hawser__net_equilibrium(&mesh, T, net, report);
+	if (!status)
+		status = hawser__bodies_land(&mesh, net, report);
+	if (!status && seat->moves)
+		status = hawser__motion_settle(&mesh, report);
 	survey(seat, net);
 	if (!status)
 		status = hawser__bodies_tangent(seat->all, seat->forces, seat->scale, &mesh, T, net,
@@ -359,9 +366,10 @@ static double extent(const struct hawser_net *net)
 }
 
 enum hawser_status hawser__bodies_seat(struct hawser_net *seated, double *rest,
-                                       const struct hawser_net *net, struct hawser_report *report)
+                                       const struct hawser_net *net, int moves,
+                                       struct hawser_report *report)
 {
-	struct seat seat = {.bodies = net->bodies, .size = extent(net)};
+	struct seat seat = {.bodies = net->bodies, .size = extent(net), .moves = moves};
 	enum hawser_status status;
 
 	*seated = *net;

@@ -130,6 +130,15 @@ static void bodies(struct hawser_net_statics *st, const struct hawser__mesh *mes
 		for (int i = 0; i < mesh->nodes; i++)
 			for (int k = 0; k < 3 && mesh->rigid[i] == b + 1; k++)
 				force[k] += i < st->nodes ? st->reaction[i][k] : -mesh->force[i][k];
+		for (int i = 0; i < mesh->touches; i++) {
+			const struct hawser__touch *touch = &mesh->touch[i];
+
+			if (mesh->rigid[touch->node] != b + 1)
+				continue;
+			for (int k = 0; k < 3; k++)
+				force[k] -= touch->r*touch->n[k] + touch->friction[k];
+			st->energy += 0.5*touch->give*touch->r*touch->r;
+		}
 		for (int i = body->nodes - 1; i >= 0; i--) {
 			memset(st->reaction[body->node[i]], 0, sizeof *st->reaction);
 			at = net->node[body->node[i]].support ? body->node[i] : at;
@@ -213,7 +222,7 @@ static enum hawser_status of_mesh(struct hawser_net_statics *st, const struct ha
 		status = hawser__net_supported(&mesh, net, report);
 	if (!status && !(T = calloc((size_t)mesh.elements, sizeof *T)))
 		status = hawser__no_memory(report, "net");
-	if (!status && !mesh.touches && !mesh.water && method == hawser__net_method(0) &&
+	if (!status && !mesh.touches && !mesh.water && !net->bodies && method == hawser__net_method(0) &&
 	    hawser__exact_start(&mesh, T, net)) {
 		settings.keep_start = 1;
 		settings.N = T;
@@ -223,6 +232,8 @@ static enum hawser_status of_mesh(struct hawser_net_statics *st, const struct ha
 		                              : hawser__mesh_form(&mesh, T, &found, net, &settings, report);
 	if (!status)
 		status = hawser__touch_sides(&mesh, net, report);
+	if (!status)
+		status = hawser__bodies_land(&mesh, net, report);
 	if (!status) {
 		*st = (struct hawser_net_statics){
 			.nodes = net->nodes, .cables = net->cables,
@@ -255,7 +266,7 @@ enum hawser_status hawser__net_solve_by(struct hawser_net_statics *st, const str
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s: the method %s does not know "
 		                    "%s: give automatic, or leave it out", net->name, method->shown.name,
 		                    net->winds ? "wind" : "water");
-	status = method->solve ? hawser__bodies_seat(&seated, &rest, net, report)
+	status = method->solve ? hawser__bodies_seat(&seated, &rest, net, 0, report)
 	                       : hawser__bodies_none(net, "the method catenary", report);
 	if (!status)
 		status = method->solve ? of_mesh(st, &seated, method, options, report)

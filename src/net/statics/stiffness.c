@@ -51,6 +51,7 @@ struct tangent {
 	double *K;           /* [6 groups][6 groups], column by column: change of these by a motion */
 	double *T;           /* [elements] N */
 	double (*block)[9];  /* [elements] N/m */
+	double (*bed)[9];    /* [touches] N/m: of nodes of bodies */
 	double (*u)[3];      /* [nodes of the mesh] m */
 	double (*force)[3];  /* [nodes of the mesh] N */
 	double *x;           /* [unknowns] */
@@ -122,12 +123,15 @@ static int at_rest(const struct hawser_surface *of)
 }
 
 /* What a contact adds to the matrix at its node. */
-static void contact(struct tangent *at, const struct hawser__touch *touch)
+static void contact(struct tangent *at, const struct hawser__touch *touch, double *of_body)
 {
-	double stiff = normal(at, touch), block[3][3], hold = 0.0, follows = 1.0/touch->r;
+	const int rigid = at->mesh->rigid[touch->node];
+	double stiff = rigid ? 1.0/touch->give : normal(at, touch);
+	double block[3][3], hold = 0.0, follows = 1.0/touch->r;
 
 	if (hawser__touch_sticks(touch) && !(at->slips && at_rest(touch->surface))) {
-		hold = STIFFER*at->mesh->EA[touch->element]/at->mesh->length0[touch->element];
+		hold = rigid ? HAWSER__STIFFER_ALONG*stiff
+		             : STIFFER*at->mesh->EA[touch->element]/at->mesh->length0[touch->element];
 		follows = 0.0;
 	}
 	for (int i = 0; i < 3; i++)
@@ -135,6 +139,10 @@ static void contact(struct tangent *at, const struct hawser__touch *touch)
 			block[i][j] = stiff*(touch->n[i] + follows*touch->friction[i])*touch->n[j] +
 			              hold*((i == j) - touch->n[i]*touch->n[j]) -
 			              touch->r*touch->H[i][j] + touch->turn[i][j];
+	if (rigid) {
+		memcpy(of_body, block, sizeof block);
+		return;
+	}
 	if (touch->surface->groove)
 		block[2][2] += stiff;
 	hawser__klu_node(at->klu, touch->element, touch->end, (const double (*)[3])block);
@@ -151,7 +159,7 @@ static void assemble(struct tangent *at)
 	hawser__klu_zero(at->klu);
 	for (int i = 0; i < mesh->touches; i++)
 		if (mesh->touch[i].r > 0.0)
-			contact(at, &mesh->touch[i]);
+			contact(at, &mesh->touch[i], at->bed[i]);
 	for (int i = 0; i < mesh->elements; i++) {
 		const double lift[2] = {at->T[i] > 0.0 ? 0.0 : LIFT*mesh->EA[i]/mesh->length0[i], 0.0};
 
@@ -180,6 +188,10 @@ static void forces(struct tangent *at)
 			at->force[end[1]][k] += f;
 		}
 	}
+	for (int i = 0; i < mesh->touches; i++)
+		for (int k = 0; k < 3; k++)
+			at->force[mesh->touch[i].node][k] += hawser__dot(&at->bed[i][3*k],
+			                                                 at->u[mesh->touch[i].node]);
 	if (mesh->water)
 		hawser__water_spread(at->force, mesh, (const double (*)[3])at->u);
 }
@@ -266,6 +278,12 @@ static enum hawser_status hold(struct tangent *at, struct hawser_report *report)
 	if (at->mesh->water) /* with derivatives at the equilibrium */
 		hawser__water_load(at->mesh);
 	hawser__mesh_gradient(at->held, NULL, at->mesh);
+	for (int i = 0; i < at->mesh->touches; i++) {
+		const struct hawser__touch *touch = &at->mesh->touch[i];
+
+		for (int k = 0; k < 3 && at->mesh->rigid[touch->node]; k++)
+			at->held[touch->node][k] -= touch->r*touch->n[k] + touch->friction[k];
+	}
 	for (int i = 0; i < at->mesh->nodes; i++) {
 		double *to = at->total + 6*(at->group[i] - 1);
 
@@ -311,6 +329,7 @@ static enum hawser_status solve(struct tangent *at, struct hawser_report *report
 	at->held = hawser__hold(&at->memory, nodes, sizeof *at->held);
 	at->on = hawser__hold(&at->memory, nodes, sizeof *at->on);
 	at->x = hawser__hold(&at->memory, 3*nodes, sizeof *at->x);
+	at->bed = hawser__hold(&at->memory, (size_t)at->mesh->touches + 1, sizeof *at->bed);
 	at->total = hawser__hold(&at->memory, motions + 1, sizeof *at->total);
 	at->K = hawser__hold(&at->memory, motions*motions + 1, sizeof *at->K);
 	status = at->memory.short_of_memory ? hawser__no_memory(report, "net") : hold(at, report);
@@ -352,6 +371,9 @@ enum hawser_status hawser__bodies_tangent(double *K, double *force, double *scal
 	for (int i = 0; i < mesh->nodes && !status; i++)
 		if (mesh->rigid[i])
 			scale[mesh->rigid[i] - 1] += hawser__norm(at.held[i]);
+	for (int i = 0; i < mesh->touches && !status; i++)
+		if (mesh->rigid[mesh->touch[i].node])
+			scale[mesh->rigid[mesh->touch[i].node] - 1] += mesh->touch[i].r;
 	clear(&at);
 	return status;
 }
@@ -382,6 +404,8 @@ static enum hawser_status stiffness_at(struct hawser_net_stiffness *to, const st
 	at.group = hawser__hold(&at.memory, (size_t)mesh.nodes + 1, sizeof *at.group);
 	status = at.memory.short_of_memory ? hawser__no_memory(report, "net")
 	                                   : hawser__net_equilibrium(&mesh, at.T, net, report);
+	if (!status)
+		status = hawser__bodies_land(&mesh, net, report);
 	if (!status) {
 		mark(&at, node, nodes);
 		status = solve(&at, report);
@@ -403,7 +427,7 @@ enum hawser_status hawser_net_stiffness_of(struct hawser_net_stiffness *to,
 	struct hawser_net seated;
 	double rest, motion[6][6];
 	int body = net->node[node[0]].body;
-	enum hawser_status status = hawser__bodies_seat(&seated, &rest, net, report);
+	enum hawser_status status = hawser__bodies_seat(&seated, &rest, net, 0, report);
 
 	*to = (struct hawser_net_stiffness){.size = about || body ? 6 : 3};
 	if (about)

@@ -214,7 +214,8 @@ int hawser__tension_rests(double force[3], double *length0, const struct hawser_
 
 	memset(force, 0, 3*sizeof *force);
 	*length0 = 0.0;
-	if (!of->obstacle || mesh->unknown[node][0] >= 0 || mesh->unknown[node][1] >= 0)
+	if (!of->obstacle || mesh->unknown[node][0] >= 0 || mesh->unknown[node][1] >= 0 ||
+	    mesh->rigid[node])
 		return -1;
 	for (int i = 0; i < 2*mesh->elements; i++) {
 		double f[3];

@@ -140,11 +140,15 @@ static int sticks(const struct hawser__touch *touch, enum hawser_net_contact_mod
 	       hawser__touch_sticks(touch);
 }
 
-/* A plane that gives way is a spring, which modes have as the curvature of an obstacle: -r*H. */
-static void spring(struct hawser__touch *touch)
+/* A plane that gives way is a spring, which modes have as the curvature of an obstacle: -r*H. So is the
+ * friction that holds a node of a body. */
+static void spring(struct hawser__touch *touch, int holds)
 {
+	const double along = holds ? HAWSER__STIFFER_ALONG : 0.0;
+
 	for (int k = 0; k < 9 && touch->give > 0.0; k++)
-		touch->H[k/3][k%3] = -touch->n[k/3]*touch->n[k%3]/(touch->give*touch->r);
+		touch->H[k/3][k%3] = -((1.0 - along)*touch->n[k/3]*touch->n[k%3] + along*(k % 4 == 0))/
+		                     (touch->give*touch->r);
 }
 
 /* The one obstacle to which a node sticks, if it turns freely; NULL if it does not, or there are
@@ -217,7 +221,7 @@ enum hawser_status hawser__touch_hold(unsigned char *state, struct hawser__mesh 
 
 		if (!(touch->r > 0.0))
 			continue;
-		spring(&mesh->touch[i]);
+		spring(&mesh->touch[i], mesh->rigid[touch->node] && sticks(touch, how));
 		touches++;
 		stick += sticks(touch, how);
 		if (state[touch->node] != HAWSER_NET_STICK)
@@ -254,7 +258,8 @@ int hawser__touch_doubtful(int *node, struct hawser__mesh *mesh, const double *T
 	for (int i = 0; i < mesh->touches; i++) {
 		struct hawser__touch *touch = &mesh->touch[i];
 
-		if (touch->r > least || touch->g > BARELY*mesh->length0[touch->element])
+		if (touch->r > least || mesh->rigid[touch->node] ||
+		    touch->g > BARELY*mesh->length0[touch->element])
 			continue;
 		touch->r = 0.0;
 		if (count++ == 0)

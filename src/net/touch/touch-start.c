@@ -27,25 +27,27 @@ int hawser__touch_around(const struct hawser_net *net)
 	return 0;
 }
 
-/* A surface that gives way under a cable: by its diameter and the halves of the elements at the
- * node. */
-static enum hawser_status give_way(struct hawser__mesh *mesh, const struct hawser_net *net,
-                                   struct hawser_report *report)
+/* The area of nodes [nodes] on a surface that gives way: the diameters of cables times the halves of
+ * their elements there, and what bodies have; NULL: no memory. */
+static double *areas(const struct hawser__mesh *mesh, const struct hawser_net *net)
 {
 	double *area = calloc((size_t)mesh->nodes + 1, sizeof *area);
 
 	for (int e = 0; area && e < 2*mesh->elements; e++)
 		area[mesh->end[e/2][e%2]] += 0.5*mesh->length0[e/2]*net->cable[mesh->cable[e/2]].line.diameter;
-	for (int i = 0; area && i < mesh->touches; i++) {
-		struct hawser__touch *touch = &mesh->touch[i];
+	for (int i = 0; area && i < net->nodes; i++)
+		area[i] += net->node[i].body ? net->body[net->node[i].body - 1].bearing : 0.0;
+	return area;
+}
 
-		if (touch->surface->stiffness > 0.0)
-			touch->give = 1.0/(touch->surface->stiffness*area[touch->node]);
-	}
-	if (!area)
-		return hawser__no_memory(report, "net");
-	free(area);
-	return HAWSER_OK;
+/* Whether a node may touch a surface. */
+static int may_touch(const struct hawser__mesh *mesh, int node, int element, double area,
+                     const struct hawser_surface *surface)
+{
+	if (movable(mesh, node))
+		return element >= 0;
+	return mesh->stands && mesh->rigid[node] && area > 0.0 && surface->stiffness > 0.0 &&
+	       (node >= mesh->net->nodes || mesh->stands[node]);
 }
 
 enum hawser_status hawser__touch_open(struct hawser__mesh *mesh, const struct hawser_net *net,
@@ -53,12 +55,14 @@ enum hawser_status hawser__touch_open(struct hawser__mesh *mesh, const struct ha
 {
 	size_t pairs = (size_t)mesh->nodes*(size_t)net->surfaces;
 	int (*at)[2]; /* of a node, the last element with its end, and the one before */
+	double *area;
 
 	mesh->around = hawser__touch_around(net);
 	if (!pairs)
 		return HAWSER_OK;
 	at = malloc((size_t)mesh->nodes*sizeof *at);
 	mesh->touch = calloc(pairs, sizeof *mesh->touch);
+	area = areas(mesh, net);
 	for (int i = 0; at && i < mesh->nodes; i++)
 		at[i][0] = at[i][1] = -1;
 	for (int e = 0; at && e < mesh->elements; e++)
@@ -68,14 +72,22 @@ enum hawser_status hawser__touch_open(struct hawser__mesh *mesh, const struct ha
 			last[1] = last[0];
 			last[0] = 2*e + end;
 		}
-	for (int i = 0; at && mesh->touch && i < mesh->nodes; i++)
-		for (int s = 0; s < net->surfaces && at[i][0] >= 0 && movable(mesh, i); s++)
-			mesh->touch[mesh->touches++] = (struct hawser__touch){
-				.surface = &net->surface[s], .number = s, .node = i, .element = at[i][0]/2,
-				.end = at[i][0] % 2, .other = at[i][1] < 0 ? -1 : at[i][1]/2};
-	pairs = at && mesh->touch;
+	for (int i = 0; at && area && mesh->touch && i < mesh->nodes*net->surfaces; i++) {
+		const struct hawser_surface *surface = &net->surface[i % net->surfaces];
+		int node = i/net->surfaces, *last = at[node];
+
+		if (!may_touch(mesh, node, last[0], area[node], surface))
+			continue;
+		mesh->touch[mesh->touches++] = (struct hawser__touch){
+			.surface = surface, .number = i % net->surfaces, .node = node,
+			.element = last[0] < 0 ? -1 : last[0]/2, .end = last[0] < 0 ? 0 : last[0] % 2,
+			.other = last[1] < 0 ? -1 : last[1]/2,
+			.give = surface->stiffness > 0.0 ? 1.0/(surface->stiffness*area[node]) : 0.0};
+	}
+	pairs = at && area && mesh->touch;
 	free(at);
-	return pairs ? give_way(mesh, net, report) : hawser__no_memory(report, "net");
+	free(area);
+	return pairs ? HAWSER_OK : hawser__no_memory(report, "net");
 }
 
 enum hawser_status hawser__touch_again(struct hawser__mesh *mesh, const struct hawser_net *net,

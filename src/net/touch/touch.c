@@ -154,7 +154,7 @@ static int dragged(const struct hawser__mesh *mesh, struct hawser__touch *touch)
 		return 0;
 	for (int k = 0; k < 3; k++)
 		touch->drag[k] = hawser__touch_friction(touch)*v[k]/size;
-	if (touch->surface->axial > 0.0)
+	if (touch->surface->axial > 0.0 && touch->element >= 0)
 		hawser__touch_oval(touch->drag, mesh, touch, v);
 	for (int k = 0; k < 3; k++)
 		touch->friction[k] = touch->drag[k]*fmax(touch->r, 0.0);

@@ -45,14 +45,14 @@ int hawser__touch_sticks(const struct hawser__touch *touch)
 static void contact_of(struct hawser_net_contact *to, const struct hawser__mesh *mesh,
                        const struct hawser__touch *touch, int nodes)
 {
-	int cable = mesh->cable[touch->element], at = touch->element - mesh->first[cable] + touch->end;
-
 	*to = (struct hawser_net_contact){.surface = touch->number, .node = -1, .cable = -1, .r = touch->r};
 	if (touch->node < nodes) {
 		to->node = touch->node;
 	} else {
+		int e = touch->element, cable = mesh->cable[e];
+
 		to->cable = cable;
-		to->S = at*hawser__mesh_length(mesh, touch->element);
+		to->S = (e - mesh->first[cable] + touch->end)*hawser__mesh_length(mesh, e);
 	}
 	memcpy(to->x, mesh->q[touch->node], sizeof to->x);
 	memcpy(to->friction, touch->friction, sizeof to->friction);

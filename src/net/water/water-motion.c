@@ -19,20 +19,17 @@
 #include "core/report.h"
 #include "core/vec3.h"
 #include "net/motion/motion.h"
+#include "net/water/flow.h"
 #include "net/water/water.h"
-#include "water/near.h"
-#include "water/water.h"
 
 struct hawser__water_motion {
 	double (*still)[3];  /* [nodes] N: loads at rest at the reference, which motion->base has */
 	double (*force)[3];  /* [nodes] N, of the last residual, without those */
 	double (*mid)[3];    /* [nodes] m: places in the step */
-	double (*u)[3], (*du)[3]; /* [nodes] m/s, m/s^2: the flow there */
-	double *surface;     /* [nodes] m */
+	struct hawser__water_there *there; /* [nodes] the flow there */
 	double part;         /* of the increment, in the places of the step */
 	double lost;         /* W, of the drag at the last residual */
-	struct hawser__near *near; /* NULL: no waves */
-	struct hawser__support_table series; /* of the current over time; rows 0: none */
+	struct hawser__water_flow flow;
 	struct hawser__hold hold;
 };
 
@@ -40,8 +37,7 @@ void hawser__water_motion_clear(struct hawser__water_motion *water)
 {
 	if (!water)
 		return;
-	hawser__near_free(water->near);
-	hawser__support_clear(&water->series);
+	hawser__water_flow_clear(&water->flow);
 	hawser__hold_clear(&water->hold);
 	free(water);
 }
@@ -62,6 +58,7 @@ enum hawser_status hawser__water_motion_open(struct hawser__motion *motion,
 	struct hawser__mesh *mesh = motion->mesh;
 	size_t nodes = (size_t)mesh->nodes;
 	struct hawser__water_motion *water;
+	enum hawser_status status;
 
 	if (!mesh->water)
 		return HAWSER_OK;
@@ -71,59 +68,26 @@ enum hawser_status hawser__water_motion_open(struct hawser__motion *motion,
 	water->still = hawser__hold(&water->hold, nodes, sizeof *water->still);
 	water->force = hawser__hold(&water->hold, nodes, sizeof *water->force);
 	water->mid = hawser__hold(&water->hold, nodes, sizeof *water->mid);
-	water->u = hawser__hold(&water->hold, nodes, sizeof *water->u);
-	water->du = hawser__hold(&water->hold, nodes, sizeof *water->du);
-	water->surface = hawser__hold(&water->hold, nodes, sizeof *water->surface);
+	water->there = hawser__hold(&water->hold, nodes, sizeof *water->there);
 	motion->block = hawser__hold(&water->hold, nodes, sizeof *motion->block);
 	motion->other = hawser__hold(&water->hold, (size_t)mesh->elements + 1, sizeof *motion->other);
 	if (water->hold.short_of_memory)
 		return hawser__no_memory(report, "net");
-	if (mesh->water->of->file) {
-		enum hawser_status status = hawser__support_read(&water->series, mesh->water->of->file, report);
-
-		if (status)
-			return status;
-	}
-	if (mesh->water->of->waves.count) {
-		enum hawser_status status = hawser__near_open(&water->near, &mesh->water->of->waves,
-		                                              mesh->nodes, report);
-
-		if (status)
-			return status;
-	}
+	status = hawser__water_flow_open(&water->flow, mesh->water->of, mesh->nodes, report);
+	if (status)
+		return status;
 	hawser__water_still(motion);
 	return HAWSER_OK;
 }
 
-/* The flow at the places and a time. Waves in the steps are found by `near`, without by
- * hawser_waves_at, as rows must not change what comes later. */
-static void flow(struct hawser__motion *motion, struct hawser__near *near, double t)
+/* The flow at the places and a time; exact: of rows, which must not change what comes later. */
+static void flow(struct hawser__motion *motion, int exact, double t)
 {
 	struct hawser__water_motion *water = motion->water;
-	const struct hawser_water *of = motion->mesh->water->of;
-	double later[3] = {0.0}, rate[3] = {0.0}; /* of a current over time, beyond that of t = 0 */
 
-	if (water->series.rows)
-		hawser__support_within(later, rate, &water->series, t);
-	for (int k = 0; k < 3 && water->series.rows; k++)
-		later[k] -= of->current->u[k];
-	for (int i = 0; i < motion->nodes; i++) {
-		struct hawser_wave_flow wave = {.elevation = 0.0};
-		double u_y[3];
-
-		hawser__water_current(water->u[i], u_y, of, water->mid[i][1]);
-		if (near)
-			hawser__near_at(&wave, near, i, water->mid[i], t);
-		else if (of->waves.count)
-			hawser_waves_at(&wave, &of->waves, water->mid[i], t);
-		for (int k = 0; k < 3; k++) {
-			water->u[i][k] += wave.u[k] + later[k];
-			water->du[i][k] = wave.du[k] + rate[k];
-		}
-		water->surface[i] = of->surface;
-		if (of->waves.stretching != HAWSER_STRETCH_NONE)
-			water->surface[i] += wave.elevation;
-	}
+	hawser__water_flow_time(&water->flow, t);
+	for (int i = 0; i < motion->nodes; i++)
+		hawser__water_flow_at(&water->there[i], &water->flow, exact ? -1 : i, water->mid[i]);
 }
 
 /* Places of the step, with this part of the increment. */
@@ -143,18 +107,20 @@ void hawser__water_prepare(struct hawser__motion *motion, const struct hawser__m
 
 	motion->water->part = part;
 	place(motion, part);
-	flow(motion, motion->water->near, motion->t + part*h);
+	flow(motion, 0, motion->t + part*h);
 }
 
 /* What flows past a node with the velocity v and the acceleration a. */
 static void past(struct hawser__water_past *past, const struct hawser__water_motion *water, int node,
                  const double v[3], const double a[3])
 {
-	past->height = water->mid[node][1] - water->surface[node];
+	const struct hawser__water_there *there = &water->there[node];
+
+	past->height = water->mid[node][1] - there->surface;
 	for (int k = 0; k < 3; k++) {
-		past->u[k] = water->u[node][k];
+		past->u[k] = there->u[k];
 		past->r[k] = past->u[k] - v[k];
-		past->du[k] = water->du[node][k];
+		past->du[k] = there->du[k];
 		past->a[k] = a[k];
 	}
 }
@@ -264,7 +230,7 @@ double hawser__water_kinetic(struct hawser__motion *motion)
 		double d[3], height[2];
 
 		for (int i = 0; i < 2; i++)
-			height[i] = water->mid[end[i]][1] - water->surface[end[i]];
+			height[i] = water->mid[end[i]][1] - water->there[end[i]].surface;
 		for (int k = 0; k < 3; k++)
 			d[k] = water->mid[end[1]][k] - water->mid[end[0]][k];
 		sum += hawser__water_carried(mesh, e, d, height, v);
@@ -298,7 +264,7 @@ void hawser__water_row(struct hawser__motion *motion, const double (*a)[3])
 	struct hawser__water_end end[2];
 
 	stay(motion);
-	flow(motion, NULL, motion->t);
+	flow(motion, 1, motion->t);
 	for (int e = 0; e < motion->elements; e++) {
 		ends(end, motion, e, (const double (*)[3])motion->v, a, past, 0);
 		for (int k = 0; k < 6; k++)

@@ -5,10 +5,8 @@
 #define HAWSER_NET_WATER_H
 
 #include "net/net.h"
+#include "water/morison.h"
 
-/* Of the diameter: the height over which a line comes out of the water. With all of it a line that
- * ends at the surface would lack the drag of the last half. */
-#define HAWSER__WATER_BAND 0.01
 /* Of a mesh in water. Loads go to the ends of elements, drag with the velocity there. */
 struct hawser__mesh_water {
 	const struct hawser_water *of;
@@ -34,22 +32,6 @@ struct hawser__mesh_water {
 	                         * more than a hundredth of a line's diameter, and the diameter of a buoy */
 };
 
-/* What flows past an end of an element. */
-struct hawser__water_past {
-	double height;     /* m, above the surface */
-	double u[3], r[3]; /* m/s, of the water; relative to the line */
-	double du[3], a[3]; /* m/s^2, of the water and of the line */
-};
-/* What the water does to an end of an element, and the derivatives of the load. */
-struct hawser__water_end {
-	double load[3], drag[3]; /* N: all, and of it the drag */
-	double mass[3][3];       /* kg: added mass */
-	double by_r[3][3];       /* by the relative velocity */
-	double by_d[3][3];       /* by the vector along the element */
-	double by_y[2][3];       /* by the heights of both ends */
-	double wet;              /* m, unstretched length in the water */
-	double spring[2];        /* N/m: of that what is buoyancy, of the force upwards */
-};
 /* d: vector along element e. With slopes = 0, by_r and by_d of what is wet are left as they were. */
 void hawser__water_ends(struct hawser__water_end end[2], const struct hawser__mesh *mesh, int e,
                         const double d[3], const struct hawser__water_past past[2], int slopes);

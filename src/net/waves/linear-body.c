@@ -106,6 +106,15 @@ static void forces(struct hawser__linear_mesh *linear, const double complex (*x)
 		if (mesh->rigid[wet->node])
 			hawser__linear_push(linear, wet->node, f);
 	}
+	for (int i = 0; i < mesh->touches; i++) {
+		const struct hawser__touch *touch = &mesh->touch[i];
+		const double complex *u = x[touch->node];
+
+		for (int k = 0; k < 3; k++)
+			f[k] = -touch->r*(touch->H[k][0]*u[0] + touch->H[k][1]*u[1] + touch->H[k][2]*u[2]);
+		if (touch->r > 0.0 && mesh->rigid[touch->node])
+			hawser__linear_push(linear, touch->node, f);
+	}
 	for (int b = 0; b < mesh->net->bodies; b++) {
 		const struct hawser__mesh_body *body = &mesh->body[b];
 		int first = body->first - nodes;

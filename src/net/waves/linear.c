@@ -170,7 +170,7 @@ static void nodes(struct hawser__linear_mesh *linear)
 	for (int i = 0; i < mesh->touches; i++) {
 		const struct hawser__touch *touch = &mesh->touch[i];
 
-		for (int j = 0; j < 9 && touch->r > 0.0; j++)
+		for (int j = 0; j < 9 && touch->r > 0.0 && !mesh->rigid[touch->node]; j++)
 			linear->K[touch->element][3*touch->end + j/3][3*touch->end + j%3] -=
 				touch->r*touch->H[j/3][j%3];
 	}
@@ -227,7 +227,7 @@ enum hawser_status hawser__linear_mesh_open(struct hawser__linear_mesh *linear,
 	*linear = (struct hawser__linear_mesh){.net = net};
 	status = hawser__mesh_lawless(given, "the linear response", report);
 	if (!status)
-		status = hawser__bodies_seat(&linear->seated, &rest, given, report);
+		status = hawser__bodies_seat(&linear->seated, &rest, given, 0, report);
 	if (!status && net->absorbers)
 		return hawser__fail(report, HAWSER_ERR_SCENE, "net", "%s: absorbers: the response to waves has "
 		                    "none: leave them out, or give a mass on a soft cable", net->name);
@@ -238,6 +238,8 @@ enum hawser_status hawser__linear_mesh_open(struct hawser__linear_mesh *linear,
 		status = hawser__no_memory(report, "net");
 	if (!status)
 		status = hawser__net_equilibrium(mesh, linear->T, net, report);
+	if (!status)
+		status = hawser__bodies_land(mesh, net, report);
 	if (!status && mesh->touches)
 		status = hold(linear, report);
 	nodes = *mesh;

@@ -66,16 +66,19 @@ static const double *mark(const struct hawser__animation *of, int row)
 }
 
 /* A place on the surface of the water: point number i of a line along x; lines are over the width. */
-static void wave(double x[3], const struct view *view, int line, int i, double t)
+static void wave(double x[3], const struct view *view, int line, int i, int row)
 {
+	static const double none[3];
+	const double *origin = view->of->origin ? view->of->origin[row] : none;
 	const struct hawser__box *box = &view->box;
 	const struct hawser_water *water = view->of->water;
 
 	x[0] = box->low[0] + (box->high[0] - box->low[0])*i/(WAVE_POINTS - 1);
-	x[1] = water->surface;
+	x[1] = water->surface - origin[1];
 	x[2] = box->low[2] + (box->high[2] - box->low[2])*line/(WAVE_LINES - 1);
 	if (water->waves.count)
-		x[1] += hawser_waves_elevation(&water->waves, x, t);
+		x[1] += hawser_waves_elevation(&water->waves, (const double[3]){x[0] + origin[0], 0.0,
+		                               x[2] + origin[2]}, view->of->time[row]);
 }
 
 /* Lines of the obstacles: into the script or, if it is NULL, into the box of what is seen. */
@@ -106,8 +109,9 @@ static void look(struct view *view)
 	obstacles(NULL, view);
 	for (int i = 0; i < 8 && of->water; i++) { /* corners of what the waves fill */
 		const double rise = fmax(0.5*of->water->given.height, of->water->given.Hs);
+		const double level = of->water->surface - (of->origin ? of->origin[0][1] : 0.0);
 		const double x[3] = {(i & 1 ? view->box.high : view->box.low)[0],
-		                     of->water->surface + (i & 2 ? rise : -rise),
+		                     level + (i & 2 ? rise : -rise),
 		                     (i & 4 ? view->box.high : view->box.low)[2]};
 
 		see(to, view, x);
@@ -171,7 +175,7 @@ static void water(FILE *script, const struct view *view, int row)
 		for (int i = 0; i < WAVE_POINTS; i++) {
 			double x[3];
 
-			wave(x, view, line, i, view->of->time[row]);
+			wave(x, view, line, i, row);
 			put(script, view, x);
 		}
 		fputs("\n", script);

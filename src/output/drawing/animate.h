@@ -24,6 +24,7 @@ struct hawser__animation {
 	const struct hawser_surface *surface; /* [surfaces] obstacles; NULL if there are none */
 	int surfaces;
 	const struct hawser_water *water; /* whose surface is drawn, with its waves; or NULL */
+	const double (*origin)[3]; /* [rows] m: where the axes are in the water; NULL: at 0 */
 };
 
 /* That the name says GIF, gnuplot is there and the file can be written; path may be NULL. */

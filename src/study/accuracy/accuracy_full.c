@@ -41,7 +41,8 @@
 #include "study/accuracy/landmark.h"
 
 #define FINEST 1e-9      /* smallest tolerance of the orbits; chosen, far below any accuracy */
-#define COARSEST 1e-6    /* largest one; chosen */
+#define COARSEST 1e-7    /* largest one; chosen: with 1e-6 orbits near folds of a stay with a damping
+                          * ratio of 0.3 % are known to 1e-2 */
 #define NEAR 0.1        /* largest distance of marks from the curve that they are carried from: others
                           * are of another curve; chosen */
 #define MARGIN 1.3      /* on the distance of two bases at the marks, and on that of a response whose

@@ -23,7 +23,7 @@
 struct cable {
 	struct hawser_map_field map;
 	void **worker; /* [workers] */
-	int workers;
+	int workers, n; /* coordinates of the models */
 	struct hawser_map_condensed condensed;
 };
 
@@ -42,6 +42,17 @@ static enum hawser_status failed_at(double x, double y, enum hawser_map_code cod
 	return code == HAWSER_MAP_NO_RESPONSE ? HAWSER_ERR_CONVERGENCE : refuse(x, y, code, report);
 }
 
+/* Rooms are for n coordinates: a key such as model.modes changes their number. */
+static enum hawser_status same_number(const struct cable *cable, int n, double x, double y,
+                                      struct hawser_report *report)
+{
+	return n == cable->n ? HAWSER_OK
+	       : hawser__fail(report, HAWSER_ERR_ARGUMENT, "hill",
+	                      "the model at %.9g, %.9g has %d coordinates, others in the rectangle have "
+	                      "%d: boundaries are followed only where the number stays; hawser map takes "
+	                      "keys that change it", x, y, n, cable->n);
+}
+
 static enum hawser_status of_cable(void *context, double *log_modulus, double *argument, double x,
                                    double y, struct hawser_report *report)
 {
@@ -54,6 +65,8 @@ static enum hawser_status of_cable(void *context, double *log_modulus, double *a
 		status = cable->map.point(cable->worker[0], &sample, NULL, x, y, report);
 	if (!status && sample.code != HAWSER_MAP_OK)
 		status = failed_at(x, y, sample.code, report);
+	if (!status)
+		status = same_number(cable, room->n, x, y, report);
 	for (int i = 0; !status && i < 2*room->n; i++) {
 		log_modulus[i] = room->log_modulus[i];
 		argument[i] = room->argument[i];
@@ -82,7 +95,7 @@ static enum hawser_status model_of_cable(void *context, const struct hawser_rom 
 		return failed_at(x, y, sample.code, report);
 	if (!status)
 		*omega *= (*rom)->time;
-	return status;
+	return status ? status : same_number(cable, (*rom)->n, x, y, report);
 }
 
 static enum hawser_status prepare_cable(void *context, const double *x, const double *y, int count,
@@ -106,23 +119,29 @@ static enum hawser_status open_workers(struct cable *cable, int threads,
 	return status;
 }
 
-/* The number of multipliers: models may have coordinates beyond their modes. Where there is no model in
- * the middle, it is that of the modes. */
-static enum hawser_status count(struct hawser_hill_field *field,
-                                const struct hawser_map_source *source,
+/* The number of coordinates, which may be larger than that of the modes: of the first model among
+ * those of the middle and the corners, whether or not it has a response there. */
+static enum hawser_status count(struct cable *cable, const struct hawser_map_source *source,
                                 struct hawser_report *report)
 {
-	double x = 0.5*(source->from[0] + source->to[0]), y = 0.5*(source->from[1] + source->to[1]);
-	struct hawser_report local;
-	const struct hawser_rom *rom;
-	double omega;
-	enum hawser_status status = model_of_cable(field->context, &rom, &omega, 0, x, y, &local);
+	static const double place[][2] = {{0.5, 0.5}, {0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}, {1.0, 1.0}};
+	enum hawser_status status = HAWSER_OK;
 
-	if (!status)
-		field->m = 2*rom->n;
-	else if (status != HAWSER_ERR_NO_SOLUTION && status != HAWSER_ERR_CONVERGENCE && report)
-		*report = local;
-	return status == HAWSER_ERR_NO_SOLUTION || status == HAWSER_ERR_CONVERGENCE ? HAWSER_OK : status;
+	cable->n = source->rom ? source->rom->n : source->scene->model.modes;
+	for (size_t i = 0; i < sizeof place/sizeof *place; i++) {
+		double at[2];
+
+		for (int k = 0; k < 2; k++)
+			at[k] = source->from[k] + place[i][k]*(source->to[k] - source->from[k]);
+		status = cable->map.prepare(cable->map.context, &at[0], &at[1], 1, 1, NULL);
+		if (!status)
+			status = hawser__map_worker_coordinates(cable->worker[0], &cable->n, at, NULL);
+		if (!status)
+			return HAWSER_OK;
+		if (status == HAWSER_ERR_MEMORY)
+			return hawser__no_memory(report, "hill");
+	}
+	return HAWSER_OK;
 }
 
 enum hawser_status hawser_hill_cable_open(struct hawser_hill_field *field,
@@ -142,11 +161,11 @@ enum hawser_status hawser_hill_cable_open(struct hawser_hill_field *field,
 	status = hawser_map_cable_open(&cable->map, &whole, report);
 	if (!status)
 		status = open_workers(cable, hawser__processors(), report);
-	field->m = source->rom ? 2*source->rom->n : 2*source->scene->model.modes;
 	field->responds = cable->map.responds;
 	field->workers = cable->workers;
 	if (!status)
-		status = count(field, source, report);
+		status = count(cable, source, report);
+	field->m = 2*cable->n;
 	if (!status)
 		field->cheap = hawser__map_cable_cheap(cable->map.context);
 	if (status)

@@ -103,6 +103,9 @@ enum hawser_status hawser__map_prepare(void *context, const double *x, const dou
                                        int threads, struct hawser_report *report);
 const struct hawser__way *hawser__map_guide(const struct hawser__map_cable *cable, double x, double y);
 void hawser__map_guides_free(struct hawser__map_guides *guides);
+/* The number of coordinates of the model at this point, with or without a response. */
+enum hawser_status hawser__map_worker_coordinates(void *worker, int *n, const double at[2],
+                                                  struct hawser_report *report);
 /* The orbits that the response at x, y passes on its way from rest, none where there is no model. */
 enum hawser_status hawser__map_worker_way(void *worker, struct hawser__way *way,
                                           const struct hawser__way *guide, double x, double y);

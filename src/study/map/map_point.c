@@ -326,6 +326,19 @@ enum hawser_status hawser__map_worker_model(void *context, const struct hawser_r
 	return model_at(rom, omega, steady, worker, at, report);
 }
 
+enum hawser_status hawser__map_worker_coordinates(void *context, int *n, const double at[2],
+                                                  struct hawser_report *report)
+{
+	const struct hawser_rom *rom = NULL;
+	double omega;
+	int steady;
+	enum hawser_status status = of_point(&rom, &omega, &steady, context, at, report);
+
+	if (!status)
+		*n = rom->n;
+	return status;
+}
+
 int hawser__map_worker_prepared(void *context, double x, double y)
 {
 	const struct worker *worker = context;
