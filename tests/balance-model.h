@@ -1,8 +1,7 @@
 /* tests/balance-model.h - a model with every kind of term, and an orbit that does not satisfy it:
  * for tests of harmonic balance.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_TESTS_BALANCE_MODEL_H
-#define HAWSER_TESTS_BALANCE_MODEL_H
+#pragma once
 
 #include <math.h>
 #include <stdlib.h>
@@ -74,5 +73,3 @@ static inline double *some_orbit(const struct hawser__balance *balance, int orde
 	y[balance->base.size - 1] = omega;
 	return y;
 }
-
-#endif

@@ -8,8 +8,7 @@
  * 1 vanishes.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_TESTS_BEAM_SHOOTING_H
-#define HAWSER_TESTS_BEAM_SHOOTING_H
+#pragma once
 
 #include <math.h>
 
@@ -76,5 +75,3 @@ static inline double shooting_speed(const struct hawser_beam *beam, double low, 
 	}
 	return 0.5*(low + high);
 }
-
-#endif

@@ -1,8 +1,7 @@
 /* tests/friction-random.h - random steps with contact: chains over floors, slopes, arcs and moving
  * surfaces, in a plane and in space, stiff and soft. The same seed gives the same problem everywhere.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_TESTS_FRICTION_RANDOM_H
-#define HAWSER_TESTS_FRICTION_RANDOM_H
+#pragma once
 
 #include <math.h>
 #include <stdint.h>
@@ -124,5 +123,3 @@ static inline enum hawser_status friction_solve(double (*u)[3], struct hawser_co
 	hawser_friction_clear(solver);
 	return status;
 }
-
-#endif

@@ -1,8 +1,7 @@
 /* tests/gsl_mathieu.h - characteristic values of Mathieu's equation by GSL, which shares no code
  * with this program.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TESTS_GSL_MATHIEU_H
-#define TESTS_GSL_MATHIEU_H
+#pragma once
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_sf_mathieu.h>
@@ -22,5 +21,3 @@ static inline int gsl_mathieu(double *delta, int r, int odd, double epsilon)
 	*delta = result.val;
 	return failed || !isfinite(result.val);
 }
-
-#endif

@@ -8,8 +8,7 @@
  * This route does not assume that omega is real.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_TESTS_GYROSCOPIC_SHOOTING_H
-#define HAWSER_TESTS_GYROSCOPIC_SHOOTING_H
+#pragma once
 
 #include <complex.h>
 #include <hawser/gyroscopic.h>
@@ -125,5 +124,3 @@ static inline double complex turn_frequency(const struct hawser_statics *st,
 	}
 	return (double complex)b;
 }
-
-#endif

@@ -1,7 +1,6 @@
 /* tests/integrate-models.h - reduced models built by hand for the tests of time integration.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_TESTS_INTEGRATE_MODELS_H
-#define HAWSER_TESTS_INTEGRATE_MODELS_H
+#pragma once
 
 #include "config.h"
 
@@ -170,5 +169,3 @@ static inline struct hawser_trajectory model_run(const struct hawser_rom *rom, c
 	}
 	return run;
 }
-
-#endif

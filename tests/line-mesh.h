@@ -1,7 +1,6 @@
 /* tests/line-mesh.h - the nonlinear energy of a rope over sheaves, by polynomials: its gradient and its
  * inertia. SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_TESTS_LINE_MESH_H
-#define HAWSER_TESTS_LINE_MESH_H
+#pragma once
 
 #include <complex.h>
 #include <math.h>
@@ -331,5 +330,3 @@ static void differences(long double *K, const struct mesh *t, number *q)
 			K[i*t->unknowns + j] = cimagl(g[i])/step;
 	}
 }
-
-#endif

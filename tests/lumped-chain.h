@@ -13,8 +13,7 @@
  * dt, so that one extrapolation of n and dt together gives fourth order.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_TESTS_LUMPED_CHAIN_H
-#define HAWSER_TESTS_LUMPED_CHAIN_H
+#pragma once
 
 #include <lapacke.h>
 #include <math.h>
@@ -425,5 +424,3 @@ static inline int lumped_run(const struct lumped *c, double *x, double *v, doubl
 	}
 	return 1;
 }
-
-#endif

@@ -1,7 +1,6 @@
 /* tests/map-fields.h - fields with closed forms, and a limit on the memory of a map.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_TESTS_MAP_FIELDS_H
-#define HAWSER_TESTS_MAP_FIELDS_H
+#pragma once
 
 #include <math.h>
 #include <stdio.h>
@@ -119,5 +118,3 @@ static inline int same_maps(const struct hawser_map *a, const struct hawser_map 
 	return a->segments == 0 ||
 	       memcmp(a->segment, b->segment, (size_t)a->segments*4*sizeof(double)) == 0;
 }
-
-#endif

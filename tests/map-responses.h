@@ -8,8 +8,7 @@
  *    a    coefficients: constant, then cosine and sine of each harmonic
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_TESTS_MAP_RESPONSES_H
-#define HAWSER_TESTS_MAP_RESPONSES_H
+#pragma once
 
 #include <math.h>
 #include <string.h>
@@ -181,5 +180,3 @@ static inline int responses(double *least, double *most, double *apart, const st
 	}
 	return count;
 }
-
-#endif

@@ -1,7 +1,6 @@
 /* tests/modes-scene.h - spans of the source's example cables (B Table 4.1) for tests of the modes.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_TESTS_MODES_SCENE_H
-#define HAWSER_TESTS_MODES_SCENE_H
+#pragma once
 
 #include <hawser/modes.h>
 #include <stdio.h>
@@ -41,5 +40,3 @@ static inline int table_4_1(struct hawser_statics *st, int which, double slope, 
 	hawser_scene_clear(&scene);
 	return tighten(st, ratio);
 }
-
-#endif

@@ -8,8 +8,7 @@
  * without cancellation; both equations are monotone.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_TESTS_MODES_SPAN_H
-#define HAWSER_TESTS_MODES_SPAN_H
+#pragma once
 
 #include <hawser/modes.h>
 #include <math.h>
@@ -65,5 +64,3 @@ static inline struct hawser_statics span_of(double epsilon, double delta, double
 	st.T1 = hypot(1.0, st.V1);
 	return st;
 }
-
-#endif

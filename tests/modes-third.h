@@ -1,8 +1,7 @@
 /* tests/modes-third.h - the quadratic coupling of two modes to a third, by a route independent of
  * the library.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_TESTS_MODES_THIRD_H
-#define HAWSER_TESTS_MODES_THIRD_H
+#pragma once
 
 #include <hawser/modes.h>
 
@@ -23,5 +22,3 @@ static inline double third(const struct hawser_modes *modes, int j, int k, int s
 	}
 	return sum;
 }
-
-#endif

@@ -1,8 +1,7 @@
 /* tests/rom-condensed.h - condensation by another route: the effect of modes that are not kept, mode by
  * mode, from their coupling to the kept ones (modes-third.h).
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_TESTS_ROM_CONDENSED_H
-#define HAWSER_TESTS_ROM_CONDENSED_H
+#pragma once
 
 #include <math.h>
 #include <stdlib.h>
@@ -101,5 +100,3 @@ static inline double rest_of_shape(const struct hawser_rom *condensed, const dou
 		}
 	return worst/largest;
 }
-
-#endif

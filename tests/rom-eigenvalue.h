@@ -1,7 +1,6 @@
 /* tests/rom-eigenvalue.h - an eigenvalue of a linear reduced model.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_TESTS_ROM_EIGENVALUE_H
-#define HAWSER_TESTS_ROM_EIGENVALUE_H
+#pragma once
 
 #include <complex.h>
 #include <math.h>
@@ -33,5 +32,3 @@ static inline double complex eigenvalue(const struct hawser_rom *rom, double com
 	free(w);
 	return best;
 }
-
-#endif

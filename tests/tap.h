@@ -1,7 +1,6 @@
 /* tests/tap.h - output in the Test Anything Protocol: one line per check, with values on failure.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_TESTS_TAP_H
-#define HAWSER_TESTS_TAP_H
+#pragma once
 
 #include <math.h>
 #include <stdarg.h>
@@ -46,5 +45,3 @@ static inline int done_testing(void)
 	printf("1..%d\n", tap_count);
 	return tap_failed != 0;
 }
-
-#endif

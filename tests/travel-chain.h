@@ -11,8 +11,7 @@
  * either end, and a joint has the mass of one rod. Second order in the length of a rod.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_TESTS_TRAVEL_CHAIN_H
-#define HAWSER_TESTS_TRAVEL_CHAIN_H
+#pragma once
 
 #include <math.h>
 #include <stdlib.h>
@@ -183,5 +182,3 @@ static int chain_run(struct chain_extremes *found, const struct chain *c, double
 	free(w);
 	return worst <= 1e-13;
 }
-
-#endif

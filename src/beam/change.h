@@ -1,7 +1,6 @@
 /* beam/change.h - the speed at which the number of growing pairs, or of real pairs, changes.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_BEAM_CHANGE_H
-#define HAWSER_BEAM_CHANGE_H
+#pragma once
 
 #include "beam/sample.h"
 
@@ -32,5 +31,3 @@ enum hawser_status hawser__beam_change(struct hawser__beam_change *change,
                                        const struct hawser__beam_sample *b,
                                        enum hawser__beam_counted counted,
                                        struct hawser_report *report);
-
-#endif

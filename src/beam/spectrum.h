@@ -1,7 +1,6 @@
 /* beam/spectrum.h - eigenvalues with right and left vectors, and properties of a beam's equation.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_BEAM_SPECTRUM_H
-#define HAWSER_BEAM_SPECTRUM_H
+#pragma once
 
 #include <hawser/beam.h>
 
@@ -25,5 +24,3 @@ int hawser__beam_flux(const struct hawser_beam *beam);
 
 /* 1: C is skew-symmetric and K symmetric. */
 int hawser__beam_gyroscopic(const struct hawser_beam *beam);
-
-#endif

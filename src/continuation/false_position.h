@@ -5,8 +5,7 @@
  * Source: N. Anderson and A. Bjorck, BIT 13 (1973) 253.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_CONTINUATION_FALSE_POSITION_H
-#define HAWSER_CONTINUATION_FALSE_POSITION_H
+#pragma once
 
 struct hawser__bracketed {
 	double a, b, fa, fb; /* a < b; f(a) and f(b) have different signs; weighted */
@@ -41,5 +40,3 @@ static inline void hawser__false_position_take(struct hawser__bracketed *in, dou
 	}
 	in->moved = end;
 }
-
-#endif

@@ -1,7 +1,6 @@
 /* continuation/newton.h - Newton's method for a point of a curve: equations and a plane across it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_CONTINUATION_NEWTON_H
-#define HAWSER_CONTINUATION_NEWTON_H
+#pragma once
 
 #include "continuation/curve.h"
 #include "continuation/metric.h"
@@ -24,5 +23,3 @@ struct hawser__newton {
 enum hawser_status hawser__newton_correct(const struct hawser__newton *newton, double *z, double *dz,
                                           const double *row, struct hawser__correction *did,
                                           int *failed) HAWSER_MUST_CHECK;
-
-#endif

@@ -1,7 +1,6 @@
 /* core/digits.h - numbers as text with 17 significant digits, faster than printf; see digits.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_CORE_DIGITS_H
-#define HAWSER_CORE_DIGITS_H
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -25,5 +24,3 @@ void hawser__powers_make(struct hawser__powers *powers);
  * which strtod reads back to the same bits; trailing zeros are omitted. Always with "." or "e", in
  * every locale. Returns the length. */
 size_t hawser__digits(char *text, double value, const struct hawser__powers *powers);
-
-#endif

@@ -1,7 +1,6 @@
 /* core/grow.h - arrays that grow by one element at a time.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_CORE_GROW_H
-#define HAWSER_CORE_GROW_H
+#pragma once
 
 #include <stdlib.h>
 #include <string.h>
@@ -21,5 +20,3 @@ static inline int hawser__more(void *array, long count, size_t size)
 		memcpy(array, &larger, sizeof larger);
 	return !larger;
 }
-
-#endif

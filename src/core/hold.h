@@ -5,8 +5,7 @@
  * may be exchanged; none of the arrays may be given to free or realloc.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_CORE_HOLD_H
-#define HAWSER_CORE_HOLD_H
+#pragma once
 
 #include <stddef.h>
 #include <stdlib.h>
@@ -28,5 +27,3 @@ static inline double *hawser__numbers(size_t a, size_t b)
 	/* NOLINTNEXTLINE(clang-analyzer-optin.portability.UnixAPI): sizes are limited */
 	return calloc(a*b + 1, sizeof(double));
 }
-
-#endif

@@ -6,8 +6,7 @@
  * vectorise short loops at -O2.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_CORE_HOT_H
-#define HAWSER_CORE_HOT_H
+#pragma once
 
 #define HAWSER_BLOCK 4 /* doubles of an AVX register */
 
@@ -43,6 +42,4 @@ typedef double hawser__vec __attribute__((vector_size(32), aligned(8), may_alias
 #define HAWSER_PART static inline __attribute__((always_inline))
 #else
 #define HAWSER_PART static inline
-#endif
-
 #endif

@@ -1,7 +1,6 @@
 /* core/loaded.h - functions of libraries that are loaded at run time, and their leaks.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_CORE_LOADED_H
-#define HAWSER_CORE_LOADED_H
+#pragma once
 
 #include <dlfcn.h>
 #include <string.h>
@@ -30,6 +29,4 @@ static inline int hawser__loaded(void *to, size_t size, void *library, const cha
 #else
 #define hawser__leaks_begin() ((void)0)
 #define hawser__leaks_end() ((void)0)
-#endif
-
 #endif

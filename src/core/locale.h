@@ -1,8 +1,7 @@
 /* core/locale.h - numbers in texts and files have a decimal point, whatever the locale of the program
  * that uses the library.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_CORE_LOCALE_H
-#define HAWSER_CORE_LOCALE_H
+#pragma once
 
 #include <locale.h>
 
@@ -24,5 +23,3 @@ static inline void hawser__locale_end(const struct hawser__locale *locale)
 	uselocale(locale->own);
 	freelocale(locale->c);
 }
-
-#endif

@@ -1,6 +1,5 @@
 /* core/order.h - orders for qsort. SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_CORE_ORDER_H
-#define HAWSER_CORE_ORDER_H
+#pragma once
 
 /* Of doubles, or of structures that begin with one. */
 static inline int hawser__ascending(const void *a, const void *b)
@@ -9,5 +8,3 @@ static inline int hawser__ascending(const void *a, const void *b)
 
 	return (x > y) - (x < y);
 }
-
-#endif

@@ -1,7 +1,6 @@
 /* core/random.h - random numbers that are the same on every machine.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_CORE_RANDOM_H
-#define HAWSER_CORE_RANDOM_H
+#pragma once
 
 #include <stdint.h>
 
@@ -14,5 +13,3 @@ static inline double hawser__random(uint64_t *state)
 	z = (z ^ z >> 27)*0x94d049bb133111ebu;
 	return (double)((z ^ z >> 31) >> 11)/9007199254740992.0;
 }
-
-#endif

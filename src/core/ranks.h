@@ -14,8 +14,7 @@
  * (src/cli/frame/mpi.c has that of MPI).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_CORE_RANKS_H
-#define HAWSER_CORE_RANKS_H
+#pragma once
 
 #include <hawser/status.h>
 #include "core/bytes.h"
@@ -99,5 +98,3 @@ void hawser__ranks_serve(struct hawser__ranks *ranks, const struct hawser__tasks
                          enum hawser_status status, const struct hawser_report *report);
 /* Rank 0: end the workers; without a call of hawser__ranks_run too. `tasks` may be NULL. */
 void hawser__ranks_end(struct hawser__ranks *ranks, const struct hawser__tasks *tasks);
-
-#endif

@@ -1,7 +1,6 @@
 /* core/report.h - how a function fails: fill the caller's report and return its status.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_CORE_REPORT_H
-#define HAWSER_CORE_REPORT_H
+#pragma once
 
 #include <errno.h>
 
@@ -47,5 +46,3 @@ static inline int hawser__lapack_starved(int info)
 {
 	return info == -1010 || info == -1011;
 }
-
-#endif

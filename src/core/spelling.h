@@ -1,7 +1,6 @@
 /* core/spelling.h - edit distance of two names.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_CORE_SPELLING_H
-#define HAWSER_CORE_SPELLING_H
+#pragma once
 
 #include <stddef.h>
 
@@ -11,5 +10,3 @@ int hawser__edit_distance(const char *a, const char *b);
 
 /* Largest distance of a suggestion for a name of this length. */
 int hawser__edit_limit(size_t length);
-
-#endif

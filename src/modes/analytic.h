@@ -1,7 +1,6 @@
 /* modes/analytic.h - closed forms for constant tension and curvature.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_MODES_ANALYTIC_H
-#define HAWSER_MODES_ANALYTIC_H
+#pragma once
 
 #include <hawser/modes.h>
 
@@ -45,5 +44,3 @@ enum hawser_status hawser__closed_forms_solve(struct hawser_modes *modes,
                                               const struct hawser_statics *statics,
                                               const struct hawser_modes_options *options,
                                               struct hawser_report *report);
-
-#endif

@@ -1,7 +1,6 @@
 /* modes/halving.h - the part common to the finite-difference schemes: grids and error estimate.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_MODES_HALVING_H
-#define HAWSER_MODES_HALVING_H
+#pragma once
 
 #include <hawser/modes.h>
 
@@ -34,5 +33,3 @@ int hawser__unresolved(const struct hawser_statics *st, int M, int displacements
  * polynomial through the nearest six points, or all points if there are fewer. *derivative is per
  * interval. */
 double hawser__six_points(double *derivative, const double *value, int last, int stride, double t);
-
-#endif

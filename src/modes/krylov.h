@@ -1,7 +1,6 @@
 /* modes/krylov.h - the largest eigenvalues of a linear operator given by its product with a vector.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_MODES_KRYLOV_H
-#define HAWSER_MODES_KRYLOV_H
+#pragma once
 
 #include <hawser/status.h>
 
@@ -27,5 +26,3 @@ struct hawser__ritz {
 enum hawser_status hawser__krylov(struct hawser__ritz *ritz, const struct hawser__operator *A,
                                   int count, struct hawser_report *report);
 void hawser__ritz_clear(struct hawser__ritz *ritz);
-
-#endif

@@ -5,8 +5,7 @@
  * the message names it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_OUTPUT_OUTPUT_H
-#define HAWSER_OUTPUT_OUTPUT_H
+#pragma once
 
 #include <stdio.h>
 
@@ -256,5 +255,3 @@ struct hawser__map_picture {
 };
 enum hawser_status hawser__plot_map(const char *path, const struct hawser__map_picture *map,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
-
-#endif

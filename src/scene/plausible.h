@@ -1,7 +1,6 @@
 /* scene/plausible.h - indices of the rules of plausibility.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_SCENE_PLAUSIBLE_H
-#define HAWSER_SCENE_PLAUSIBLE_H
+#pragma once
 
 /* In the order in which they are reported; those of beams last. */
 enum hawser__rule {
@@ -22,5 +21,3 @@ enum hawser__rule {
 	HAWSER__RULE_BEAM_SPEED,
 	HAWSER__RULES
 };
-
-#endif

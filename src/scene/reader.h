@@ -3,8 +3,7 @@
  * Reading consists of passes: the file, then each override (--set) in order.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_SCENE_READER_H
-#define HAWSER_SCENE_READER_H
+#pragma once
 
 #include <yaml.h>
 
@@ -49,5 +48,3 @@ enum hawser_status hawser__event_text(struct hawser__reader *reader, char text[H
 	HAWSER_MUST_CHECK;
 struct hawser__mark hawser__event_place(const struct hawser__reader *reader,
                                         const yaml_event_t *event);
-
-#endif

@@ -1,7 +1,6 @@
 /* scene/units.h - numbers with units. All input conversions of units are done here.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_SCENE_UNITS_H
-#define HAWSER_SCENE_UNITS_H
+#pragma once
 
 #include <stddef.h>
 #include <hawser/status.h>
@@ -42,5 +41,3 @@ enum { HAWSER__SHOWN = 56 };
 const char *hawser__shown(char shown[HAWSER__SHOWN], const char *text);
 
 void hawser__units_clear(struct hawser__units *units);
-
-#endif

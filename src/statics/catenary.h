@@ -11,8 +11,7 @@
  * assume h >= 0 and refer to the lower and the upper end; solve.c mirrors the result.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_STATICS_CATENARY_H
-#define HAWSER_STATICS_CATENARY_H
+#pragma once
 
 #include <hawser/statics.h>
 
@@ -99,5 +98,3 @@ double hawser__irvine_source(const struct hawser__catenary *cat);
 
 /* asinh(v) - asinh(u) for v >= u, given step = v - u, without cancellation. */
 double hawser__angle_between(double u, double v, double step);
-
-#endif

@@ -5,8 +5,7 @@
  *   x, y       position of end B that they give; the equilibrium has x = d, y = h
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_STATICS_LOADED_H
-#define HAWSER_STATICS_LOADED_H
+#pragma once
 
 #include <hawser/statics.h>
 
@@ -93,5 +92,3 @@ void hawser__loaded_reach(struct hawser__reach *reach, const struct hawser__load
  * derivatives V' and L' by H. */
 double hawser__loaded_sag(const struct hawser__loaded *cable, double V_H, double L_H,
                           double *derivative);
-
-#endif

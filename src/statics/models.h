@@ -1,8 +1,7 @@
 /* statics/models.h - internal to the statics stage: the check of arguments common to all models,
  * and the models in separate files.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_STATICS_MODELS_H
-#define HAWSER_STATICS_MODELS_H
+#pragma once
 
 #include <hawser/statics.h>
 
@@ -17,5 +16,3 @@ enum hawser_status hawser__parabola_solve(struct hawser_statics *statics,
                                           double value, enum hawser_branch branch,
                                           struct hawser_report *report);
 struct hawser_profile_point hawser__parabola_at(const struct hawser_statics *statics, double S);
-
-#endif

@@ -6,8 +6,7 @@
  * usually after two to five Newton steps, in the worst case after about sixty bisections.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_STATICS_SEARCH_H
-#define HAWSER_STATICS_SEARCH_H
+#pragma once
 
 #include <float.h>
 #include <math.h>
@@ -51,5 +50,3 @@ static inline int hawser__search_next(struct hawser__search *s, int root_is_belo
 	}
 	return s->x >= DBL_MIN && s->x <= DBL_MAX;
 }
-
-#endif

@@ -1,7 +1,6 @@
 /* statics/travel.h - internal to the statics stage: the travelling cable.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_STATICS_TRAVEL_H
-#define HAWSER_STATICS_TRAVEL_H
+#pragma once
 
 #include <hawser/statics.h>
 
@@ -29,5 +28,3 @@ enum hawser_status hawser__travel_with(struct hawser_statics *statics,
                                        const struct hawser_motion *motion,
                                        enum hawser_given given, double value,
                                        struct hawser_report *report) HAWSER_MUST_CHECK;
-
-#endif

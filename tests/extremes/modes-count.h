@@ -9,8 +9,7 @@
  * number of lengths is computed from the total rotation of the determinant of Theta, so that two nearly
  * equal lengths count as two.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_TESTS_MODES_COUNT_H
-#define HAWSER_TESTS_MODES_COUNT_H
+#pragma once
 
 #include <complex.h>
 
@@ -177,5 +176,3 @@ static inline double count_error(const struct hawser_statics *st, enum hawser_pl
 	}
 	return fabs((double)((omega - b)/b));
 }
-
-#endif

@@ -13,8 +13,7 @@
  * that state.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_TESTS_STATICS_QUAD_H
-#define HAWSER_TESTS_STATICS_QUAD_H
+#pragma once
 
 #include <hawser/statics.h>
 
@@ -300,5 +299,3 @@ static inline void quad_judge(double *error, double *stated, const struct hawser
 			return;
 	}
 }
-
-#endif

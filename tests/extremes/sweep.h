@@ -12,8 +12,7 @@
  * is valid.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_TESTS_SWEEP_H
-#define HAWSER_TESTS_SWEEP_H
+#pragma once
 
 #include <stdlib.h>
 
@@ -199,5 +198,3 @@ static inline struct sweep_tally sweep_pairs(const char *stage, const struct swe
 		}
 	return sum;
 }
-
-#endif

@@ -2,8 +2,7 @@
  * long double (64 bits of mantissa), from the entries of K, D, Q and C. It shares neither the force
  * kernel, nor the integrator, nor the precision with the library.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_TESTS_TAYLOR_H
-#define HAWSER_TESTS_TAYLOR_H
+#pragma once
 
 #include <hawser/rom.h>
 
@@ -39,5 +38,3 @@ double taylor_size(struct taylor *taylor, const long double *x, double omega);
 
 /* Solve A x = b by elimination with column pivoting. A [m][m] is overwritten; x replaces b [m]. */
 int taylor_solve(long double *A, long double *b, int m);
-
-#endif

@@ -3,8 +3,7 @@
  * (traces-check.h).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_TESTS_TRACES_JUDGE_H
-#define HAWSER_TESTS_TRACES_JUDGE_H
+#pragma once
 
 #include "tests/extremes/traces-check.h"
 
@@ -346,5 +345,3 @@ static inline void judge_campbell(struct sweep_point *point, const struct hawser
 	}
 	trace_clear(&t);
 }
-
-#endif

@@ -1,7 +1,6 @@
 /* tests/fuzz/fuzz.h - code common to the fuzz targets. Include "config.h" before anything else.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_TESTS_FUZZ_H
-#define HAWSER_TESTS_FUZZ_H
+#pragma once
 
 #include <math.h>
 #include <stdint.h>
@@ -85,5 +84,3 @@ static inline void check_scene(const struct hawser_scene *scene)
 	free(first);
 	free(second);
 }
-
-#endif

@@ -2,8 +2,7 @@
  * random cables.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_TESTS_NETS_COMPARISON_H
-#define HAWSER_TESTS_NETS_COMPARISON_H
+#pragma once
 
 #include "net/statics/solution.h"
 
@@ -123,5 +122,3 @@ enum hawser_status net_compare(struct net_comparison *comparison,
 void net_comparison_profile(double *value, const struct net_comparison *comparison, int way,
                             int iterations);
 void net_comparison_clear(struct net_comparison *comparison);
-
-#endif

@@ -1,7 +1,6 @@
 /* cli/backbone/mms_result.h - results of multiple scales as table, JSON and picture.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_CLI_MMS_RESULT_H
-#define HAWSER_CLI_MMS_RESULT_H
+#pragma once
 
 #include "cli/frame/view.h"
 
@@ -52,5 +51,3 @@ struct cli_mms_marks {
 };
 /* Measured by the amplitude of coordinate `mode`. */
 void cli_mms_marks(struct cli_mms_marks *marks, const struct hawser_frf *frf, int mode);
-
-#endif

@@ -1,7 +1,6 @@
 /* cli/curves/frf_lift.h - where a response takes the rope of a ropeway off a sheave.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_CLI_FRF_LIFT_H
-#define HAWSER_CLI_FRF_LIFT_H
+#pragma once
 
 #include "cli/frame/cli.h"
 
@@ -12,5 +11,3 @@ void cli_frf_lift_comment(struct hawser__table *table, const struct cli_frf_resu
 /* JSON: sheaves, and lift. */
 void cli_frf_sheaves_json(struct hawser__json *json, json_t *into, const void *result);
 void cli_frf_lift_json(struct hawser__json *json, json_t *into, const void *result);
-
-#endif

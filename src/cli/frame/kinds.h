@@ -1,7 +1,6 @@
 /* cli/frame/kinds.h - the kinds of inputs: a record of each, from which follow which commands take an
  * input, what check says of it, and what is refused. SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_CLI_KINDS_H
-#define HAWSER_CLI_KINDS_H
+#pragma once
 
 #include "cli/frame/cli.h"
 
@@ -60,5 +59,3 @@ enum hawser_status cli_kind_check(const struct cli_command *command, const struc
 void cli_kind_print(FILE *to, int index, int forced);
 /* Whether something forces a span: loads, moving ends, a fluctuating speed. */
 int cli_is_forced(const struct hawser_scene *scene);
-
-#endif

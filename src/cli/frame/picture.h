@@ -1,7 +1,6 @@
 /* cli/frame/picture.h - options about the picture of a command.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_CLI_PICTURE_H
-#define HAWSER_CLI_PICTURE_H
+#pragma once
 
 #include "cli/frame/cli.h"
 
@@ -17,5 +16,3 @@ enum hawser_status cli_store_range(void *field, const struct cli_option *option,
  * this file. */
 enum hawser_status cli_picture_choose(struct cli_common *common,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
-
-#endif

@@ -1,7 +1,6 @@
 /* cli/frame/progress.h - the line on standard error that shows what a long computation is doing.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_CLI_PROGRESS_H
-#define HAWSER_CLI_PROGRESS_H
+#pragma once
 
 #include <hawser/progress.h>
 #include <hawser/status.h>
@@ -31,5 +30,3 @@ struct cli_watch {
 int cli_watch(void *data, const struct hawser_progress_state *state);
 /* The same, but shows nothing. data is not read. */
 int cli_watch_silently(void *data, const struct hawser_progress_state *state);
-
-#endif

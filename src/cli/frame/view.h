@@ -1,7 +1,6 @@
 /* cli/frame/view.h - how results of a model are shown, and fields that several results have.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_CLI_VIEW_H
-#define HAWSER_CLI_VIEW_H
+#pragma once
 
 #include "cli/frame/cli.h"
 #include "output/fields/fields.h"
@@ -94,5 +93,3 @@ extern const struct hawser__list cli_compatibility_list;
  * "x", "y" or "xy". */
 enum hawser_status cli_outputs_check_scales(const struct cli_common *common, const char *axes,
                                             struct hawser_report *report) HAWSER_MUST_CHECK;
-
-#endif

@@ -1,7 +1,6 @@
 /* cli/map/hill_result.h - results of hawser hill as table, JSON and picture.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_CLI_HILL_RESULT_H
-#define HAWSER_CLI_HILL_RESULT_H
+#pragma once
 
 #include "cli/model/axis.h"
 #include "cli/frame/cli.h"
@@ -36,5 +35,3 @@ enum hawser_status cli_hill_unstable(struct cli_hill_boxes boxes[2],
                                      const struct cli_hill_result *result,
                                      struct hawser_report *report);
 extern const struct cli_showing cli_hill_boundaries, cli_hill_multipliers;
-
-#endif

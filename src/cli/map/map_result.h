@@ -1,7 +1,6 @@
 /* cli/map/map_result.h - what hawser map computed, for tables, JSON and pictures.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_CLI_MAP_RESULT_H
-#define HAWSER_CLI_MAP_RESULT_H
+#pragma once
 
 #include "cli/model/judged.h"
 
@@ -25,5 +24,3 @@ void cli_map_judge(struct cli_map_result *result);
 const char *cli_map_value_unit(const struct cli_map_result *result);
 extern const struct cli_showing cli_map_showing;
 enum hawser_status cli_map_draw(const char *path, const void *result, struct hawser_report *report);
-
-#endif

@@ -1,8 +1,7 @@
 /* cli/model/fixed.h - the error of a model with a given number of modes: an estimate, what is
  * said of it, and its members in JSON (cli_fixed_field in view.h).
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_CLI_FIXED_H
-#define HAWSER_CLI_FIXED_H
+#pragma once
 
 #include <hawser/accuracy.h>
 #include <hawser/law.h>
@@ -73,5 +72,3 @@ double *cli_range_reach(double *reached, const struct cli_model *model, const do
 void cli_range_warn(struct cli_model *model, double *reached);
 /* The same for the curves of a response. */
 void cli_range_warn_frf(struct cli_model *model, const struct cli_frf_result *result);
-
-#endif

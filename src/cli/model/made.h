@@ -1,7 +1,6 @@
 /* cli/model/made.h - models of scenes that are no spans: how they are made, and made again with other
  * modes. SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_CLI_MADE_H
-#define HAWSER_CLI_MADE_H
+#pragma once
 
 #include <hawser/family.h>
 #include <hawser/line_rom.h>
@@ -85,5 +84,3 @@ enum hawser_status cli_made_response(struct hawser_frf *frf, struct cli_model *m
                                      struct hawser_report *report) HAWSER_MUST_CHECK;
 
 extern const struct cli_maker cli_maker_ropeway, cli_maker_net;
-
-#endif

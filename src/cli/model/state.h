@@ -1,7 +1,6 @@
 /* cli/model/state.h - JSON of states, to read an initial state or the end of a result.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_CLI_STATE_H
-#define HAWSER_CLI_STATE_H
+#pragma once
 
 #include <jansson.h>
 
@@ -22,5 +21,3 @@ const char *cli_last_difference(char *name, size_t size, const json_t *root, con
 
 /* Read a list of 2n numbers in SI as a scaled state of the model. Returns 0 if it is none. */
 int cli_state_take(double *state, const json_t *list, const struct cli_model *model);
-
-#endif

@@ -1,7 +1,6 @@
 /* cli/modes/modes_net.h - hawser modes of a scene of kind `net`.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_CLI_MODES_NET_H
-#define HAWSER_CLI_MODES_NET_H
+#pragma once
 
 #include "cli/frame/cli.h"
 #include "output/fields/fields.h"
@@ -13,5 +12,3 @@ enum hawser_status cli_modes_net(const struct cli_common *common, int n, int sha
 
 /* Columns of the table, keys of JSON. */
 extern const struct hawser__field cli_modes_net_field[], cli_modes_net_member[];
-
-#endif

@@ -1,7 +1,6 @@
 /* cli/motion/integrate_span.h - hawser integrate --model fe: the motion of a span by its mesh.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_CLI_INTEGRATE_SPAN_H
-#define HAWSER_CLI_INTEGRATE_SPAN_H
+#pragma once
 
 #include "cli/motion/span_run.h"
 #include "cli/frame/view.h"
@@ -16,5 +15,3 @@ enum hawser_status cli_integrate_span(const struct cli_common *common,
                                       const struct cli_integrate_span *settings,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 extern const struct hawser__field cli_span_history_field[], cli_span_field[];
-
-#endif

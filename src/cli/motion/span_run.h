@@ -1,7 +1,6 @@
 /* cli/motion/span_run.h - frequency and times of a motion of a span's mesh, from options.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_CLI_SPAN_RUN_H
-#define HAWSER_CLI_SPAN_RUN_H
+#pragma once
 
 #include "cli/frame/cli.h"
 
@@ -21,4 +20,3 @@ enum hawser_status cli_span_run(struct cli_span_run *run, const struct cli_commo
                                 struct hawser_report *report) HAWSER_MUST_CHECK;
 /* 1 if the scene has a varying load or a moving end. */
 int cli_driven(const struct hawser_scene *scene);
-#endif

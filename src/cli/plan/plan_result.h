@@ -1,7 +1,6 @@
 /* cli/plan/plan_result.h - a plan as text, table and JSON.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_CLI_PLAN_RESULT_H
-#define HAWSER_CLI_PLAN_RESULT_H
+#pragma once
 
 #include "cli/frame/cli.h"
 
@@ -33,5 +32,3 @@ void cli_plan_forget_times(struct hawser_plan *plan);
 void cli_plan_print_decisions(FILE *stream, const struct cli_plan_result *result);
 void cli_plan_print(FILE *stream, const struct cli_plan_result *result);
 extern const struct cli_showing cli_plan_showing;
-
-#endif

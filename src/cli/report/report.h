@@ -1,7 +1,6 @@
 /* cli/report/report.h - the report of a scene: running the parts, and the page that shows them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_CLI_REPORT_H
-#define HAWSER_CLI_REPORT_H
+#pragma once
 
 #include "cli/report/report_parts.h"
 
@@ -53,5 +52,3 @@ void cli_report_result_clear(struct cli_report_result *result);
 /* --- report_page.c --- */
 
 void cli_report_write(FILE *to, const struct cli_report_page *page);
-
-#endif

@@ -1,7 +1,6 @@
 /* cli/report/report_parts.h - of what a report consists: commands of the program, by the kind of
  * the scene. SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_CLI_REPORT_PARTS_H
-#define HAWSER_CLI_REPORT_PARTS_H
+#pragma once
 
 #include "cli/frame/cli.h"
 
@@ -13,6 +12,7 @@ struct cli_report_part {
 	int essential;    /* 1: there is no report without it */
 	int no_picture;   /* 1: the command draws none */
 	int modes, range; /* 1: it takes -n; --from and --to of a response */
+	const char *drawn; /* name of a picture without which the command does something else; or NULL */
 };
 
 /* part [CLI_REPORT_PARTS], *count: the parts of a report of the scene common->input. `list`: names of
@@ -22,5 +22,3 @@ enum hawser_status cli_report_choose(const struct cli_report_part *part[], int *
                                      struct hawser_scene *span, int *scene,
                                      const struct cli_common *common, const char *list,
                                      struct hawser_report *report) HAWSER_MUST_CHECK;
-
-#endif

@@ -1,7 +1,6 @@
 /* cli/statics/statics_net.h - equilibria of bars in place of the cables of a net.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_CLI_STATICS_NET_H
-#define HAWSER_CLI_STATICS_NET_H
+#pragma once
 
 #include "cli/frame/view.h"
 
@@ -9,5 +8,3 @@
 enum hawser_status cli_equilibria_net(const struct cli_common *common, int starts,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 extern const struct hawser__field cli_equilibria_net_field[], cli_equilibria_net_member[];
-
-#endif

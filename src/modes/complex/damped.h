@@ -1,7 +1,6 @@
 /* modes/complex/damped.h - eigenvalues of a cable with dampers, between the files of hawser/damped.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_MODES_DAMPED_H
-#define HAWSER_MODES_DAMPED_H
+#pragma once
 
 #include <hawser/damped.h>
 
@@ -35,5 +34,3 @@ enum hawser_status hawser__damped_of(struct hawser_damped *damped, double *worst
 enum hawser_status hawser__damped_onset(double *value, const struct hawser_scene *scene,
                                         const struct hawser_damped_sweep_options *options,
                                         struct hawser_report *report);
-
-#endif

@@ -1,8 +1,7 @@
 /* modes/sweep/branches.h - following branches of frequencies along a sweep: of the tension
  * (irvine.h) or of the speed (campbell.h). doc/theory-irvine.md.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_MODES_BRANCHES_H
-#define HAWSER_MODES_BRANCHES_H
+#pragma once
 
 #include <hawser/gyroscopic.h>
 #include <hawser/irvine.h>
@@ -155,5 +154,3 @@ enum hawser_status hawser__branches_locate(struct hawser__branches *all, int k,
 /* Find veerings that are wider than a step, and insert samples that resolve the narrow ones. */
 enum hawser_status hawser__branches_veerings(struct hawser__branches *all,
                                              struct hawser_report *report);
-
-#endif

@@ -1,7 +1,6 @@
 /* modes/sweep/campbell_range.h - the range of speeds of a Campbell diagram, and its stations.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_MODES_CAMPBELL_RANGE_H
-#define HAWSER_MODES_CAMPBELL_RANGE_H
+#pragma once
 
 #include <hawser/campbell.h>
 
@@ -15,5 +14,3 @@ enum hawser_status hawser__campbell_settle(struct hawser_campbell_options *optio
 enum hawser_status hawser__campbell_place(double **x, int *count, int *asked,
                                           const struct hawser_campbell_options *options,
                                           double limit, struct hawser_report *report);
-
-#endif

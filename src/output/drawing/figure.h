@@ -8,8 +8,7 @@
  * entry.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_OUTPUT_FIGURE_H
-#define HAWSER_OUTPUT_FIGURE_H
+#pragma once
 
 #include "output/drawing/perspective.h"
 #include "output/drawing/style.h"
@@ -122,5 +121,3 @@ void hawser__figure_abort(struct hawser__figure *figure);
 
 /* map_tongues.c: put x and y of both corners of boxes that fill tongues narrower than a pixel. */
 void hawser__map_tongues(struct hawser__figure *figure, const struct hawser__map_picture *map);
-
-#endif

@@ -4,8 +4,7 @@
  * gnuplot knows both after each plot only. So the script asks it to print them, with a word by which
  * they are found among its messages.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_OUTPUT_FRAMES_H
-#define HAWSER_OUTPUT_FRAMES_H
+#pragma once
 
 #include <stdio.h>
 
@@ -20,5 +19,3 @@ int hawser__frames_answer(const char *line);
  * panels are separated by ";". `messages` is what gnuplot wrote to standard error, read from its
  * beginning. */
 void hawser__frames_write(FILE *to, FILE *messages, double height);
-
-#endif

@@ -1,7 +1,6 @@
 /* output/drawing/latex.h - pictures for LaTeX: the drawing as PDF, its texts set by LaTeX.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_OUTPUT_LATEX_H
-#define HAWSER_OUTPUT_LATEX_H
+#pragma once
 
 #include <stdio.h>
 
@@ -23,5 +22,3 @@ enum hawser_status hawser__latex_begin(struct hawser__latex *latex, FILE *script
 enum hawser_status hawser__latex_write(struct hawser__latex *latex, FILE *to, const char *path,
                                        double size, struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser__latex_clear(struct hawser__latex *latex);
-
-#endif

@@ -1,8 +1,7 @@
 /* output/drawing/panels.h - layout of pictures with one panel per mode, in rows of up to three.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_OUTPUT_PANELS_H
-#define HAWSER_OUTPUT_PANELS_H
+#pragma once
 
 #include "output/drawing/figure.h"
 
@@ -24,5 +23,3 @@ void hawser__panels_frequency(FILE *script, int k, double omega, const char *wha
 
 /* Factor, 1, 2 or 5 times a power of ten, that magnifies a component too small to be visible. */
 double hawser__panels_magnify(double mine, double other);
-
-#endif

@@ -17,8 +17,7 @@
  * fills a row structure (struct hawser__list).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_OUTPUT_FIELDS_H
-#define HAWSER_OUTPUT_FIELDS_H
+#pragma once
 
 #include <limits.h>
 #include <stddef.h>
@@ -338,5 +337,3 @@ const struct hawser__field *hawser__fields_at(const struct hawser__field *field,
 /* One line per field: name, unit, meaning; `what` is the heading. Inner lists are indented. */
 void hawser__fields_print(FILE *stream, const char *what, const struct hawser__field *field,
                           int json);
-
-#endif

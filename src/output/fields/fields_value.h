@@ -1,7 +1,6 @@
 /* output/fields/fields_value.h - values of the fields of a row, for tables and JSON.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_OUTPUT_FIELDS_VALUE_H
-#define HAWSER_OUTPUT_FIELDS_VALUE_H
+#pragma once
 
 #include "output/fields/fields.h"
 
@@ -53,5 +52,3 @@ int hawser__make_row(struct hawser__at *at, union hawser__room *room,
 
 int hawser__is_shown(const struct hawser__field *field, const struct hawser__view *view);
 int hawser__is_end(const struct hawser__field *field);
-
-#endif

@@ -2,8 +2,7 @@
  * same rope without them; tensions, with the limits of friction.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_OUTPUT_PLOT_OBSTACLES_H
-#define HAWSER_OUTPUT_PLOT_OBSTACLES_H
+#pragma once
 
 #include <hawser/obstacles.h>
 
@@ -17,5 +16,3 @@ void hawser__plot_rope(struct hawser__figure *figure, const struct hawser_line_s
 enum hawser_status hawser__plot_obstacles(const char *path, const struct hawser_obstacles *scene,
                                           const struct hawser_obstacles_statics *st,
                                           struct hawser_report *report) HAWSER_MUST_CHECK;
-
-#endif

@@ -2,8 +2,7 @@
  * each: of a ropeway, or of a span over obstacles.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_OUTPUT_PLOT_ROPEWAY_MODES_H
-#define HAWSER_OUTPUT_PLOT_ROPEWAY_MODES_H
+#pragma once
 
 #include <hawser/line_modes.h>
 
@@ -24,5 +23,3 @@ struct hawser__ropeway_modes_picture {
 enum hawser_status hawser__plot_ropeway_modes(const char *path,
                                               const struct hawser__ropeway_modes_picture *of,
                                               struct hawser_report *report) HAWSER_MUST_CHECK;
-
-#endif

@@ -1,7 +1,6 @@
 /* output/structures/plot_trajectory.h - a path from above, and velocity and acceleration over time.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_OUTPUT_PLOT_TRAJECTORY_H
-#define HAWSER_OUTPUT_PLOT_TRAJECTORY_H
+#pragma once
 
 #include "output/output.h"
 
@@ -19,5 +18,3 @@ struct hawser__trajectory_picture {
 enum hawser_status hawser__plot_trajectory(const char *path,
                                            const struct hawser__trajectory_picture *of,
                                            struct hawser_report *report) HAWSER_MUST_CHECK;
-
-#endif

@@ -1,8 +1,7 @@
 /* response/backbone/modulation.h - internal functions of the modulation equations: complex numbers are
  * stored as pairs of doubles, so that the public header needs no complex type.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_RESPONSE_MODULATION_H
-#define HAWSER_RESPONSE_MODULATION_H
+#pragma once
 
 #include <complex.h>
 
@@ -33,5 +32,3 @@ enum hawser_status hawser__modal(const struct hawser_rom *rom, const char *funct
 
 /* Remove monomials that are zero to round-off, and sort the others. */
 void hawser__monomials_tidy(struct hawser_modulation *m);
-
-#endif

@@ -7,8 +7,7 @@
  * accurate than the multiplier.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_RESPONSE_ACCOUNT_H
-#define HAWSER_RESPONSE_ACCOUNT_H
+#pragma once
 
 #include "response/branch/crossing.h"
 #include "response/branch/station.h"
@@ -67,5 +66,3 @@ enum hawser_status hawser__account_step(struct hawser__account *account, struct 
  * the same direction. */
 int hawser__account_crossings(const struct hawser__station *a, const struct hawser__station *b,
                               int *width, int sure);
-
-#endif

@@ -1,8 +1,7 @@
 /* response/branch/signs.h - the reflections u_j -> -u_j of some coordinates under which a model
  * stays the same, and those with which its motions reversed in time are motions. See signs.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_RESPONSE_SIGNS_H
-#define HAWSER_RESPONSE_SIGNS_H
+#pragma once
 
 #include <hawser/rom.h>
 
@@ -33,5 +32,3 @@ enum hawser_status hawser__signs_flip(const struct hawser__signs *signs, const u
 enum hawser_status hawser__signs_classes(const struct hawser__signs *signs,
                                          const unsigned char *member, int *class_of, int *classes,
                                          struct hawser_report *report);
-
-#endif

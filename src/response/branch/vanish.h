@@ -1,7 +1,6 @@
 /* response/branch/vanish.h - the end of a branch whose motion vanishes.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_RESPONSE_VANISH_H
-#define HAWSER_RESPONSE_VANISH_H
+#pragma once
 
 #include <hawser/frf.h>
 
@@ -18,5 +17,3 @@ enum hawser_status hawser__vanish(struct hawser__shrinking *shrinking, int *foun
                                   struct hawser_frf_event *event, const struct hawser_rom *rom,
                                   double size, double omega,
                                   struct hawser_report *report);
-
-#endif

@@ -1,8 +1,7 @@
 /* response/locus/folds_search.h - the search for fold curves and for the detached response curves that
  * they reveal.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_RESPONSE_FOLDS_SEARCH_H
-#define HAWSER_RESPONSE_FOLDS_SEARCH_H
+#pragma once
 
 #include "response/locus/folds_known.h"
 #include "response/locus/folds_walk.h"
@@ -22,7 +21,7 @@ struct hawser__fold_search {
 	struct hawser__fold_store passages; /* folds of the curves at the nominal load */
 	struct hawser__fold_known known;    /* points of the known curves */
 	int unfinished; /* 1: a curve ended because the corrector failed or a limit was reached */
-	int aside;      /* 1: of the present response only the folds are of interest */
+	int for_folds;  /* 1: of the present response only the folds are of interest */
 	int cut;        /* responses that ended at options->most_unstable */
 	double window[2]; /* scaled Omega: the range with margins */
 	double part[2]; /* of the whole search, of the responses at the present load */
@@ -116,5 +115,3 @@ enum hawser_status hawser__fold_lost(struct hawser__fold_search *search, double 
 /* folds.c: options of a response within the range. */
 struct hawser_frf_options hawser__fold_response(struct hawser__fold_search *search,
                                                 struct hawser__fold_watch *watch);
-
-#endif

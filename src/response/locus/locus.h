@@ -26,8 +26,7 @@
  * Hill's matrix.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_RESPONSE_LOCUS_H
-#define HAWSER_RESPONSE_LOCUS_H
+#pragma once
 
 #include <complex.h>
 
@@ -200,5 +199,3 @@ enum hawser_status hawser__locus_multipliers(struct hawser__locus *locus);
 
 /* Of the metric: the orbit relative to its size, the parameters relative to their ranges. */
 void hawser__locus_weights(double *weight, const struct hawser__locus *locus, const double *z);
-
-#endif

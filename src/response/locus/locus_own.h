@@ -1,7 +1,6 @@
 /* response/locus/locus_own.h - loci of autonomous models. See locus_own.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_RESPONSE_LOCUS_OWN_H
-#define HAWSER_RESPONSE_LOCUS_OWN_H
+#pragma once
 
 #include <math.h>
 
@@ -27,10 +26,11 @@ struct hawser__own_spot {
 	double omega;               /* of the critical motion or of the cycle, scaled; 0: equilibrium */
 	double time;                /* unit of time of the model there, s */
 	double angle, error;        /* angle: of tori continued through 0 and pi; 0: not known yet */
-	double vanish;              /* what falls to 0 with the root of the distance from an end: frequency
-	                            * of a Hopf point, sine of a torus' angle, second coefficient of a fold.
-	                            * NAN: nothing */
-	double beside_pair;         /* of the pair next to the unit circle */
+	double vanish;              /* the quantity that goes to 0 where the locus ends, as the square root
+	                            * of the distance from there: frequency of a Hopf point, sine of a
+	                            * torus' angle, second coefficient of a fold. NAN: there is none */
+	double beside_pair;         /* | |mu|^2 - 1 | of the complex pair mu, besides the critical
+	                            * multipliers, that is nearest to the unit circle */
 	double test[HAWSER__OWN_TESTS];
 	int unstable;               /* besides the critical ones */
 	double *state;              /* [2n] of it */
@@ -105,5 +105,3 @@ enum hawser_status hawser__own_locus(struct hawser_locus *locus,
 /* locus.c: the curve of part[1], from its end to the start, and part[0], becomes one of *to. */
 enum hawser_status hawser__locus_join(struct hawser_locus *to, const struct hawser__locus_list part[2],
                                       struct hawser_report *report);
-
-#endif

@@ -1,7 +1,6 @@
 /* response/locus/locus_responses.h - the responses at whose bifurcations loci begin.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_RESPONSE_LOCUS_RESPONSES_H
-#define HAWSER_RESPONSE_LOCUS_RESPONSES_H
+#pragma once
 
 #include <hawser/cover.h>
 
@@ -27,5 +26,3 @@ static inline struct hawser_frf *hawser__locus_response(const struct hawser__loc
 {
 	return k ? &all->cover.branch[k - 1] : all->first;
 }
-
-#endif

@@ -22,8 +22,7 @@
  * (balance_terms.c).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_RESPONSE_BALANCE_H
-#define HAWSER_RESPONSE_BALANCE_H
+#pragma once
 
 #include "core/hold.h"
 #include "response/orbit/balance_blocks.h"
@@ -192,5 +191,3 @@ enum hawser_status hawser__balance_hold(struct hawser__balance *balance, const d
 enum hawser_status hawser__balance_from_state(struct hawser__orbit *orbit, double *y,
                                               const double *x, double omega,
                                               struct hawser_report *report);
-
-#endif

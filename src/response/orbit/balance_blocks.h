@@ -27,8 +27,7 @@
  * Reference: Hairer and Wanner, Solving Ordinary Differential Equations II, IV.5.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_RESPONSE_BALANCE_BLOCKS_H
-#define HAWSER_RESPONSE_BALANCE_BLOCKS_H
+#pragma once
 
 #include "response/orbit/collocation.h"
 
@@ -130,5 +129,3 @@ void hawser__blocks_load_slow(struct hawser__blocks *blocks, float *slow, const 
  * slow coordinates; `column` [8K][f] is the derivative by Omega. */
 void hawser__blocks_follow(struct hawser__blocks *blocks, float *fast, const float *slow,
                            const float *column, double domega);
-
-#endif

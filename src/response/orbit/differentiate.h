@@ -1,8 +1,7 @@
 /* response/orbit/differentiate.h - derivatives of periodic functions that are sampled at
  * equidistant phases, through their Fourier coefficients.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_RESPONSE_DIFFERENTIATE_H
-#define HAWSER_RESPONSE_DIFFERENTIATE_H
+#pragma once
 
 struct hawser__differentiate {
 	int rows, width;     /* number of phases and of functions */
@@ -18,5 +17,3 @@ void hawser__differentiate_release(struct hawser__differentiate *rates);
 /* derivative [rows][width], by the phase in rad, times `scale`, of value [rows][width]. */
 void hawser__differentiate(const struct hawser__differentiate *rates, double *derivative,
                            double *value, double scale);
-
-#endif

@@ -1,7 +1,6 @@
 /* response/orbit/load.h - a model whose load is multiplied by a factor.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_RESPONSE_LOAD_H
-#define HAWSER_RESPONSE_LOAD_H
+#pragma once
 
 #include <hawser/rom.h>
 
@@ -26,5 +25,3 @@ double hawser__load_share(const struct hawser_harmonic *harmonic, double factor)
 double hawser__load_rate(const struct hawser_harmonic *harmonic, double factor);
 
 void hawser__load_clear(struct hawser__load *load);
-
-#endif

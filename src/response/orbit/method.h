@@ -13,8 +13,7 @@
  * derivatives; factor; solve; then, for an accepted point, multipliers.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_RESPONSE_METHOD_H
-#define HAWSER_RESPONSE_METHOD_H
+#pragma once
 
 #include <math.h>
 
@@ -263,5 +262,3 @@ enum hawser_status hawser__orbit_method(const struct hawser__orbit_method **meth
 extern const struct hawser__orbit_method hawser__shooting_method;
 extern const struct hawser__orbit_method hawser__balance_method;
 extern const struct hawser__orbit_method hawser__scales_method;
-
-#endif

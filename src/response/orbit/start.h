@@ -1,7 +1,6 @@
 /* response/orbit/start.h - the first orbit of a branch.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_RESPONSE_START_H
-#define HAWSER_RESPONSE_START_H
+#pragma once
 
 #include "response/orbit/load.h"
 #include "response/orbit/method.h"
@@ -75,5 +74,3 @@ enum hawser_status hawser__start(double *y, struct hawser__orbit *orbit,
                                  struct hawser__correction *correction, const double *start,
                                  double omega, double tolerance, struct hawser__raised *raised,
                                  struct hawser_report *report);
-
-#endif

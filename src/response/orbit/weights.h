@@ -10,8 +10,7 @@
  * after that is a small part of its displacement.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_RESPONSE_WEIGHTS_H
-#define HAWSER_RESPONSE_WEIGHTS_H
+#pragma once
 
 #include "response/time/stepper.h"
 
@@ -31,5 +30,3 @@ void hawser__weights_set(struct hawser__weights *weights, const struct hawser__s
 
 /* The step for which they were set last is accepted. */
 void hawser__weights_keep(struct hawser__weights *weights);
-
-#endif

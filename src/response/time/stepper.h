@@ -5,8 +5,7 @@
  * begins with a struct hawser__stepper.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_RESPONSE_STEPPER_H
-#define HAWSER_RESPONSE_STEPPER_H
+#pragma once
 
 #include <hawser/integrate.h>
 
@@ -90,5 +89,3 @@ enum hawser_status hawser__stepper_escaped(const struct hawser__stepper *stepper
                                            double t, double step, struct hawser_report *report);
 enum hawser_status hawser__stepper_too_long(const struct hawser__stepper *stepper, double t,
                                             struct hawser_report *report);
-
-#endif

@@ -7,8 +7,7 @@
  * stages for its order. A test of the order of convergence checks the coefficients.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_RESPONSE_TABLEAU_H
-#define HAWSER_RESPONSE_TABLEAU_H
+#pragma once
 
 #define HAWSER_RK_STAGES 12 /* of DOP853 */
 
@@ -19,5 +18,3 @@ struct hawser__tableau {
 };
 
 extern const struct hawser__tableau hawser__dop853;
-
-#endif

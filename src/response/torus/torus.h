@@ -18,8 +18,7 @@
  * Dyn. Syst. 4 (2005) 459.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_RESPONSE_TORUS_H
-#define HAWSER_RESPONSE_TORUS_H
+#pragma once
 
 #include <hawser/torus.h>
 
@@ -105,5 +104,3 @@ int hawser__tori_room(struct hawser_tori *list, const struct hawser_rom *rom);
 enum hawser_status hawser__tori_check(const struct hawser_rom *rom, const struct hawser_frf *frf,
                                       int event, const struct hawser_tori_options *options,
                                       struct hawser_report *report);
-
-#endif

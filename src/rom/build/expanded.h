@@ -7,8 +7,7 @@
  * the static response to the load of the modes that are not kept.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_ROM_EXPANDED_H
-#define HAWSER_ROM_EXPANDED_H
+#pragma once
 
 #include <hawser/rom.h>
 
@@ -75,5 +74,3 @@ enum hawser_status hawser__expanded_lift(struct hawser_rom *rom, const struct ha
 enum hawser_status hawser__expanded_fields(struct hawser_rom *rom, const struct hawser__expanded *e,
                                            const struct hawser__answers *answers,
                                            struct hawser_report *report);
-
-#endif

@@ -8,8 +8,7 @@
  * b and c (bend.h).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_ROM_BASIS_H
-#define HAWSER_ROM_BASIS_H
+#pragma once
 
 #include "rom/condense/follow.h"
 
@@ -45,5 +44,3 @@ enum hawser_status hawser__basis_products(double *mass, double *stiffness,
 /* A row becomes mode k of `with`. */
 void hawser__basis_take(struct hawser_modes *with, int k, const struct hawser__basis *m,
                           const double *row, double omega);
-
-#endif

@@ -1,7 +1,6 @@
 /* rom/condense/bend.h - the static answer of a cable with bending stiffness to forces against
  * its slopes, and its energy. SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_ROM_BEND_H
-#define HAWSER_ROM_BEND_H
+#pragma once
 
 #include <hawser/modes.h>
 #include "core/hold.h"
@@ -48,5 +47,3 @@ static inline int hawser__bend_width(const struct hawser__bend *bend)
 {
 	return bend ? 2*bend->points + 4 : 0;
 }
-
-#endif

@@ -1,7 +1,6 @@
 /* rom/condense/inertia_choice.h - which second-order shapes become coordinates: see inertia.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_ROM_INERTIA_CHOICE_H
-#define HAWSER_ROM_INERTIA_CHOICE_H
+#pragma once
 
 #include <hawser/rom.h>
 
@@ -23,5 +22,3 @@ enum hawser_status hawser__inertia_choose(struct hawser_rom_inertia *inertia, do
                                           const double *mass, const double *stiffness, int count,
                                           double allowed,
                                           struct hawser_report *report) HAWSER_MUST_CHECK;
-
-#endif

@@ -1,7 +1,6 @@
 /* rom/condense/load_fields.h - the static response of the condensed modes to the load, as fields
  * of the energy: see load_fields.c. SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_ROM_LOAD_FIELDS_H
-#define HAWSER_ROM_LOAD_FIELDS_H
+#pragma once
 
 #include <hawser/rom.h>
 
@@ -24,5 +23,3 @@ enum hawser_status hawser__rom_vary(struct hawser_rom *rom, struct hawser__load_
                                     const struct hawser_scene *scene,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser__load_fields_clear(struct hawser__load_fields *fields);
-
-#endif

@@ -1,7 +1,6 @@
 /* rom/energy/effort.h - which of the two forms of the energy is evaluated: tensors or functions.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_ROM_EFFORT_H
-#define HAWSER_ROM_EFFORT_H
+#pragma once
 
 #include <hawser/rom.h>
 
@@ -33,5 +32,3 @@ void hawser__effort(struct hawser__effort *effort, const struct hawser__size *si
 
 /* Additions and multiplications of a force, or of force and tangent, by functions. */
 double hawser__function_flops(const struct hawser__size *size, int tangent);
-
-#endif

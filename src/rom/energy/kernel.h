@@ -17,8 +17,7 @@
  * so that a product u_l u_m is loaded once for them all.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_ROM_KERNEL_H
-#define HAWSER_ROM_KERNEL_H
+#pragma once
 
 #include <stddef.h>
 
@@ -175,5 +174,3 @@ enum hawser_status hawser__rom_compile_cable(struct hawser_rom *rom,
                                              struct hawser_report *report);
 
 void hawser__kernel_free(struct hawser_rom_kernel *kernel);
-
-#endif

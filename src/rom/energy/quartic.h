@@ -1,8 +1,7 @@
 /* rom/energy/quartic.h - the expanded strain energy of a cable as a function: forces and
  * tangents from the strains at the points of a grid, without tensors. See quartic.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_ROM_QUARTIC_H
-#define HAWSER_ROM_QUARTIC_H
+#pragma once
 
 #include <stddef.h>
 
@@ -94,5 +93,3 @@ int hawser__quartic_pull(struct hawser__quartic *quartic);
 
 /* Potential at u [n], 0 at rest. */
 double hawser__quartic_potential(const struct hawser__quartic *quartic, const double *u);
-
-#endif

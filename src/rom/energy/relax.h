@@ -1,7 +1,6 @@
 /* rom/energy/relax.h - some coordinates of a model held, all others at the minimum of its
  * energy. relax.c. SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_ROM_RELAX_H
-#define HAWSER_ROM_RELAX_H
+#pragma once
 
 #include <hawser/rom.h>
 
@@ -35,5 +34,3 @@ void hawser__relax_along(struct hawser__relax *relax, int held, double du);
 /* The relaxed coordinates to second order in the held ones, which relax->y has: those that balance the
  * quadratic part of the force, each with its own stiffness (K is diagonal). */
 void hawser__relax_place(struct hawser__relax *relax);
-
-#endif

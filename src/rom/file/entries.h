@@ -1,7 +1,6 @@
 /* rom/file/entries.h - see entries.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_ROM_ENTRIES_H
-#define HAWSER_ROM_ENTRIES_H
+#pragma once
 
 #include <hawser/rom.h>
 
@@ -18,5 +17,3 @@ enum hawser_status hawser__numbers_check(const struct hawser_rom *rom, enum haws
 
 /* Sort, sum repeats and drop zeros, in place. HAWSER_ERR_ARGUMENT: repeats whose sum overflows. */
 enum hawser_status hawser__entries_merge(struct hawser_rom *rom, struct hawser_report *report);
-
-#endif

@@ -1,7 +1,6 @@
 /* rom/file/rows.h - the forces of a model as one list of products, for exports. See rows.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_ROM_ROWS_H
-#define HAWSER_ROM_ROWS_H
+#pragma once
 
 #include <hawser/rom.h>
 
@@ -15,5 +14,3 @@ struct hawser__row {
 
 /* *row [*rows] of a model, to be freed; NULL: memory is short. */
 void hawser__rows(struct hawser__row **row, int *rows, const struct hawser_rom *rom);
-
-#endif

@@ -1,7 +1,6 @@
 /* rom/file/writer.h - JSON written to a stream as it is generated, in the layouts of
  * reduced-model files. SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_ROM_WRITER_H
-#define HAWSER_ROM_WRITER_H
+#pragma once
 
 #include <stddef.h>
 #include <stdio.h>
@@ -46,5 +45,3 @@ void hawser__write_numbers(struct hawser__writer *to, const double *value, const
                            int rank);
 /* The list [index[0], ..., index[count - 1], value], count at most 4. */
 void hawser__write_entry(struct hawser__writer *to, const int *index, int count, double value);
-
-#endif

@@ -1,7 +1,6 @@
 /* rom/terms/absorbers.h - absorbers of attachments in a reduced model: see absorbers.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_ROM_ABSORBERS_H
-#define HAWSER_ROM_ABSORBERS_H
+#pragma once
 
 #include <hawser/rom.h>
 
@@ -38,5 +37,3 @@ void hawser__cubics_add(double *restoring, double *tangent, const double *u, int
                         const double *cubic, const double *stroke, int absorbers);
 double hawser__cubics_energy(const double *u, int n, const double *cubic, const double *stroke,
                              int absorbers);
-
-#endif

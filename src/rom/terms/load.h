@@ -1,7 +1,6 @@
 /* rom/terms/load.h - the varying load of a scene as forces on modes: see load.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_ROM_LOAD_H
-#define HAWSER_ROM_LOAD_H
+#pragma once
 
 #include <hawser/rom.h>
 #include "statics/load.h"
@@ -16,5 +15,3 @@ enum hawser_status hawser__loads_work(double *work, const struct hawser__loads *
 enum hawser_status hawser__loads_most(double *most, const struct hawser__loads *loads,
                                       const struct hawser_modes *modes,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
-
-#endif

@@ -1,7 +1,6 @@
 /* ropeway/modes/plan.h - what moves in a rope over sheaves, before it is divided into systems.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_ROPEWAY_PLAN_H
-#define HAWSER_ROPEWAY_PLAN_H
+#pragma once
 
 #include "ropeway/modes/modes.h"
 
@@ -22,5 +21,3 @@ struct hawser__lmode_draft {
 /* modes_systems.c: add the systems of the draft to its rope. */
 enum hawser_status hawser__lmode_divide(struct hawser__lmode_draft *draft,
                                         struct hawser_report *report);
-
-#endif

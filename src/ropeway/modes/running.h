@@ -1,7 +1,6 @@
 /* ropeway/modes/running.h - complex modes of a rope that runs over its sheaves.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_ROPEWAY_RUNNING_H
-#define HAWSER_ROPEWAY_RUNNING_H
+#pragma once
 
 #include "ropeway/modes/modes.h"
 
@@ -24,5 +23,3 @@ enum hawser_status hawser__lmode_running_refine(struct hawser__lmode_running *pa
                                                 const struct hawser__lmode *rope, double omega,
                                                 struct hawser_report *report);
 void hawser__lmode_running_clear(struct hawser__lmode_running *pairs);
-
-#endif

@@ -1,7 +1,6 @@
 /* ropeway/statics/history.h - friction that follows from the order in which a rope is paid in and out.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_ROPEWAY_HISTORY_H
-#define HAWSER_ROPEWAY_HISTORY_H
+#pragma once
 
 #include <hawser/obstacles.h>
 
@@ -11,5 +10,3 @@
 enum hawser_status hawser__obstacles_history(struct hawser_obstacles_statics *st,
                                              const struct hawser_obstacles *obstacles,
                                              struct hawser_report *report) HAWSER_MUST_CHECK;
-
-#endif

@@ -8,8 +8,7 @@
  *   w      rho*g/stretch, N/m
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_ROPEWAY_ROPE_H
-#define HAWSER_ROPEWAY_ROPE_H
+#pragma once
 
 #include <hawser/line.h>
 
@@ -145,5 +144,3 @@ enum hawser__search hawser__path_find(struct hawser__path *path, double *q, stru
                                       struct hawser__rope_trace *trace,
                                       const struct hawser__target *target,
                                       int slack);
-
-#endif

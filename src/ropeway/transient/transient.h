@@ -5,8 +5,7 @@
  * rope, > 0 in the direction of running: up on lane up, down on lane down.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_ROPEWAY_TRANSIENT_H
-#define HAWSER_ROPEWAY_TRANSIENT_H
+#pragma once
 
 #include <hawser/transient.h>
 
@@ -134,5 +133,3 @@ enum hawser_status hawser__transient_judge(struct hawser_transient *run,
                                            const struct hawser__chain *chain,
                                            const struct hawser_transient_row *row,
                                            struct hawser_report *report) HAWSER_MUST_CHECK;
-
-#endif

@@ -1,7 +1,6 @@
 /* study/accuracy/accuracy.h - parts of the search for a model of a requested accuracy: see accuracy.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_STUDY_ACCURACY_H
-#define HAWSER_STUDY_ACCURACY_H
+#pragma once
 
 #include <hawser/accuracy.h>
 
@@ -77,5 +76,3 @@ enum hawser_status hawser__accuracy_full(struct hawser_accuracy *a, struct hawse
                                          const struct hawser_scene *scene,
                                          const struct hawser_accuracy_options *options,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
-
-#endif

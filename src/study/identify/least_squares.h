@@ -1,7 +1,6 @@
 /* study/identify/least_squares.h - nonlinear least squares by Levenberg and Marquardt's method.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_STUDY_LEAST_SQUARES_H
-#define HAWSER_STUDY_LEAST_SQUARES_H
+#pragma once
 
 #include <hawser/status.h>
 
@@ -20,5 +19,3 @@ struct hawser__least_squares {
  * the derivatives, or HAWSER_ERR_MEMORY. */
 enum hawser_status hawser__least_squares(double *x, double *sum, int *steps,
                                          const struct hawser__least_squares *problem);
-
-#endif
