@@ -1,6 +1,7 @@
 /* output/structures/plot_net.h - a net in perspective, its cables coloured by their tension.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_OUTPUT_PLOT_NET_H
+#define HAWSER_OUTPUT_PLOT_NET_H
 
 #include <hawser/net.h>
 
@@ -21,3 +22,5 @@ void hawser__plot_bed_section(struct hawser__figure *figure, const struct hawser
                               const double high[3]);
 void hawser__plot_bed_contours(struct hawser__figure *figure, const struct hawser_surface *bed,
                                const double low[3], const double high[3]);
+
+#endif

@@ -2,7 +2,8 @@
  * same rope without them; tensions, with the limits of friction.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_OUTPUT_PLOT_OBSTACLES_H
+#define HAWSER_OUTPUT_PLOT_OBSTACLES_H
 
 #include <hawser/obstacles.h>
 
@@ -16,3 +17,5 @@ void hawser__plot_rope(struct hawser__figure *figure, const struct hawser_line_s
 enum hawser_status hawser__plot_obstacles(const char *path, const struct hawser_obstacles *scene,
                                           const struct hawser_obstacles_statics *st,
                                           struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

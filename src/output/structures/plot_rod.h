@@ -1,6 +1,7 @@
 /* output/structures/plot_rod.h - a rod under load and at rest, in perspective; forces and
  * moments along it. SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_OUTPUT_PLOT_ROD_H
+#define HAWSER_OUTPUT_PLOT_ROD_H
 
 #include <hawser/rod.h>
 #include <hawser/rod_motion.h>
@@ -15,3 +16,5 @@ enum hawser_status hawser__plot_rod(const char *path, const struct hawser_rod *r
 enum hawser_status hawser__plot_rod_motion(const char *path, const struct hawser_rod_motion *motion,
                                            const char *probe, struct hawser_report *report)
 	HAWSER_MUST_CHECK;
+
+#endif

@@ -2,7 +2,8 @@
  * tensions; with worst values also their envelope and the least forces on the batteries.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_OUTPUT_PLOT_ROPEWAY_H
+#define HAWSER_OUTPUT_PLOT_ROPEWAY_H
 
 #include <hawser/ropeway.h>
 
@@ -12,3 +13,5 @@ enum hawser_status hawser__plot_ropeway(const char *path, const struct hawser_ro
                                         const struct hawser_ropeway_statics *st,
                                         const struct hawser_ropeway_worst *worst /* or NULL */,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

@@ -1,6 +1,7 @@
 /* output/structures/plot_transient.h - a ropeway in motion over time, and a carrier that passes
  * a battery. SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_OUTPUT_PLOT_TRANSIENT_H
+#define HAWSER_OUTPUT_PLOT_TRANSIENT_H
 
 #include <hawser/transient.h>
 
@@ -11,3 +12,5 @@ enum hawser_status hawser__plot_transient(const char *path, const struct hawser_
                                           struct hawser_report *report) HAWSER_MUST_CHECK;
 enum hawser_status hawser__plot_carrier_passing(const char *path, const struct hawser_passing *passing,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif
