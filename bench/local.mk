@@ -6,7 +6,7 @@ CLEANFILES += $(BENCHES) %D%/frf %D%/peak %D%/plan %D%/shapes
 noinst_HEADERS += %D%/clock.h
 EXTRA_DIST += %D%/README.md %D%/convergence.sh %D%/defaults.py %D%/frf-auto.py %D%/locus-auto.py %D%/branches-auto.py %D%/long.py \
 	%D%/practical.py %D%/progress.py %D%/python.py %D%/scaling.py %D%/ranges.py %D%/ranks-map.py %D%/start.py %D%/sweep.py %D%/trade.py %D%/backbones.py %D%/bending.py \
-	%D%/slack.py %D%/rod-waves.py %D%/moordyn.py %D%/net-judge.py %D%/moorings.py %D%/nets.py %D%/ropeway-multipliers.py %D%/autonomous.py %D%/autonomous-auto.py
+	%D%/slack.py %D%/rod-waves.py %D%/wet-rods.py %D%/moordyn.py %D%/net-judge.py %D%/moorings.py %D%/nets.py %D%/ropeway-multipliers.py %D%/autonomous.py %D%/autonomous-auto.py
 
 # solves a second of the statics, errors beside them
 %C%_statics_SOURCES = %D%/statics.c

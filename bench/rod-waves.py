@@ -1,3 +1,4 @@
+#!/usr/bin/env python3
 """rod-waves.py: a rigid rod that a hinge at its foot holds, in still water and in regular waves, as one ordinary differential
 equation of its angle. Airy's waves and Morison's equation are written here anew: nothing of hawser is used. It prints the
 numbers of tests/reference/test-rod-water.c. SPDX-License-Identifier: GPL-3.0-or-later"""

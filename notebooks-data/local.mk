@@ -78,7 +78,7 @@ dist_scenes_DATA = \
 	%D%/scenes/d-section-5.2.3.yaml \
 	%D%/scenes/d-section-5.3.yaml \
 	%D%/scenes/tow-orbit.yaml \
-	%D%/scenes/tow-u-turn.yaml \
+	%D%/scenes/tow-u-turn.yaml %D%/scenes/tow-waves.yaml \
 	%D%/scenes/deep-sag-light.yaml \
 	%D%/scenes/deep-sag.yaml \
 	%D%/scenes/guide-rope.yaml \
@@ -96,7 +96,7 @@ dist_scenes_DATA = \
 	%D%/scenes/rod-hoist.yaml \
 	%D%/scenes/rod-pipe.yaml \
 	%D%/scenes/rod-roll.yaml \
-	%D%/scenes/rod-tether.yaml \
+	%D%/scenes/rod-tether.yaml %D%/scenes/rod-waves.yaml \
 	%D%/scenes/ropeway-bouquet.yaml \
 	%D%/scenes/ropeway-carriers.yaml \
 	%D%/scenes/ropeway-gondola.yaml \

@@ -230,7 +230,7 @@ enum hawser_status hawser__rod_mesh_open(struct hawser__rod_mesh *mesh, const st
 
 void hawser__rod_mesh_clear(struct hawser__rod_mesh *mesh)
 {
-	hawser__rod_water_still(mesh);
+	hawser__water_flow_clear(&mesh->water.flow);
 	hawser__hold_clear(&mesh->hold);
 	hawser__band_clear(&mesh->band);
 	memset(mesh, 0, sizeof *mesh);

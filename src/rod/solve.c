@@ -370,8 +370,9 @@ static int surface(struct hawser__rod_mesh *mesh, struct hawser__rod_effort *eff
 	double *band = &mesh->water.band, narrow = NARROWER, least = INFINITY;
 	int done, failed = 0;
 
-	for (int e = 0; e < mesh->elements; e++)
-		least = fmin(least, HAWSER__WATER_BAND*mesh->rod->segment[mesh->segment[e]].line.diameter);
+	for (int i = 0; i < mesh->rod->segments; i++)
+		if (mesh->rod->segment[i].line.diameter > 0.0)
+			least = fmin(least, HAWSER__WATER_BAND*mesh->rod->segment[i].line.diameter);
 	*band = mesh->rod->length;
 	memcpy(mesh->node, mesh->rest, (size_t)mesh->nodes*sizeof *mesh->node);
 	done = steps(mesh, effort, factor, count, tolerance);

@@ -198,8 +198,3 @@ int hawser__rod_water_push(void *data, struct hawser__rod_motion *motion, double
 	}
 	return 0;
 }
-
-void hawser__rod_water_still(struct hawser__rod_mesh *mesh)
-{
-	hawser__water_flow_clear(&mesh->water.flow);
-}

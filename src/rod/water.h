@@ -26,6 +26,5 @@ struct hawser__rod_water {
 void hawser__rod_water_load(struct hawser__rod_mesh *mesh, int tangent);
 /* Those of a motion: a hawser__rod_loading, whose data is not used. */
 int hawser__rod_water_push(void *data, struct hawser__rod_motion *motion, double t, int tangent);
-void hawser__rod_water_still(struct hawser__rod_mesh *mesh);
 
 #endif

@@ -133,11 +133,26 @@ void hawser__tow_ring_at(struct hawser__tow_ring *to, const struct hawser__tow_f
 		column(to, &drag, frame, a, j);
 }
 
+/* Drag and, in water, buoyancy of a mass. */
+static void mass_loads(struct hawser__water_end *loads, const struct hawser__tow_frame *frame,
+                       const double x[3])
+{
+	const struct hawser_tow *tow = frame->tow;
+	const struct hawser_tow_body *body = &tow->body;
+	struct hawser__water_past past = {
+		.height = tow->water.density > 0.0 ? x[1] + frame->lift - tow->water.surface : -1.0};
+
+	hawser__tow_flow(past.r, frame, x);
+	hawser__morison_buoy(loads, &(struct hawser_water_buoy){0.0, body->volume, body->CdA, body->added},
+	                     tow->density, tow->g, 0.0, &past);
+}
+
 void hawser__tow_body_slope(double n_x[3][3], const struct hawser__tow_frame *frame, const double x[3],
                             const struct hawser__tow_end *end)
 {
 	const struct hawser_tow_body *body = &frame->tow->body;
-	double spin = frame->spin, u[3], speed, half = 0.5*frame->tow->density*body->CdA;
+	double spin = frame->spin;
+	struct hawser__water_end loads;
 	struct hawser__tow_ring ring;
 
 	memset(n_x, 0, 9*sizeof n_x[0][0]);
@@ -148,8 +163,7 @@ void hawser__tow_body_slope(double n_x[3][3], const struct hawser__tow_frame *fr
 		memcpy(n_x, ring.n_x, sizeof ring.n_x);
 		return;
 	}
-	hawser__tow_flow(u, frame, x);
-	speed = hawser__norm(u);
+	mass_loads(&loads, frame, x);
 	for (int j = 0; j < 3; j++) {
 		const double unit[3] = {j == 0, j == 1, j == 2};
 		double du[3];
@@ -157,8 +171,7 @@ void hawser__tow_body_slope(double n_x[3][3], const struct hawser__tow_frame *fr
 		spin_cross(du, -spin, unit);
 		for (int i = 0; i < 3; i++)
 			n_x[i][j] = (i == j && i != 1 ? body->mass*spin*spin : 0.0) +
-			            half*(speed*du[i] +
-			                  (speed > 0.0 ? u[i]*(hawser__dot(u, du)/speed) : 0.0));
+			            hawser__dot(loads.by_r[i], du);
 	}
 }
 
@@ -327,10 +340,9 @@ int hawser__tow_body_at(struct hawser__tow_end *end, const struct hawser__tow_fr
 	const struct hawser_tow_body *body = &frame->tow->body;
 	struct hawser__tow_frame within;
 	struct hawser_tow own;
-	struct hawser__water_past past;
-	struct hawser__water_end wet;
+	struct hawser__water_end loads;
 	struct ring ring;
-	double w[3], u[3], speed;
+	double w[3];
 
 	memset(end, 0, sizeof *end);
 	memcpy(end->centre, x, sizeof end->centre);
@@ -340,19 +352,9 @@ int hawser__tow_body_at(struct hawser__tow_end *end, const struct hawser__tow_fr
 		ring_of(&ring, &own, &within, frame, x);
 		return ring_at(end, &ring);
 	}
-	hawser__tow_flow(u, frame, x);
+	mass_loads(&loads, frame, x);
 	hawser__tow_gravity(w, frame, x);
-	if (frame->tow->water.density > 0.0) {
-		past = (struct hawser__water_past){
-			.height = x[1] + frame->lift - frame->tow->water.surface, .r = {u[0], u[1], u[2]}};
-		hawser__morison_buoy(&wet, &(struct hawser_water_buoy){0.0, body->volume, body->CdA,
-		                     body->added}, frame->tow->density, frame->tow->g, 0.0, &past);
-		for (int i = 0; i < 3; i++)
-			end->force[i] = body->mass*w[i] + wet.load[i];
-		return 1;
-	}
-	speed = hawser__norm(u);
 	for (int i = 0; i < 3; i++)
-		end->force[i] = body->mass*w[i] + 0.5*frame->tow->density*body->CdA*speed*u[i];
+		end->force[i] = body->mass*w[i] + loads.load[i];
 	return 1;
 }

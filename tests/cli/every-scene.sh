@@ -103,14 +103,14 @@ echo net-crosstie.yaml >>seen
 # Nets and rods.
 cp "$scenes/net-dragged.txt" .
 for name in net-belt net-belt-driven net-capstan net-current net-drag net-dragged net-impact net-mooring net-pendulum net-seabed net-table-3-1 net-table-3-6 \
-	rod-hoist rod-tether d-section-5.1.2 d-section-5.1.3 d-section-5.1.4; do
+	rod-hoist rod-tether rod-waves d-section-5.1.2 d-section-5.1.3 d-section-5.1.4; do
 	takes 0 integrate "$scenes/$name.yaml" --until "20 ms" --every "10 ms"
 	echo "$name.yaml" >>seen
 done
 # These commands do not take: a net without masses, rods without inertia, beams, towed bodies, spans over obstacles, a ropeway whose
 # sheaves are points. tests/cli/refusals.sh and others have the reasons.
 for name in net-bars rod-bend rod-pipe rod-roll b-table-2.1 b-table-3.5 b-table-6.3 d-section-5.2.2 d-section-5.2.3 d-section-5.2.4 \
-	d-section-5.2.5 d-section-5.2.6 d-section-5.3 tow-orbit tow-u-turn span-seabed second-stable-region hoist-rope d-figure-9.1 \
+	d-section-5.2.5 d-section-5.2.6 d-section-5.3 tow-orbit tow-u-turn tow-waves span-seabed second-stable-region hoist-rope d-figure-9.1 \
 	d-figure-9.2 d-figure-9.3 d-figure-9.4 d-figure-9.5 d-figure-9.7 d-figure-9.8 d-figure-9.9 d-figure-9.10 d-figure-9.11; do
 	echo "$name.yaml" >>seen
 done

@@ -77,7 +77,13 @@ python "the motion begins in the steady state, goes on bit by bit, and waves mov
 import json
 steady, r, s, calm = (json.load(open(n + ".json")) for n in ("steady", "all", "rest", "calm"))
 b = r["body"]["position"]
-assert all(abs(x - y) < 1e-2 for x, y in zip(steady["body"]["position"] if "body" in steady else steady["end"], b[0]))
+assert all(abs(x - y) < 1e-2 for x, y in zip(steady["body"]["position"], b[0]))
+# half the density, CdA and the square of the flow; the weight in water
+u = (0.2 - 1.5, 0.1)
+pull = [0.5*1025*0.3*(u[0]**2 + u[1]**2)**0.5*v for v in u]
+force = steady["body"]["force"]
+assert all(abs(x - y) < 1e-9 for x, y in zip(force, (pull[0], (205 - 300)*9.81, pull[1]))), force
+assert abs(steady["tension_top"]/r["tension_top"][0] - 1) < 2e-4, (steady["tension_top"], r["tension_top"][0])
 assert s["body"]["position"] == b[4:] and s["energy"]["air"] == r["energy"]["air"][4:]
 c = calm["body"]["position"]
 assert all(abs(x - y - d) < 1e-6 for x, y, d in zip(c[-1], c[0], (6, 0, 0))), c
