@@ -40,7 +40,8 @@ struct hawser_accuracy {
 	                              * peaks, if it was found for these; 0: not */
 	int slack;                   /* 1: the search ended because the tension is negative at a fifth of
 	                              * the points or more */
-	int reached;                 /* 1: the curve is complete and estimated <= asked */
+	int reached;                 /* 1: the curve covers the whole range of Omega, and
+	                              * estimated <= asked */
 	struct hawser_modes modes;   /* all candidates */
 	struct hawser_choice choice; /* which of them are kept; refers to `modes` */
 	int full;                    /* 1: the last model is the full-order model */

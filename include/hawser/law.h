@@ -56,8 +56,8 @@ enum hawser_status hawser_law_trace(struct hawser_law_point *point, int count,
 /* What ends the range of a coordinate. */
 enum hawser_range_end {
 	HAWSER_RANGE_UNKNOWN = 0,
-	HAWSER_RANGE_FORCE,     /* the static law of the model, its inertia or damping is off by this */
-	HAWSER_RANGE_AT_LEAST,  /* nothing: it was not sought further */
+	HAWSER_RANGE_FORCE,     /* the static force, inertia or damping of the model has this error */
+	HAWSER_RANGE_AT_LEAST,  /* no end was found up to `amplitude`, where the search stops */
 	HAWSER_RANGE_SLACK      /* the cable goes slack */
 };
 

@@ -205,7 +205,8 @@ struct hawser_rom {
 	struct hawser_rom_inertia inertia;
 	struct hawser_rom_range *range; /* [n], found by hawser_law_range; NULL of models that have none */
 	struct hawser_rom_kernel *kernel; /* compiled form for the hot loops; made by _compile */
-	struct hawser_rom_drag *drag;     /* quadratic drag, only for integration and shooting; or NULL */
+	struct hawser_rom_drag *drag;     /* quadratic drag, or the exact force of a wind; motions and
+	                                   * responses have it, and what cannot refuses it. Or NULL */
 	double *mass;              /* [n][n] by whose inverse the equations of a file were multiplied, for
 	                            * the energy; NULL: the unit matrix */
 	struct hawser_rom_plug *plug; /* forces by a function, besides; or NULL */

@@ -53,7 +53,7 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/motion/span_run.c \
 	%D%/motion/span_run.h \
 	%D%/curves/cmd_locus.c \
-	%D%/backbone/cmd_nnm.c %D%/backbone/nnm_result.c %D%/backbone/nnm_result.h \
+	%D%/backbone/cmd_nnm.c \
 	%D%/modes/cmd_irvine.c \
 	%D%/map/cmd_map.c \
 	%D%/sweep/cmd_merge.c \
@@ -268,8 +268,6 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/model/state.h \
 	%D%/statics/statics_curves.c \
 	%D%/statics/statics_speeds.c \
-	%D%/frame/unpacked.c \
-	%D%/frame/unpacked.h \
 	%D%/frame/view.c \
 	%D%/frame/view.h \
 	%D%/frame/within.h \

@@ -3,7 +3,6 @@ noinst_LTLIBRARIES += %D%/libstatics.la
 	%D%/catenary.h \
 	%D%/frame.h \
 	%D%/models.h \
-	%D%/precision.h \
 	%D%/profile.h \
 	%D%/search.h \
 	%D%/travel.h \
@@ -27,7 +26,6 @@ noinst_LTLIBRARIES += %D%/libstatics.la
 	%D%/models.c \
 	%D%/parabola.c \
 	%D%/plausible.c \
-	%D%/precision.c \
 	%D%/profile.c \
 	%D%/profile_space.c \
 	%D%/space.c \

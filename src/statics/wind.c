@@ -236,7 +236,7 @@ void hawser__section_line(double f[3], double (*f_r)[3], double (*f_x)[3],
 
 /* --- series --- */
 
-/* c = a b, cut off. Degree d begins at d (d + 1)/2, and the power of v_2 counts from there. */
+/* c = a b, cut off. */
 static void multiply(double *c, const double *a, const double *b)
 {
 	double product[TERMS] = {0.0};
@@ -248,7 +248,7 @@ static void multiply(double *c, const double *a, const double *b)
 
 			if (degree > ORDER)
 				break;
-			product[degree*(degree + 1)/2 + across] += a[i]*b[j];
+			product[hawser__wind_term(degree, across)] += a[i]*b[j];
 		}
 	memcpy(c, product, sizeof product);
 }

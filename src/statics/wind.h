@@ -44,6 +44,17 @@ void hawser__section_line(double f[3], double (*f_r)[3], double (*f_x)[3],
  * v[0]^hawser__wind_power[t][0] v[1]^hawser__wind_power[t][1]. */
 enum { HAWSER__WIND_TERMS = 10 };
 extern const int hawser__wind_power[HAWSER__WIND_TERMS][2];
+/* The term of this degree with v[1] to the power `across`. */
+static inline int hawser__wind_term(int degree, int across)
+{
+	return degree*(degree + 1)/2 + across;
+}
+/* Of a product of up to three components of v, whose bit c of `place` is 1 where component c is v[1]:
+ * how many are. */
+static inline int hawser__wind_across(int place)
+{
+	return (place & 1) + (place >> 1 & 1) + (place >> 2 & 1);
+}
 void hawser__section_series(double series[2][HAWSER__WIND_TERMS],
                             const struct hawser__section *section, double speed);
 

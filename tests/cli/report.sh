@@ -39,6 +39,7 @@ try "a part that fails is told" grep -q "^hawser: warning: the report has no frf
 try "  and stands in the report" grep -q 'role="note">Not computed: ' slack.html
 works "a travelling beam" report "$scenes/d-figure-9.10.yaml" -o beam.html -q
 try "  with a picture of its eigenvalues over the speed" grep -q '<h2 id="speeds">' beam.html
+try "  whose command draws it" grep -q 'd-figure-9.10.yaml --plot speeds.svg' beam.html
 try "  and no other picture" test "$(grep -c '<svg' beam.html)" = 1
 try "commands are quoted as a shell reads them" grep -qF "hawser statics 'it'\\''s slack.yaml'" slack.html
 try "no temporary file is left" test -z "$(ls -A left)"

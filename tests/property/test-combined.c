@@ -18,6 +18,7 @@
 
 #include "tests/lumped-chain.h"
 #include "tests/tap.h"
+#include "tests/unit/scene-text.h"
 
 /* Two periods, from a quarter of the first one, where cos(omega t) = 0. */
 enum { POINTS = 3, A_QUARTER = 5, ROWS = 8*A_QUARTER, FREQUENCIES = 8 };
@@ -445,15 +446,10 @@ static void compare_shape(const struct combined *row, const struct hawser_static
 static int scene_of(struct hawser_scene *scene, const struct combined *row)
 {
 	char text[2000];
-	FILE *stream;
 	struct hawser_report report = {.message = ""};
-	enum hawser_status status;
 
 	snprintf(text, sizeof text, "%smodel: {modes: %d, condense: static}\n", row->scene, row->modes);
-	stream = fmemopen(text, strlen(text), "r");
-	status = hawser_scene_read(scene, stream, row->what, NULL, 0, &report);
-	fclose(stream);
-	return ok(!status, "%s: scene %s", row->what, report.message);
+	return ok(!read_text(scene, text, NULL, &report), "%s: scene %s", row->what, report.message);
 }
 
 static void check(const struct combined *row)

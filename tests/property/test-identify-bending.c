@@ -5,6 +5,7 @@
 #include "config.h"
 
 #include "tests/tap.h"
+#include "tests/unit/scene-text.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -21,13 +22,11 @@ static void open_scene(struct hawser_scene *scene, const char *T0, const char *E
 	                           "span: {d: 61 m, h: 33 m}\ntension: {T0: 2.35 MN}\n";
 	const char *set[4] = {ends, ends + strlen(ends) + 1, T0, EI};
 	struct hawser_report report;
-	FILE *stream = fmemopen((void *)text, strlen(text), "r");
 
-	if (hawser_scene_read(scene, stream, "stay", set, T0 ? 4 : 2, &report)) {
+	if (read_bytes(scene, text, strlen(text), set, T0 ? 4 : 2, &report)) {
 		printf("Bail out! %s\n", report.message);
 		exit(1);
 	}
-	fclose(stream);
 }
 
 static const char clamped[] = "ends.A=clamped\0ends.B=clamped",

@@ -4,6 +4,7 @@
 #include "config.h"
 
 #include "tests/tap.h"
+#include "tests/unit/scene-text.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -20,13 +21,11 @@ static void open_scene(struct hawser_scene *scene, const char *T0, const char *E
 	                           "tension: {T0: 3.85 MN}\n";
 	const char *set[2] = {T0, EA};
 	struct hawser_report report;
-	FILE *stream = fmemopen((void *)text, strlen(text), "r");
 
-	if (hawser_scene_read(scene, stream, "stay", set, EA ? 2 : T0 ? 1 : 0, &report)) {
+	if (read_bytes(scene, text, strlen(text), set, EA ? 2 : T0 ? 1 : 0, &report)) {
 		printf("Bail out! %s\n", report.message);
 		exit(1);
 	}
-	fclose(stream);
 }
 
 /* The first `count` modes, their numbers left out if `named` is 0: 1 by place, 2 in their plane. */

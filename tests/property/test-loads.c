@@ -13,16 +13,7 @@
 #include <hawser/scene.h>
 #include "rom/condense/answer.h"
 #include "tests/tap.h"
-
-static int read(struct hawser_scene *scene, const char *text)
-{
-	struct hawser_report report = {.message = ""};
-	FILE *stream = fmemopen((void *)(size_t)text, strlen(text), "r");
-	enum hawser_status status = hawser_scene_read(scene, stream, "scene", NULL, 0, &report);
-
-	fclose(stream);
-	return ok(!status, "scene %s", report.message);
-}
+#include "tests/unit/scene-text.h"
 
 static int solve(struct hawser_modes *modes, const struct hawser_scene *scene, int n)
 {
@@ -101,7 +92,7 @@ static void check_forces(void)
 	struct hawser_rom rom;
 	double worst = 0.0, most = 0.0;
 
-	if (!read(&scene, INCLINED "model: {condense: none}\nloads: [{per_length: [1, 2, -1], "
+	if (!is_read(&scene, INCLINED "model: {condense: none}\nloads: [{per_length: [1, 2, -1], "
 	          "from: 13.7 %, to: 71 m, harmonic: 2, phase: 1.1}, "
 	          "{force: [120, -60, 30], at: 17.3 m, frame: local}, "
 	          "{per_length: [0.3, -1, 0.5], wave: 17 m, phase: -0.4, from: 0.1}, "
@@ -137,12 +128,13 @@ static void check_written(void)
 	size_t size;
 	FILE *stream = open_memstream(&text, &size);
 
-	if (!read(&scene, INCLINED "loads: [{per_length: [1, 2, -1], from: 13.7 %, to: 71 m, harmonic: 2, "
-	          "phase: 1.1, wave: -3}, {force: [120, -60, 30], at: 17.3 m, frame: local, name: a}]\n"))
+	if (!is_read(&scene, INCLINED "loads: [{per_length: [1, 2, -1], from: 13.7 %, to: 71 m, "
+	             "harmonic: 2, phase: 1.1, wave: -3}, "
+	             "{force: [120, -60, 30], at: 17.3 m, frame: local, name: a}]\n"))
 		return;
 	ok(!hawser_scene_write(&scene, stream, NULL), "written");
 	fclose(stream);
-	if (read(&back, text))
+	if (is_read(&back, text))
 		ok(back.loads == 2 && !memcmp(back.piece, scene.piece, 2*sizeof *scene.piece),
 		   "the same loads");
 	free(text);
@@ -194,7 +186,7 @@ static void check_same(void)
 	struct hawser_rom rom[4];
 
 	for (int i = 0; i < 4; i++) {
-		if (!read(&scene, text[i]) || !solve(&modes, &scene, 5) ||
+		if (!is_read(&scene, text[i]) || !solve(&modes, &scene, 5) ||
 		    !ok(!hawser_rom_build(&rom[i], &modes, &scene, NULL), "model"))
 			return;
 		hawser_modes_clear(&modes);
@@ -300,7 +292,7 @@ static void check_string(const char *loads, int kind)
 	char text[512];
 
 	snprintf(text, sizeof text, "%s%s", TAUT, loads);
-	if (!read(&scene, text))
+	if (!is_read(&scene, text))
 		return;
 	few = string_error(&scene, kind, 16);
 	many = string_error(&scene, kind, 32);
@@ -319,7 +311,7 @@ static void check_superposition(void)
 	struct hawser_trajectory run;
 	double start[8] = {0.0}, end[8] = {0.0}, omega, until, worst = 0.0, most = 0.0;
 
-	if (!read(&scene, INCLINED "model: {inertia: none}\nloads: [{per_length: [0, 1e-4, 2e-4]}, "
+	if (!is_read(&scene, INCLINED "model: {inertia: none}\nloads: [{per_length: [0, 1e-4, 2e-4]}, "
 	          "{force: [0, 0.01, 0.01], at: 0.3, harmonic: 2, phase: 0.8}]\n") ||
 	    !solve(&modes, &scene, 4) || !ok(!hawser_rom_build(&rom, &modes, &scene, NULL), "model"))
 		return;
@@ -392,7 +384,7 @@ static void check_full(void)
 	struct hawser_scene scene;
 	double off, finer;
 
-	if (!read(&scene, SAGGING "loads: [{per_length: [0, 2, 8], wave: 90 m}, "
+	if (!is_read(&scene, SAGGING "loads: [{per_length: [0, 2, 8], wave: 90 m}, "
 	          "{per_length: [0, 0.5, 0.5], harmonic: 2, phase: 1}]\n"))
 		return;
 	off = from_full(&scene, getenv("HAWSER_LONG") ? 10 : 7);
@@ -401,7 +393,7 @@ static void check_full(void)
 	if (!getenv("HAWSER_LONG"))
 		return;
 	/* full order has no kink at a force: its error falls as the square of the number of functions */
-	if (!read(&scene, SAGGING "loads: [{per_length: [0, 0.2, 0.6], from: 20 %, to: 60 %}, "
+	if (!is_read(&scene, SAGGING "loads: [{per_length: [0, 0.2, 0.6], from: 20 %, to: 60 %}, "
 	          "{force: [0, 3, 5], at: 30 %, harmonic: 2, phase: 1}]\n"))
 		return;
 	off = from_full(&scene, 8);

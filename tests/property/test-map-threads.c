@@ -9,6 +9,7 @@
 
 #include "tests/map-fields.h"
 #include "tests/tap.h"
+#include "tests/unit/scene-text.h"
 
 static const char file[] = "test-map-threads.checkpoint";
 
@@ -76,10 +77,9 @@ static void scenes(void)
 		{"damping.alpha", "g"}};
 	static const double from[3][2] = {{2e4, 0.0}, {2.0, -20.0}, {0.1, 5.0}};
 	static const double to[3][2] = {{1e5, 3.0}, {9.0, 40.0}, {0.9, 20.0}};
-	FILE *stream = fmemopen((void *)text, sizeof text - 1, "r");
 	struct hawser_scene scene;
 
-	if (!ok(stream && !hawser_scene_read(&scene, stream, "test", NULL, 0, NULL), "a scene is read"))
+	if (!ok(!read_text(&scene, text, NULL, NULL), "a scene is read"))
 		return;
 	for (int k = 0; k < 3; k++) {
 		const struct hawser_map_source of = {.scene = &scene, .key = {key[k][0], key[k][1]},
@@ -109,7 +109,6 @@ static void scenes(void)
 		hawser_map_clear(&map[1]);
 	}
 	hawser_scene_clear(&scene);
-	fclose(stream);
 }
 
 /* --- interruption --- */

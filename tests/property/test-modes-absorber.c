@@ -10,6 +10,7 @@
 #include <hawser/irvine.h>
 #include <hawser/modes.h>
 
+#include "tests/link-chain.h"
 #include "tests/tap.h"
 
 static struct hawser_report report;
@@ -94,11 +95,6 @@ static void string(double a, double m, double S)
 
 enum { LINKS = 72 };
 
-static void add(double *A, int n, int i, int j, double value)
-{
-	A[i*n + j] += value;
-}
-
 /* The absorbers are nodes of their own, of which a direction is joined to the node of the chain by a
  * spring; across it their mass is the node's. */
 static void absorb(double *K, double *M, int n, const struct hawser_statics *st, int links, int i)
@@ -109,17 +105,17 @@ static void absorb(double *K, double *M, int n, const struct hawser_statics *st,
 	const double *a = at->absorber_axis;
 
 	for (int p = 0; p < 3; p++) {
-		add(M, n, node + p, node + p, at->mass - m);
-		add(K, n, node + p, node + p, at->spring[p]);
+		link_add(M, n, node + p, node + p, at->mass - m);
+		link_add(K, n, node + p, node + p, at->spring[p]);
 		for (int q = 0; q < 3; q++) {
-			add(K, n, node + p, node + q, at->absorber_stiffness*a[p]*a[q]);
-			add(M, n, node + p, node + q, m*((p == q) - a[p]*a[q]));
+			link_add(K, n, node + p, node + q, at->absorber_stiffness*a[p]*a[q]);
+			link_add(M, n, node + p, node + q, m*((p == q) - a[p]*a[q]));
 		}
-		add(K, n, node + p, own, -at->absorber_stiffness*a[p]);
-		add(K, n, own, node + p, -at->absorber_stiffness*a[p]);
+		link_add(K, n, node + p, own, -at->absorber_stiffness*a[p]);
+		link_add(K, n, own, node + p, -at->absorber_stiffness*a[p]);
 	}
-	add(K, n, own, own, m > 0.0 ? at->absorber_stiffness : 1e20);
-	add(M, n, own, own, m > 0.0 ? m : 1.0);
+	link_add(K, n, own, own, m > 0.0 ? at->absorber_stiffness : 1e20);
+	link_add(M, n, own, own, m > 0.0 ? m : 1.0);
 }
 
 static void chain(double *omega, const struct hawser_statics *st, int links)
@@ -128,35 +124,16 @@ static void chain(double *omega, const struct hawser_statics *st, int links)
 	double *K = calloc((size_t)n*(size_t)n, sizeof *K), *M = calloc((size_t)n*(size_t)n, sizeof *M);
 	double h = st->length0/links;
 
-	for (int i = 0; i < links; i++) {
-		struct hawser_profile_point a = hawser_statics_at(st, i*h);
-		struct hawser_profile_point b = hawser_statics_at(st, (i + 1)*h);
-		double L = hypot(b.x - a.x, b.y - a.y), e[3] = {(b.x - a.x)/L, (b.y - a.y)/L, 0.0};
-		double axial = st->span.EA/h, across = hawser_statics_at(st, (i + 0.5)*h).T/L;
-
-		for (int p = 0; p < 3; p++) {
-			int u = 3*i + p, v = u + 3;
-
-			for (int q = 0; q < 3; q++) {
-				double k = axial*e[p]*e[q] + across*((p == q) - e[p]*e[q]);
-
-				add(K, n, u, 3*i + q, k);
-				add(K, n, v, 3*i + 3 + q, k);
-				add(K, n, u, 3*i + 3 + q, -k);
-				add(K, n, 3*i + 3 + q, u, -k);
-			}
-			add(M, n, u, u, 0.5*st->span.rho*h);
-			add(M, n, v, v, 0.5*st->span.rho*h);
-		}
-	}
+	for (int i = 0; i < links; i++)
+		link_between(K, M, n, 3*i, 3*i + 3, 3, st, i*h, (i + 1)*h);
 	for (int end = 0; end < 2; end++)
 		for (int p = 0; p < 3; p++) {
 			int i = end ? 3*links + p : p;
 			int fixed = !st->elastic || isinf(st->held[end].stiffness[p]);
 
 			if (!fixed) {
-				add(K, n, i, i, st->held[end].stiffness[p]);
-				add(M, n, i, i, st->held[end].mass);
+				link_add(K, n, i, i, st->held[end].stiffness[p]);
+				link_add(M, n, i, i, st->held[end].mass);
 				continue;
 			}
 			for (int j = 0; j < n; j++)
@@ -166,10 +143,7 @@ static void chain(double *omega, const struct hawser_statics *st, int links)
 		}
 	for (int i = 0; i < st->attachments; i++)
 		absorb(K, M, n, st, links, i);
-	if (LAPACKE_dsygv(LAPACK_ROW_MAJOR, 1, 'N', 'L', n, K, n, M, n, omega))
-		omega[0] = NAN;
-	for (int i = 0; i < n; i++)
-		omega[i] = sqrt(omega[i]);
+	link_frequencies(omega, K, M, n);
 	free(K);
 	free(M);
 }

@@ -6,6 +6,7 @@
 
 #include <hawser/modes.h>
 
+#include "tests/link-chain.h"
 #include "tests/tap.h"
 
 static struct hawser_report report;
@@ -71,39 +72,6 @@ static void string(double m, double S)
 
 enum { PARTS = 3, LINKS = 48, NODES = PARTS*2*LINKS + 1 };
 
-static void add(double *K, int n, int i, int j, double value)
-{
-	if (i >= 0 && j >= 0 && i < n && j < n)
-		K[i*n + j] += value;
-}
-
-/* One link between nodes i - 1 and i, of which node 0 is end A and has no unknowns. */
-static void link_of(double *K, double *M, int n, int i, const struct hawser_statics *st,
-                    double from, double to)
-{
-	struct hawser_profile_point a = hawser_statics_at(st, from), b = hawser_statics_at(st, to);
-	double middle = hawser_statics_at(st, 0.5*(from + to)).T, L = hypot(b.x - a.x, b.y - a.y);
-	double e[2] = {(b.x - a.x)/L, (b.y - a.y)/L}, axial = st->span.EA/(to - from), across = middle/L;
-
-	for (int p = 0; p < 2; p++)
-		for (int q = 0; q < 2; q++) {
-			double k = axial*e[p]*e[q] + across*((p == q) - e[p]*e[q]);
-			int low = 2*(i - 2), high = 2*(i - 1);
-
-			add(K, n, high + p, high + q, k);
-			if (i > 1) {
-				add(K, n, low + p, low + q, k);
-				add(K, n, low + p, high + q, -k);
-				add(K, n, high + q, low + p, -k);
-			}
-		}
-	for (int p = 0; p < 2; p++) {
-		add(M, n, 2*(i - 1) + p, 2*(i - 1) + p, 0.5*st->span.rho*(to - from));
-		if (i > 1)
-			add(M, n, 2*(i - 2) + p, 2*(i - 2) + p, 0.5*st->span.rho*(to - from));
-	}
-}
-
 /* In-plane frequencies (rad/s) of the chain with `links` links in each part. */
 static void chain(double *omega, const struct hawser_statics *st, int links)
 {
@@ -115,17 +83,15 @@ static void chain(double *omega, const struct hawser_statics *st, int links)
 		double to = part < st->attachments ? st->attached[part].S : st->length0;
 
 		for (int k = 0; k < links; k++, i++)
-			link_of(K, M, n, i, st, from + (to - from)*k/links, from + (to - from)*(k + 1)/links);
+			link_between(K, M, n, 2*(i - 2), 2*(i - 1), 2, st, from + (to - from)*k/links,
+			             from + (to - from)*(k + 1)/links);
 		for (int p = 0; part < st->attachments && p < 2; p++) {
-			add(M, n, 2*(i - 2) + p, 2*(i - 2) + p, st->attached[part].mass);
-			add(K, n, 2*(i - 2) + p, 2*(i - 2) + p, st->attached[part].spring[p]);
+			link_add(M, n, 2*(i - 2) + p, 2*(i - 2) + p, st->attached[part].mass);
+			link_add(K, n, 2*(i - 2) + p, 2*(i - 2) + p, st->attached[part].spring[p]);
 		}
 		from = to;
 	}
-	if (LAPACKE_dsygv(LAPACK_ROW_MAJOR, 1, 'N', 'L', n, K, n, M, n, omega))
-		omega[0] = NAN;
-	for (int i = 0; i < n; i++)
-		omega[i] = sqrt(omega[i]);
+	link_frequencies(omega, K, M, n);
 	free(K);
 	free(M);
 }

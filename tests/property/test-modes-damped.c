@@ -9,6 +9,7 @@
 
 #include <hawser/damped.h>
 
+#include "tests/link-chain.h"
 #include "tests/tap.h"
 
 static struct hawser_report report;
@@ -219,39 +220,6 @@ static void uniform(void)
 
 enum { LINKS = 30 };
 
-static void add(double *K, int n, int i, int j, double value)
-{
-	if (i >= 0 && j >= 0 && i < n && j < n)
-		K[i*n + j] += value;
-}
-
-/* One link between nodes i - 1 and i, of which node 0 is end A and has no unknowns. */
-static void link_of(double *K, double *M, double *D, int n, int i, const struct hawser_statics *st,
-                    double alpha, double from, double to)
-{
-	struct hawser_profile_point a = hawser_statics_at(st, from), b = hawser_statics_at(st, to);
-	double middle = hawser_statics_at(st, 0.5*(from + to)).T, L = hypot(b.x - a.x, b.y - a.y);
-	double e[2] = {(b.x - a.x)/L, (b.y - a.y)/L}, axial = st->span.EA/(to - from), across = middle/L;
-
-	for (int p = 0; p < 2; p++)
-		for (int q = 0; q < 2; q++) {
-			double k = axial*e[p]*e[q] + across*((p == q) - e[p]*e[q]);
-			int low = 2*(i - 2), high = 2*(i - 1);
-
-			add(K, n, high + p, high + q, k);
-			if (i > 1) {
-				add(K, n, low + p, low + q, k);
-				add(K, n, low + p, high + q, -k);
-				add(K, n, high + q, low + p, -k);
-			}
-		}
-	for (int p = 0; p < 2; p++)
-		for (int j = i > 1 ? i - 2 : i - 1; j < i; j++) {
-			add(M, n, 2*j + p, 2*j + p, 0.5*st->span.rho*(to - from));
-			add(D, n, 2*j + p, 2*j + p, 0.5*alpha*(to - from));
-		}
-}
-
 /* The in-plane eigenvalue (1/s) of the chain next to `near`. */
 static double complex chain(const struct hawser_statics *st, double alpha, int links,
                             double complex near)
@@ -265,13 +233,16 @@ static double complex chain(const struct hawser_statics *st, double alpha, int l
 	for (int part = 0, i = 1; part <= st->attachments; part++) {
 		double to = part < st->attachments ? st->attached[part].S : st->length0;
 
-		for (int k = 0; k < links; k++, i++)
-			link_of(K, M, D, n, i, st, alpha, from + (to - from)*k/links,
-			        from + (to - from)*(k + 1)/links);
+		for (int k = 0; k < links; k++, i++) {
+			link_between(K, M, n, 2*(i - 2), 2*(i - 1), 2, st, from + (to - from)*k/links,
+			             from + (to - from)*(k + 1)/links);
+			for (int j = 2*(i - 2); j < 2*i; j++)
+				link_add(D, n, j, j, 0.5*alpha*(to - from)/links);
+		}
 		for (int p = 0; part < st->attachments && p < 2; p++) {
-			add(M, n, 2*(i - 2) + p, 2*(i - 2) + p, st->attached[part].mass);
-			add(K, n, 2*(i - 2) + p, 2*(i - 2) + p, st->attached[part].spring[p]);
-			add(D, n, 2*(i - 2) + p, 2*(i - 2) + p, st->attached[part].damper[p]);
+			link_add(M, n, 2*(i - 2) + p, 2*(i - 2) + p, st->attached[part].mass);
+			link_add(K, n, 2*(i - 2) + p, 2*(i - 2) + p, st->attached[part].spring[p]);
+			link_add(D, n, 2*(i - 2) + p, 2*(i - 2) + p, st->attached[part].damper[p]);
 		}
 		from = to;
 	}

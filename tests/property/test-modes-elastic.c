@@ -9,6 +9,7 @@
 #include <hawser/campbell.h>
 #include <hawser/modes.h>
 
+#include "tests/link-chain.h"
 #include "tests/tap.h"
 
 static struct hawser_report report;
@@ -85,21 +86,16 @@ static void string(double kA, double mA, double kB, double mB)
 
 enum { LINKS = 96 };
 
-static void add(double *A, int n, int i, int p, int j, int q, double value)
-{
-	A[(3*i + p)*n + 3*j + q] += value;
-}
-
 /* The supports of the chain; a rigid direction is stiff by `STIFF` times the stiffest link. */
 static void supports(double *K, double *M, int n, const struct hawser_held *held, int links,
                      double stiff)
 {
 	for (int end = 0; end < 2; end++)
 		for (int p = 0; p < 3; p++) {
-			int i = end ? links : 0, rigid_here = isinf(held[end].stiffness[p]);
+			int i = (end ? 3*links : 0) + p, rigid_here = isinf(held[end].stiffness[p]);
 
-			add(K, n, i, p, i, p, rigid_here ? stiff : held[end].stiffness[p]);
-			add(M, n, i, p, i, p, rigid_here ? 0.0 : held[end].mass);
+			link_add(K, n, i, i, rigid_here ? stiff : held[end].stiffness[p]);
+			link_add(M, n, i, i, rigid_here ? 0.0 : held[end].mass);
 		}
 }
 
@@ -110,30 +106,10 @@ static void chain(double *omega, const struct hawser_statics *st, int links)
 	double *K = calloc((size_t)n*(size_t)n, sizeof *K), *M = calloc((size_t)n*(size_t)n, sizeof *M);
 	double h = st->length0/links;
 
-	for (int i = 0; i < links; i++) {
-		struct hawser_profile_point a = hawser_statics_at(st, i*h);
-		struct hawser_profile_point b = hawser_statics_at(st, (i + 1)*h);
-		double L = hypot(b.x - a.x, b.y - a.y), e[3] = {(b.x - a.x)/L, (b.y - a.y)/L, 0.0};
-		double axial = st->span.EA/h, across = hawser_statics_at(st, (i + 0.5)*h).T/L;
-
-		for (int p = 0; p < 3; p++) {
-			for (int q = 0; q < 3; q++) {
-				double k = axial*e[p]*e[q] + across*((p == q) - e[p]*e[q]);
-
-				add(K, n, i, p, i, q, k);
-				add(K, n, i + 1, p, i + 1, q, k);
-				add(K, n, i, p, i + 1, q, -k);
-				add(K, n, i + 1, q, i, p, -k);
-			}
-			add(M, n, i, p, i, p, 0.5*st->span.rho*h);
-			add(M, n, i + 1, p, i + 1, p, 0.5*st->span.rho*h);
-		}
-	}
+	for (int i = 0; i < links; i++)
+		link_between(K, M, n, 3*i, 3*i + 3, 3, st, i*h, (i + 1)*h);
 	supports(K, M, n, st->held, links, 1e6*st->span.EA/h);
-	if (LAPACKE_dsygv(LAPACK_ROW_MAJOR, 1, 'N', 'L', n, K, n, M, n, omega))
-		omega[0] = NAN;
-	for (int i = 0; i < n; i++)
-		omega[i] = sqrt(omega[i]);
+	link_frequencies(omega, K, M, n);
 	free(K);
 	free(M);
 }

@@ -13,18 +13,9 @@
 
 #include "tests/lumped-chain.h"
 #include "tests/tap.h"
+#include "tests/unit/scene-text.h"
 
 enum { MODES = 10, RODS = 48 };
-
-static int read_scene(struct hawser_scene *scene, const char *text)
-{
-	struct hawser_report report = {.message = ""};
-	FILE *stream = fmemopen((void *)(size_t)text, strlen(text), "r");
-	enum hawser_status status = hawser_scene_read(scene, stream, "text", NULL, 0, &report);
-
-	fclose(stream);
-	return ok(!status, "scene %s", report.message);
-}
 
 static int solve(struct hawser_modes *modes, const struct hawser_statics *st, int n)
 {
@@ -149,7 +140,7 @@ static void against_chain(const char *what, const char *text, double limit)
 	struct hawser_modes modes;
 	double omega[3][MODES], most = 0.0, low = INFINITY, high = 0.0;
 
-	if (!read_scene(&scene, text))
+	if (!is_read(&scene, text))
 		return;
 	if (of_scene(&modes, &scene) &&
 	    ok(chain(omega[0], &scene, &modes.statics, RODS) &&
@@ -202,7 +193,7 @@ static void on_springs(void)
 	struct hawser_scene scene, heavy;
 	struct hawser_modes modes, plane;
 
-	if (!read_scene(&scene, text))
+	if (!is_read(&scene, text))
 		return;
 	heavy = scene;
 	heavy.static_load.present = 0;
@@ -227,7 +218,7 @@ static void images(void)
 	struct hawser_scene scene, other;
 	struct hawser_modes modes, image;
 
-	if (!read_scene(&scene, text))
+	if (!is_read(&scene, text))
 		return;
 	of_scene(&modes, &scene);
 	other = scene;
@@ -258,7 +249,7 @@ static void limits(void)
 	struct hawser_modes modes, limit;
 	double before[2] = {0.0};
 
-	if (!read_scene(&scene, text))
+	if (!is_read(&scene, text))
 		return;
 	for (int k = 0; k < 3; k++) {
 		double small = pow(10.0, -k), here;
@@ -302,7 +293,7 @@ static void basis(void)
 	struct hawser_modes modes, all;
 	double sum[3] = {0.0};
 
-	if (!read_scene(&scene, text) || !of_scene(&modes, &scene))
+	if (!is_read(&scene, text) || !of_scene(&modes, &scene))
 		return;
 	if (ok(!hawser_modes_basis(&all, &modes.statics, 40, 40, &report), "basis %s", report.message)) {
 		ok(off(&all, &modes) < 1e-10, "%d modes of a basis: frequencies to %.1e", all.n,

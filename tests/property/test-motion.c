@@ -13,6 +13,7 @@
 #include "rom/terms/history.h"
 #include "tests/lumped-chain.h"
 #include "tests/tap.h"
+#include "tests/unit/scene-text.h"
 
 enum { ENDS = 2, AXES = 3, MOST = 1601, MANY = 24 };
 static const double Omega = 0.71;
@@ -24,15 +25,11 @@ static int prepare(struct hawser_modes *modes, struct hawser_scene *scene, const
 	struct hawser_statics statics;
 	struct hawser_report report = {.message = ""};
 	char text[1024];
-	FILE *stream;
-	enum hawser_status status;
 
 	snprintf(text, sizeof text, "cable: {EA: 2 MN, rho: 8 kg/m}\nspan: {d: 100 m, h: 37 m}\n"
 	         "tension: {H: 12 kN}\ndamping: {alpha: 0.3 kg/m/s}\n%s", more);
-	stream = fmemopen(text, strlen(text), "r");
-	status = hawser_scene_read(scene, stream, "scene", NULL, 0, &report);
-	fclose(stream);
-	return ok(!status && !hawser_statics_scene(&statics, scene, &report) &&
+	return ok(!read_text(scene, text, NULL, &report) &&
+	          !hawser_statics_scene(&statics, scene, &report) &&
 	          !hawser_modes_solve(modes, &statics, &options, &report), "modes %s", report.message);
 }
 

@@ -9,6 +9,7 @@
 #include <hawser/net_span.h>
 
 #include "tests/tap.h"
+#include "tests/unit/scene-text.h"
 
 enum { N = 8 };
 static struct hawser_report report;
@@ -19,10 +20,8 @@ static int solve(struct hawser_scene *scene, struct hawser_statics *statics,
                  struct hawser_modes *reference, int n, const char *text)
 {
 	const struct hawser_modes_options choice = {.n = n};
-	FILE *file = fmemopen((void *)(size_t)text, strlen(text), "r");
-	enum hawser_status status = hawser_scene_read(scene, file, "test", NULL, 0, &report);
+	enum hawser_status status = read_text(scene, text, NULL, &report);
 
-	fclose(file);
 	if (!status)
 		status = hawser_statics_scene(statics, scene, &report);
 	if (!status)

@@ -12,6 +12,7 @@
 #include <hawser/rom.h>
 
 #include "tests/tap.h"
+#include "tests/unit/scene-text.h"
 
 static struct hawser_report report;
 
@@ -19,10 +20,8 @@ static struct hawser_report report;
 
 static int solve(struct hawser_scene *scene, struct hawser_statics *statics, const char *text)
 {
-	FILE *file = fmemopen((void *)(size_t)text, strlen(text), "r");
-	enum hawser_status status = hawser_scene_read(scene, file, "test", NULL, 0, &report);
+	enum hawser_status status = read_text(scene, text, NULL, &report);
 
-	fclose(file);
 	if (!status)
 		status = hawser_statics_scene(statics, scene, &report);
 	return ok(!status, "a scene is read and solved %s", report.message);

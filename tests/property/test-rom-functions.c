@@ -15,6 +15,7 @@
 #include "rom/energy/quartic.h"
 #include "rom/terms/vary.h"
 #include "tests/tap.h"
+#include "tests/unit/scene-text.h"
 
 #define WITHIN 1e-13 /* of the largest component; tensors themselves are accurate to about 1e-14 */
 
@@ -54,8 +55,6 @@ static enum hawser_status scene_of(struct hawser_scene *scene, const struct exam
                                    struct hawser_report *report)
 {
 	char text[1024], travel[64] = "";
-	enum hawser_status status;
-	FILE *stream;
 
 	if (e->speed > 0.0)
 		snprintf(travel, sizeof travel, "travel: {speed: %g m/s, hold: tension}\n", e->speed);
@@ -66,12 +65,7 @@ static enum hawser_status scene_of(struct hawser_scene *scene, const struct exam
 	         "model: {modes: %d, condense: %s}\n",
 	         uniform(e->EA[0], e->EA[1]), uniform(1.3, 7.0), e->h, uniform(e->sag[0], e->sag[1]),
 	         travel, e->n, e->condense);
-	stream = fmemopen(text, strlen(text), "r");
-	if (!stream)
-		return HAWSER_ERR_MEMORY;
-	status = hawser_scene_read(scene, stream, e->name, NULL, 0, report);
-	fclose(stream);
-	return status;
+	return read_text(scene, text, NULL, report);
 }
 
 static enum hawser_status model_of(struct hawser_rom *rom, const struct example *e,

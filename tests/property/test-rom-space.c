@@ -12,6 +12,7 @@
 
 #include "rom/energy/kernel.h"
 #include "tests/tap.h"
+#include "tests/unit/scene-text.h"
 
 enum { MODES = 9 };
 
@@ -114,12 +115,10 @@ CASE(property_rom_space)
 	struct hawser_statics st;
 	struct hawser_modes modes;
 	struct hawser_rom raw, exact;
-	FILE *stream = fmemopen((void *)(size_t)scene_text, sizeof scene_text - 1, "r");
-	int done = !hawser_scene_read(&scene, stream, "text", NULL, 0, &report) &&
+	int done = !read_text(&scene, scene_text, NULL, &report) &&
 	           !hawser_statics_scene(&st, &scene, &report) &&
 	           !hawser_modes_solve(&modes, &st, &options, &report);
 
-	fclose(stream);
 	if (ok(done, "modes %s", report.message)) {
 		scene.model.condense = HAWSER_CONDENSE_NONE;
 		if (ok(!hawser_rom_build(&raw, &modes, &scene, &report) &&

@@ -13,16 +13,7 @@
 
 #include "rom/condense/support.h"
 #include "tests/tap.h"
-
-static int read(struct hawser_scene *scene, const char *text)
-{
-	struct hawser_report report = {.message = ""};
-	FILE *stream = fmemopen((void *)(size_t)text, strlen(text), "r");
-	enum hawser_status status = hawser_scene_read(scene, stream, "scene", NULL, 0, &report);
-
-	fclose(stream);
-	return ok(!status, "scene %s", report.message);
-}
+#include "tests/unit/scene-text.h"
 
 static int solve(struct hawser_modes *modes, const struct hawser_scene *scene, int n)
 {
@@ -76,7 +67,7 @@ static void check_orders(const char *text)
 	struct hawser_modes modes;
 	double size, large, small, smaller;
 
-	if (!read(&scene, text) || !solve(&modes, &scene, 6))
+	if (!is_read(&scene, text) || !solve(&modes, &scene, 6))
 		return;
 	large = gap(&modes, scene, 0.1, &size);
 	small = gap(&modes, scene, 0.05, &size);
@@ -104,7 +95,7 @@ static void check_tongue(void)
 	double w = M_PI/100.0*sqrt(T*(1.0 + T/EA)/16.0), e = EA*A/l/T, log_modulus[2], argument[2], error;
 	double edge[2];
 
-	if (!read(&scene, TAUT "support: {B: {motion: [2 mm, 0, 0]}}\n") || !solve(&modes, &scene, 1) ||
+	if (!is_read(&scene, TAUT "support: {B: {motion: [2 mm, 0, 0]}}\n") || !solve(&modes, &scene, 1) ||
 	    !ok(!hawser_rom_build_linear(&rom, &modes, &scene, NULL) &&
 	        !hawser_linear_open(&linear, 1, NULL), "linear model"))
 		return;
@@ -144,7 +135,7 @@ static void check_doubling(void)
 	const double A = 4e-3, T = 1e6, EA = 4e8, e = EA*A/(100.0/(1.0 + T/EA))/T, zeta = 5e-4;
 	double w;
 
-	if (!read(&scene, TAUT "support: {B: {motion: [4 mm, 0.1 mm, 0.1 mm]}}\n"
+	if (!is_read(&scene, TAUT "support: {B: {motion: [4 mm, 0.1 mm, 0.1 mm]}}\n"
 	          "damping: {ratio: 0.0005}\n") || !solve(&modes, &scene, 1) ||
 	    !ok(!hawser_rom_build(&rom, &modes, &scene, NULL), "model"))
 		return;
@@ -199,7 +190,7 @@ static void check_across(const struct across *row)
 	/* alpha and rho per unstretched length: the same factor */
 	snprintf(text, sizeof text, TAUT "support: {B: {motion: [0, 0, 0.1 mm], phase: 0.8}}\n"
 	         "damping: {alpha: 2 kg/m/s}\n%s", row->text);
-	if (!read(&scene, text) || !solve(&modes, &scene, row->modes) ||
+	if (!is_read(&scene, text) || !solve(&modes, &scene, row->modes) ||
 	    !ok(!hawser_rom_build(&rom, &modes, &scene, NULL), "model"))
 		return;
 	options.from = 0.8*M_PI/L*sqrt(T/rho)*rom.time;
@@ -295,7 +286,7 @@ static void check_end_stiffness(void)
 	struct hawser_modes_options options = {.n = 3};
 	double end;
 
-	if (!read(&scene, "cable: {EA: 60 MN, rho: 1 kg/m}\nspan: {d: 200 m, h: 0}\n"
+	if (!is_read(&scene, "cable: {EA: 60 MN, rho: 1 kg/m}\nspan: {d: 200 m, h: 0}\n"
 	          "tension: {H: 30 kN}\n") || !solve(&modes, &scene, 2))
 		return;
 	close_to(end_stiffness(&modes, &end), EA/Le/(1.0 + lambda2/12.0), 2e-3,
@@ -325,7 +316,8 @@ static void check_rigid(void)
 	struct hawser_rom rom;
 	double worst = 0.0;
 
-	if (!read(&scene, INCLINED "support: {A: {motion: [0, 0.1, 0.2]}, B: {motion: [0, 0.1, 0.2]}}\n") ||
+	if (!is_read(&scene, INCLINED
+	             "support: {A: {motion: [0, 0.1, 0.2]}, B: {motion: [0, 0.1, 0.2]}}\n") ||
 	    !solve(&modes, &scene, 5) || !ok(!hawser_rom_build(&rom, &modes, &scene, NULL), "model"))
 		return;
 	ok(rom.harmonics == 2 && rom.harmonic[1].omega_power == 2, "displacement and inertia only");
@@ -365,7 +357,7 @@ static void check_full(void)
 		const double *x, *y;
 		double most = 0.0, worst = 0.0, tension;
 
-		if (!read(&scene, text[i]) || !solve(&modes, &scene, 10) ||
+		if (!is_read(&scene, text[i]) || !solve(&modes, &scene, 10) ||
 		    !ok(!hawser_rom_build(&rom, &modes, &scene, NULL) &&
 		        !hawser_rom_build_full(&full, &modes.statics, &scene,
 		                               i == 2 ? 16 : 10, NULL), "models"))

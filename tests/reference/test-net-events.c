@@ -59,7 +59,7 @@ static void rope(double part, const char *axial, int elements)
 			ok(fast > 1.3*v && fast < 1.35*v, "without damping %d elements go too fast: %.4g m/s, not "
 			   "%.4g", elements, fast, v);
 		else
-			close_to(fast, v, part < 1.0 ? 2e-2 : 2e-4, "velocity of the end, m/s");
+			close_to(fast, v, part < 1.0 ? 2e-2 : 2e-4, "W13: velocity of the end, m/s");
 		close_to(motion.failure[0].time, 0.01, 1e-12, "when it parted, s");
 		close_to(motion.failure[0].tension, T, 1e-10, "under what, N");
 		close_to(motion.x[1][0], 101.0*at, 1e-6, "at rest until then, m");
@@ -249,12 +249,13 @@ static void sinker(void)
 				most = fmax(most, motion.T[j]);
 				least = fmin(least, motion.x[j][0]);
 			}
-			close_to(most, i ? 20748.2 : 17536.9, 5e-5, "largest tension, N");
+			close_to(most, i ? 20748.2 : 17536.9, 5e-5, i ? "W14: largest tension, N"
+			                                                : "W13: largest tension, N");
 			close_to(at, i ? 1.29 : 6.55, 3e-3, "when, s");
 			if (i)
-				close_to(motion.x[rows][1], -41.36, 2e-6, "depth after 20 s, m");
+				close_to(motion.x[rows][1], -41.36, 2e-6, "W14: depth after 20 s, m");
 			else
-				close_to(least, -32.5919, 1e-5, "furthest way, m");
+				close_to(least, -32.5919, 1e-5, "W13: furthest way, m");
 			if (!i)
 				close_to(motion.T[0], 10659.7, 1e-5, "tension before, N");
 		}

@@ -17,6 +17,7 @@
 
 #include "net/motion/motion.h"
 #include "tests/tap.h"
+#include "tests/unit/scene-text.h"
 
 enum { PROBES = HAWSER_SPAN_PROBES };
 static struct hawser_report report;
@@ -225,10 +226,8 @@ static void agree(const char *what, const char *text, double Omega, const char *
 	struct hawser_statics statics;
 	struct hawser_motions motions;
 	double worst = 0.0;
-	FILE *file = fmemopen((void *)(size_t)text, strlen(text), "r");
-	enum hawser_status status = hawser_scene_read(&scene, file, "test", NULL, 0, &report);
+	enum hawser_status status = read_text(&scene, text, NULL, &report);
 
-	fclose(file);
 	if (!ok(!status && !hawser_statics_scene(&statics, &scene, &report), "%s %s", what,
 	        report.message) ||
 	    !compare(&motions, &scene, &statics, &options, list))

@@ -1,4 +1,4 @@
-/* tests/unit/scene-text.h - read a scene from a string; used by the tests of the scene stage.
+/* tests/unit/scene-text.h - read a scene from a string.
  * Include "config.h" before anything else, for fmemopen.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_TESTS_SCENE_TEXT_H
@@ -9,6 +9,8 @@
 #include <string.h>
 
 #include <hawser/scene.h>
+
+#include "tests/tap.h"
 
 /* `length` bytes as "s.yaml", with overrides. */
 static inline enum hawser_status read_bytes(struct hawser_scene *scene, const char *text,
@@ -32,6 +34,14 @@ static inline enum hawser_status read_text(struct hawser_scene *scene, const cha
                                            const char *set, struct hawser_report *report)
 {
 	return read_bytes(scene, text, strlen(text), &set, set != NULL, report);
+}
+
+/* A check that it is read. */
+static inline int is_read(struct hawser_scene *scene, const char *text)
+{
+	struct hawser_report report = {.message = ""};
+
+	return ok(!read_text(scene, text, NULL, &report), "scene %s", report.message);
 }
 
 #endif

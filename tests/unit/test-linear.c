@@ -8,6 +8,7 @@
 #include <hawser/hawser.h>
 
 #include "tests/tap.h"
+#include "tests/unit/scene-text.h"
 
 static void growth(struct hawser_linear *linear)
 {
@@ -88,10 +89,9 @@ static void scenes(void)
 {
 	static const char text[] = "cable: {EA: 100 MN, rho: 5}\nspan: {d: 80, h: 5}\n"
 		"tension: {H: 8e4}\nload: {frame: local, per_length: [0, 1, 2], extent: [0, 0.5]}\n";
-	FILE *stream = fmemopen((void *)text, sizeof text - 1, "r");
 	struct hawser_scene scene;
 
-	if (!ok(stream && !hawser_scene_read(&scene, stream, "test", NULL, 0, NULL), "a scene"))
+	if (!ok(!read_text(&scene, text, NULL, NULL), "a scene"))
 		return;
 	set(&scene, "span.h", -3.25, HAWSER_OK, "");
 	set(&scene, "load.per_length[2]", 7.5, HAWSER_OK, "");
@@ -104,7 +104,6 @@ static void scenes(void)
 	set(&scene, "tension.T0", 1.0, HAWSER_ERR_ARGUMENT, "does not give tension.T0");
 	set(&scene, "span.q", 1.0, HAWSER_ERR_ARGUMENT, "no key span.q");
 	hawser_scene_clear(&scene);
-	fclose(stream);
 }
 
 CASE(unit_linear)

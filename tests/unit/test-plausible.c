@@ -9,6 +9,7 @@
 #include <hawser/plausible.h>
 
 #include "tests/tap.h"
+#include "tests/unit/scene-text.h"
 
 static const char cable[] =
 	"cable: {EA: 400 MN, rho: 6 kg/m}\nspan: {d: 250 m, h: 10 m}\ntension: {T0: 80 kN}\n"
@@ -20,15 +21,13 @@ static int doubts(struct hawser_doubt *doubt, const char *text, const char *set)
 {
 	struct hawser_report report = {.message = ""};
 	struct hawser_scene scene;
-	FILE *stream = fmemopen((void *)(size_t)text, strlen(text), "r");
 	int count = -1;
 
-	if (!hawser_scene_read(&scene, stream, "scene", &set, *set ? 1 : 0, &report))
+	if (!read_text(&scene, text, *set ? set : NULL, &report))
 		count = hawser_scene_doubts(doubt, &scene);
 	else
 		printf("# %s\n", report.message);
 	hawser_scene_clear(&scene);
-	fclose(stream);
 	return count;
 }
 

@@ -70,7 +70,7 @@ static int any(const double *value, size_t count)
 	return 0;
 }
 
-/* Whether a harmonic of the frequency acts at all. */
+/* Whether any load of the model has the frequency of the load or a multiple of it. */
 static int is_driven(const struct hawser_rom *rom)
 {
 	size_t n = (size_t)rom->n;

@@ -6,6 +6,10 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
+#ifdef __linux__
+#include <sys/auxv.h>
+#endif
 
 #include <cblas.h>
 
@@ -15,7 +19,6 @@
 #include "cli/frame/picture.h"
 #include "cli/frame/progress.h"
 #include "cli/frame/ranks.h"
-#include "cli/frame/unpacked.h"
 #include "cli/frame/within.h"
 #include "core/report.h"
 
@@ -238,6 +241,29 @@ static enum hawser_status dispatch(int argc, char **argv, struct hawser_report *
 	return cli_execute(argc - 1, argv + 1, report);
 }
 
+static const char unit_file[] = "/../share/hawser/udunits/udunits2.xml"; /* from the program's folder */
+
+/* Let udunits2 find its units in ../share/hawser/udunits, if they are there: in a program that was
+ * unpacked from a tarball (packaging/static.sh). The environment's UDUNITS2_XML_PATH has priority. */
+static void unpacked_units(void)
+{
+#ifdef __linux__
+	/* the name by which the system started the program: /proc need not be there */
+	const char *name = (const char *)getauxval(AT_EXECFN);
+	char *program = name ? realpath(name, NULL) : NULL, *slash = program ? strrchr(program, '/') : NULL;
+	char *path = slash ? malloc((size_t)(slash - program) + sizeof unit_file) : NULL;
+
+	if (path) {
+		memcpy(path, program, (size_t)(slash - program));
+		strcpy(path + (slash - program), unit_file);
+		if (access(path, R_OK) == 0)
+			(void)setenv("UDUNITS2_XML_PATH", path, 0);
+	}
+	free(path);
+	free(program);
+#endif
+}
+
 int cli_main(int argc, char **argv)
 {
 	struct hawser_report report = {0};
@@ -249,7 +275,7 @@ int cli_main(int argc, char **argv)
 	}
 	/* a limit on the size of files is told as a full disk is, and leaves no part of a file */
 	(void)signal(SIGXFSZ, SIG_IGN);
-	cli_unpacked_units();
+	unpacked_units();
 	cli_catch_questions();
 	cli_catch_interrupts();
 	/* Matrices here are of orders up to some hundreds: threads cost more than they give, most of

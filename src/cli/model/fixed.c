@@ -338,10 +338,11 @@ void cli_range_warn(struct cli_model *model, double *reached)
 		free(reached);
 		return;
 	}
-	snprintf(text, sizeof text, "coordinate u_%d (%s) moves by up to %.3g m: the force that holds it "
-	         "there, all others relaxed, and inertia and damping of these are right within %.0f %% "
-	         "up to %.3g m only, and what moves further may be off: take model.energy: exact, or other "
-	         "modes (hawser rom prints the range of each)", j + 1, rom->label ? rom->label[j] : "mode",
+	snprintf(text, sizeof text, "coordinate u_%d (%s) moves by up to %.3g m: its static force (with "
+	         "all other coordinates at rest under it), inertia and damping are right within %.0f %% "
+	         "only up to %.3g m, and results beyond that may be wrong: take model.energy: exact, or "
+	         "other modes (hawser rom prints the range of each)", j + 1,
+	         rom->label ? rom->label[j] : "mode",
 	         reached[j]*rom->range[j].largest, 100.0*HAWSER_LAW_LIMIT, rom->range[j].amplitude);
 	free(reached);
 	cli_caution("moves further than the model is right", text);

@@ -13,6 +13,7 @@ struct cli_report_part {
 	int essential;    /* 1: there is no report without it */
 	int no_picture;   /* 1: the command draws none */
 	int modes, range; /* 1: it takes -n; --from and --to of a response */
+	const char *drawn; /* name of a picture without which the command does something else; or NULL */
 };
 
 /* part [CLI_REPORT_PARTS], *count: the parts of a report of the scene common->input. `list`: names of

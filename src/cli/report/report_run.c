@@ -1,7 +1,6 @@
 /* cli/report/report_run.c - the parts of a report, each a command of the program run in this
  * process: one place computes and formats each result, and the report shows what the command writes
- * with --tsv and
- * --plot.
+ * with --tsv and --plot.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -212,12 +211,16 @@ enum hawser_status cli_report_run(struct cli_report_result *result,
 	struct line line = {.words = 0};
 	struct hawser_report why = {0};
 	enum hawser_status status;
-	int fatal;
+	int fatal, words;
 
 	result->part = part;
 	compose(&line, part, common, given);
+	words = line.words;
+	add_option(&line, "--plot", part->drawn);
 	if (!line.failed)
 		result->command = cli_report_command(line.word[0], line.words - 1, line.word + 1);
+	while (line.words > words)
+		free(line.word[--line.words]);
 	status = line.failed || !result->command ? hawser__no_memory(&why, "report")
 	                                         : execute(result, &line, &why);
 	for (int i = 0; i < line.words; i++)

@@ -143,8 +143,10 @@ struct sweep {
 	struct hawser_report *report;       /* [points] */
 	enum hawser_status *status;         /* [points] */
 	int same;                           /* 1: all points have the same bases */
-	int *size; /* for a map (hawser__damped_onset), which also has fewer sizes, wider limits and no
-	            * planes: size of the bases of the last point, with which the next begins; else NULL */
+	int map;                            /* 1: for a map (hawser__damped_onset): fewer sizes of bases,
+	                                     * wider limits, no planes */
+	int *size; /* size of the bases of the last point, with which the next begins; NULL: with the
+	            * first size */
 };
 
 static enum hawser_status solve_at(struct hawser_damped *state, const struct sweep *sweep, double value,
@@ -168,15 +170,15 @@ static enum hawser_status solve_at(struct hawser_damped *state, const struct swe
 		hawser__damped_pair_clear(pair);
 	if (!sweep->same)
 		pair->functions = 0;
-	if (!status && sweep->size && hawser__cable_elements(&st) > SLACKEST)
+	if (!status && sweep->map && hawser__cable_elements(&st) > SLACKEST)
 		status = hawser__fail(report, HAWSER_ERR_CONVERGENCE, "modes",
 		                      "at %s = %.6g the cable hangs so deep that its damped modes take too "
 		                      "long for a map: choose ranges with less sag, or take hawser modes "
 		                      "--damped at this point",
 		                      options->key, value);
 	if (!status)
-		status = solve(state, pair, sweep->size ? sweep->size : &size, sweep->size ? FEW : TRIES,
-		               !sweep->size, &st, &scene, &options->modes, report);
+		status = solve(state, pair, sweep->size ? sweep->size : &size, sweep->map ? FEW : TRIES,
+		               !sweep->map, &st, &scene, &options->modes, report);
 	return status;
 }
 
@@ -240,7 +242,7 @@ static enum hawser_status locate_event(struct hawser_damped_event *event, const 
 	for (int try = 0; !status && try < LOCATE; try++) {
 		double s = hawser__false_position(&in, try), growth;
 
-		if (sweep->size && try == SOON) {
+		if (sweep->map && try == SOON) {
 			status = hawser__fail(report, HAWSER_ERR_CONVERGENCE, "modes",
 			                      "the growth of a mode jumps near %s = %.6g", sweep->options->key, s);
 			break;
@@ -251,8 +253,8 @@ static enum hawser_status locate_event(struct hawser_damped_event *event, const 
 			break;
 		growth = growth_of(ranked(&now, k));
 		event->value = s;
-		if (fabs(growth) < (sweep->size ? rough : zero) ||
-		    in.b - in.a < (sweep->size ? rough : located)*fabs(s))
+		if (fabs(growth) < (sweep->map ? rough : zero) ||
+		    in.b - in.a < (sweep->map ? rough : located)*fabs(s))
 			break;
 		hawser__false_position_take(&in, s, growth);
 	}
@@ -402,7 +404,8 @@ enum hawser_status hawser__damped_onset(double *value, const struct hawser_scene
 	struct hawser__damped_pair pair = {.functions = 0};
 	struct hawser_damped_event event = {.value = INFINITY};
 	int size = -1;
-	struct sweep work = {.to = &to, .scene = scene, .options = options, .pair = &pair, .size = &size};
+	struct sweep work = {.to = &to, .scene = scene, .options = options, .pair = &pair, .map = 1,
+	                     .size = &size};
 	enum hawser_status status = HAWSER_OK;
 
 	*value = INFINITY;

@@ -138,7 +138,7 @@ static const struct hawser__orbits *known_to(const struct hawser__trace *trace)
 const struct hawser__step_settings *hawser__known_settings(const struct hawser_rom *rom,
                                                            const struct hawser__trace_watch *watch)
 {
-	if (!hawser__is_large(rom) && !(watch && watch->aside))
+	if (!hawser__is_large(rom) && !(watch && watch->for_folds))
 		return &hawser__frf_steps;
 	return rom->exact && watch && watch->known && watch->known->count > 0 && rom->n >= SKIPS_FROM
 	       ? &hawser__known_steps : &hawser__exact_steps;

@@ -127,7 +127,7 @@ double hawser__trace_longest(void *owner)
 	const struct hawser__orbit *orbit = trace->orbit;
 	double extent = hawser__orbit_extent(orbit, trace->here.y);
 	int coarse = (trace->watch && trace->watch->coarse) || trace->options.unjudged;
-	double part = coarse ? COARSE_TURN : hawser__trace_strides(trace) ? LARGE_TURN : LARGEST_TURN;
+	double part = coarse ? COARSE_TURN : hawser__trace_steps_long(trace) ? LARGE_TURN : LARGEST_TURN;
 	double turn = fmin(orbit->own ? INFINITY : part*extent,
 	                   trace->options.step_max*(trace->hi - trace->lo));
 	/* Omega changes by |t_Omega| ds; if the branch is steep, only the change of the orbit limits
@@ -213,7 +213,7 @@ static int refused(const struct hawser__trace *trace, double angle, double ds)
 	const struct hawser__step_settings *goal = ds == trace->aim ? &hawser__known_steps
 	                                                            : &hawser__exact_steps;
 
-	if (hawser__trace_strides(trace))
+	if (hawser__trace_steps_long(trace))
 		angle *= hawser__frf_steps.goal_angle/goal->goal_angle;
 	return ds > TRUSTED_STEP && !hawser__trace_trusted(&trace->next.correction, angle);
 }

@@ -59,7 +59,7 @@ struct hawser__trace_watch {
 	const struct hawser__orbits *known; /* of this curve, from its beginning; NULL: none are known */
 	int direct; /* 1: no detours are tried for the first orbit */
 	int coarse; /* 1: longer steps: the trace is a detour itself (detour.c) */
-	int aside;  /* 1: of its points only the folds are of interest: longer steps, too */
+	int for_folds; /* 1: of its points only the folds are of interest: longer steps, too */
 	double first; /* most work for the first orbit, s (hawser_orbit_work); 0: as much as by default */
 };
 
@@ -105,9 +105,9 @@ static inline double hawser__trace_parameter(const struct hawser__trace *trace,
 }
 
 /* Whether longer steps are allowed: of large models, and of traces for their folds alone. */
-static inline int hawser__trace_strides(const struct hawser__trace *trace)
+static inline int hawser__trace_steps_long(const struct hawser__trace *trace)
 {
-	return hawser__is_large(trace->rom) || (trace->watch && trace->watch->aside);
+	return hawser__is_large(trace->rom) || (trace->watch && trace->watch->for_folds);
 }
 
 /* frf.c: hawser_frf_trace with a receiver of events (or NULL). */

@@ -70,15 +70,15 @@ static enum hawser_status respond(struct hawser__fold_search *search, struct haw
 		choice.to = keep;
 	}
 	choice.samples = HAWSER_NONE;
-	search->aside = load->factor != 1.0;
-	if (search->aside) {
+	search->for_folds = load->factor != 1.0;
+	if (search->for_folds) {
 		choice.most_unstable = search->options->most_unstable;
 		choice.event_tolerance = ASIDE;
 		memset(&rom.shapes, 0, sizeof rom.shapes);
 		memset(&rom.line, 0, sizeof rom.line);
 	}
 	status = hawser__fold_trace(search, frf, &rom, &choice, &local);
-	search->aside = 0;
+	search->for_folds = 0;
 	if (status == HAWSER_ERR_MEMORY) {
 		if (search->report)
 			*search->report = local;

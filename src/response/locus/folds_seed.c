@@ -26,7 +26,7 @@ enum hawser_status hawser__fold_trace(struct hawser__fold_search *search, struct
                                       struct hawser_report *report)
 {
 	const struct hawser__trace_watch watch = {.event = keep_fold, .context = search,
-		.aside = search->aside};
+		.for_folds = search->for_folds};
 	enum hawser_status status;
 
 	hawser__store_clear(&search->seeds);

@@ -27,10 +27,11 @@ struct hawser__own_spot {
 	double omega;               /* of the critical motion or of the cycle, scaled; 0: equilibrium */
 	double time;                /* unit of time of the model there, s */
 	double angle, error;        /* angle: of tori continued through 0 and pi; 0: not known yet */
-	double vanish;              /* what falls to 0 with the root of the distance from an end: frequency
-	                            * of a Hopf point, sine of a torus' angle, second coefficient of a fold.
-	                            * NAN: nothing */
-	double beside_pair;         /* of the pair next to the unit circle */
+	double vanish;              /* the quantity that goes to 0 where the locus ends, as the square root
+	                            * of the distance from there: frequency of a Hopf point, sine of a
+	                            * torus' angle, second coefficient of a fold. NAN: there is none */
+	double beside_pair;         /* | |mu|^2 - 1 | of the complex pair mu, besides the critical
+	                            * multipliers, that is nearest to the unit circle */
 	double test[HAWSER__OWN_TESTS];
 	int unstable;               /* besides the critical ones */
 	double *state;              /* [2n] of it */

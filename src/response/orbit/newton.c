@@ -36,9 +36,12 @@
  * orbits may have defects below the tolerance. An orbit is therefore accepted only if one more step
  * would move it by at most this fraction of its distance from the previous orbit; chosen. */
 #define OFF_BRANCH 0.02
-/* Relative change of a parameter that changes derivatives by it less than their differences do */
+/* Derivatives by a parameter are differences about a point, orbit->middle, which stays while the
+ * parameter is within this relative distance of it: that changes them by less than the error of the
+ * differences. */
 #define SAME_MODELS 5e-8
-/* Relative residual of this step, of which one digit is used. */
+/* Relative residual to which the step that confirms an orbit is solved: of its length, the first digit
+ * is used. */
 #define LENGTH_RESIDUAL 0.03
 
 enum hawser_status hawser__orbit_init(struct hawser__orbit *orbit, const struct hawser_rom *rom,

@@ -109,8 +109,9 @@ static void free_exact(struct hawser__law *law)
 			relax->freed[relax->frees++] = exact->index[i];
 }
 
-/* Of the frequency, which the damping of modes follows, by that of mode j and of the highest one that
- * is kept or known: 0 where it is by mass, 1 for damping ratios, 2 by stiffness. */
+/* The power p for which the damping of a mode is proportional to omega^p, from mode j and the highest
+ * mode that is kept or known: 0 for damping by mass, 1 for damping ratios, 2 for damping by
+ * stiffness. */
 static double damping_power(const struct hawser_rom *rom, int j)
 {
 	const struct hawser_rom_known *known = &rom->known;

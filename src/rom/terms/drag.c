@@ -207,13 +207,12 @@ void hawser__drag_add(const struct hawser_rom_drag *drag, double *force, double 
 			           points - first < POINTS ? points - first : POINTS);
 }
 
-/* The series of a section's force begins with its powers of order `count` at count (count + 1)/2. */
 void hawser__drag_form(const struct hawser_rom_drag *drag, double complex *out,
                        const double complex *const v[], int count)
 {
 	static const double orders[2][4] = {{2.0, 1.0, 2.0}, {6.0, 2.0, 2.0, 6.0}};
 	const struct hawser__flow_points *flow = &drag->flow;
-	int n = flow->n, first = count*(count + 1)/2;
+	int n = flow->n;
 
 	for (int i = 0; i < flow->points; i++) {
 		const double *shape = flow->shape + (size_t)2*i*n;
@@ -224,13 +223,13 @@ void hawser__drag_form(const struct hawser_rom_drag *drag, double complex *out,
 		for (int k = 0; k < count*2*n; k++)
 			at[k/(2*n)][k/n%2] += shape[k%(2*n)]*v[k/(2*n)][k%n];
 		for (int place = 0; place < 1 << count; place++) { /* bit c: vector c is across */
-			int across = (place & 1) + (place >> 1 & 1) + (place >> 2);
+			int across = hawser__wind_across(place);
 			double complex product = flow->weight[i]*orders[count - 2][across];
 
 			for (int c = 0; c < count; c++)
 				product *= at[c][place >> c & 1];
 			for (int c = 0; c < 2; c++)
-				f[c] += series[c][first + across]*product;
+				f[c] += series[c][hawser__wind_term(count, across)]*product;
 		}
 		for (int j = 0; j < n; j++)
 			out[j] += f[0]*shape[j] + f[1]*shape[n + j];

@@ -42,13 +42,12 @@ static int orders(const int *index, int factors)
  * places with as many directions across. */
 static void set_form(double *form, const double *series, int factors)
 {
-	static const int first[] = {0, 1, 3, 6};
 	static const double ways[2][4] = {{1.0, 2.0, 1.0}, {1.0, 3.0, 3.0, 1.0}};
 
 	for (int place = 0; place < 1 << factors; place++) {
-		int across = (place & 1) + (place >> 1 & 1) + (place >> 2);
+		int across = hawser__wind_across(place);
 
-		form[place] = series[first[factors] + across]/ways[factors - 2][across];
+		form[place] = series[hawser__wind_term(factors, across)]/ways[factors - 2][across];
 	}
 }
 
