@@ -328,8 +328,9 @@ static enum hawser_status settle(struct seat *seat, struct hawser_report *report
 	if (!status && seat->n > 0 && !(seat->rest <= ROUND))
 		return hawser__fail(report, HAWSER_ERR_CONVERGENCE, "net", "%s: no equilibrium of the rigid "
 		                    "bodies was found: %.3g of the forces on them is not balanced; give them "
-		                    "places nearer to it, or buoyancy and lines that hold them",
-		                    seat->net.name ? seat->net.name : "the net", seat->rest);
+		                    "places nearer to it, or buoyancy and lines that hold them%s",
+		                    seat->net.name ? seat->net.name : "the net", seat->rest,
+		                    seat->net.surfaces ? ": at rest a bed holds them by no friction" : "");
 	return status;
 }
 

@@ -93,7 +93,8 @@ static int carried(double f[3], const struct hawser__tensions *of, int element, 
 	int surface = obstacle_at(n, of, node, element);
 
 	memset(f, 0, 3*sizeof *f);
-	if (surface < 0 || hawser__dot(of->obstacle[from], of->obstacle[from]) == 0.0)
+	if (surface < 0 || hawser__dot(of->obstacle[from], of->obstacle[from]) == 0.0 ||
+	    mesh->rigid[from]) /* the force on a body's node is not that on its line */
 		return -1;
 	part = inner ? 0.5 : 0.5*mesh->length0[element]/halves(mesh, node);
 	turned(f, &N, n, of, surface, from);

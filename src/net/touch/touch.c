@@ -252,7 +252,7 @@ void hawser__touch_follow(struct hawser__mesh *mesh)
 	for (int i = 0; i < mesh->touches; i++) {
 		struct hawser__touch *touch = &mesh->touch[i];
 
-		if (!hawser_surface_convex(touch->surface))
+		if (!hawser_surface_convex(touch->surface) && touch->element >= 0)
 			touch->t = fmax(apart_of(touch), TINY*mesh->length0[touch->element]);
 		dragged(mesh, touch);
 	}
