@@ -181,6 +181,45 @@ static void stiffness(void)
 	close_to(K[2], (H[4] - H[3])/0.2, 4e-4, "and over hills, by differences, N/m");
 }
 
+/* Nodes that go over corners which are sharper than elements: the ledger, and the same with half the
+ * step. */
+static void corners(void)
+{
+	static const char *const rules[] = {"", SOFT, ", stiffness: 1e5, friction: 0.3"};
+	char bed[200];
+
+	for (int i = 0; i < 3; i++) {
+		double T[2];
+
+		snprintf(bed, sizeof bed, "profile: [[-50, 2], [60, -12], [110, 0], [160, -12], [900, -12]], "
+		         "rounding: 0.4%s", rules[i]);
+		moved(T, bed, 80, 4.0);
+		ok(T[1] > 0.0, "T %.9g, %.9g", T[0], T[1]);
+	}
+}
+
+/* Friction over hills, all towards the anchor: a bed that moves there, and a line that is drawn over
+ * it. */
+static void dragged(void)
+{
+	double T[2] = {0};
+
+	for (int i = 0; i < 2; i++) {
+		struct hawser_net net = {0};
+		struct hawser_net_statics st = {0};
+		struct hawser_report report = {0};
+
+		if (opened(&net, i ? HILLS ", friction: 0.6, velocity: -1" : HILLS ", friction: 0.6", 835.5,
+		           100, "nodes={A: [0, -0.5, 0], B: [796.732, 186, 0]}",
+		           i ? NULL : "contact={sliding: pulled, steps: 10}") &&
+		    ok(!hawser_net_solve(&st, &net, NULL, &report), "%s", report.message))
+			T[i] = st.member[0].T_from;
+		hawser_net_statics_clear(&st);
+		hawser_net_clear(&net);
+	}
+	close_to(T[1], T[0], 1e-8, "a profile that moves, and a line that is pulled: T at the anchor, N");
+}
+
 CASE(reference_net_ground)
 {
 	int file = mkstemp(path);
@@ -188,6 +227,8 @@ CASE(reference_net_ground)
 	ok(file >= 0, "a temporary file");
 	judged();
 	same();
+	corners();
+	dragged();
 	grid(slope, 5, (const double []){-50, 150, 300, 450, 900}, 2, (const double []){-100, 200});
 	stiffness();
 	remove(path);
