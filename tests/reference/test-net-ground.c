@@ -11,6 +11,7 @@
 
 #include <hawser/net_motion.h>
 
+#include "net/motion/motion-contact.h"
 #include "tests/tap.h"
 
 #define CORNER "profile: [[-10, 0], [150, 0], [900, -52.44510895763281]]"
@@ -198,6 +199,43 @@ static void corners(void)
 	}
 }
 
+/* The mean normal of a step over a corner: it has the change of the gap along the way, and its
+ * derivative is that of differences. */
+static void mean(void)
+{
+	static const double x[] = {-3.0, 0.2, 1.1, 4.0}, z[] = {-2.0, 0.9, 2.385};
+	static const double from[3] = {-0.2, 0.31, 0.5};
+	double y[12], H1[3][3], n0[3], n1[3], n[3], by[3][3], apart = 0.0, off = 0.0;
+	struct hawser_surface bed = {.kind = HAWSER_SURFACE_GRID};
+	struct hawser_report report = {0};
+
+	for (int i = 0; i < 12; i++)
+		y[i] = 0.4*x[i % 4]*cos(z[i/4]) - 0.3*x[i % 4]*x[i % 4];
+	ok(!hawser_heights_make(&bed.heights, 4, x, 3, z, y, 0.45, &report) &&
+	   !hawser_surface_settle(&bed, &report), "a bed");
+	for (int i = 0; i < 9; i++) {
+		double to[3] = {0.1 + 0.07*i, 0.3 - 0.02*i, 0.62 + 0.05*i};
+		double change = -hawser_surface_gap(n0, NULL, &bed, from), along = 0.0;
+
+		change += hawser_surface_gap(n1, H1, &bed, to);
+		hawser__mean_normal(n, by, &bed, from, to, change, n0, n1, (const double (*)[3])H1);
+		for (int k = 0; k < 3; k++) {
+			double up[3] = {to[0], to[1], to[2]}, m[3], m1[3], more;
+
+			along += n[k]*(to[k] - from[k]);
+			up[k] += 1e-6;
+			more = hawser_surface_gap(m1, NULL, &bed, up) - hawser_surface_gap(n1, NULL, &bed, to);
+			hawser__mean_normal(m, NULL, &bed, from, up, change + more, n0, m1, NULL);
+			for (int j = 0; j < 3; j++)
+				off = fmax(off, fabs((m[j] - n[j])/1e-6 - by[j][k]));
+		}
+		apart = fmax(apart, fabs(along - change));
+	}
+	ok(apart < 1e-15, "its product with the way is the change of the gap, to %.1e m", apart);
+	ok(off < 1e-5, "its derivative is that of differences, to %.1e/m", off);
+	hawser_heights_free(bed.heights);
+}
+
 /* Friction over hills, all towards the anchor: a bed that moves there, and a line that is drawn over
  * it. */
 static void dragged(void)
@@ -228,6 +266,7 @@ CASE(reference_net_ground)
 	judged();
 	same();
 	corners();
+	mean();
 	dragged();
 	grid(slope, 5, (const double []){-50, 150, 300, 450, 900}, 2, (const double []){-100, 200});
 	stiffness();
