@@ -53,7 +53,7 @@ static double ridge(double x, double z)
 
 static void judged(void)
 {
-	char by_file[200];
+	char by_file[200], rigid[200];
 	double x[21], z[13];
 	const struct {
 		const char *bed, *nodes;
@@ -66,6 +66,7 @@ static void judged(void)
 		{TROUGH, "nodes={A: [0, 0, 0], B: [796.732, 150, 0]}", 850.0, 273933.5915, 0.0},
 		{TROUGH SOFT, "nodes={A: [0, 0, 0], B: [796.732, 150, 0]}", 850.0, 273967.725108, 0.0},
 		{by_file, "nodes={A: [0, 0, 0], B: [780, 186, 160]}", 835.5, 798946.41157, 166017.826217},
+		{rigid, "nodes={A: [0, 0, 0], B: [780, 186, 160]}", 835.5, 798981.379205, 166038.315251},
 	};
 
 	for (int i = 0; i < 21; i++)
@@ -73,6 +74,7 @@ static void judged(void)
 	for (int i = 0; i < 13; i++)
 		z[i] = -200.0 + 50.0*i;
 	snprintf(by_file, sizeof by_file, "grid: %s%s", path, SOFT);
+	snprintf(rigid, sizeof rigid, "grid: %s", path);
 	grid(ridge, 21, x, 13, z);
 	for (size_t i = 0; i < sizeof of/sizeof *of; i++) {
 		struct hawser_net net = {0};
