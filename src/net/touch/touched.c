@@ -289,7 +289,8 @@ static enum hawser_status beds(const struct hawser__mesh *mesh, const struct haw
 			return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "net", "%s: cable %s passes through "
 			                    "the bed %s at (%.6g, %.6g, %.6g) m, %.3g m below it, between two "
 			                    "nodes: its elements of %.3g m are too long for what rises there: give "
-			                    "it more elements, or obstacles.%s a rounding above them", net->name,
+			                    "it more elements, or obstacles.%s a rounding above them, with places "
+			                    "further apart", net->name,
 			                    net->cable[mesh->cable[e]].name, bed->name, x[0], x[1], x[2],
 			                    deep*mesh->length0[e], mesh->length0[e], bed->name);
 	}
