@@ -125,8 +125,9 @@ enum hawser_status hawser__net_pulled(struct hawser__reader *reader, struct haws
 	}
 	free(length);
 	if (!status && !contact->paths)
-		status = hawser__reader_fail(reader, &tree->at, "contact.sliding: pulled: no support is drawn "
-		                             "over a plane, profile or grid with friction: it needs an anchor "
-		                             "on it, and a support above it whose line is not loose");
+		status = hawser__reader_fail(reader, &tree->at,
+		                             "contact.sliding: pulled: no support is drawn over a plane, "
+		                             "profile or grid with friction: it needs an anchor on it, and "
+		                             "a support above it whose line is not loose");
 	return status;
 }
