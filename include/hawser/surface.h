@@ -67,6 +67,7 @@ struct hawser_surface {
 	                     * counterclockwise; of a profile, towards larger x */
 	struct hawser_heights *heights; /* of a profile or grid, else NULL; the net's, as is its file */
 	char *file;         /* of a grid, or NULL */
+	double rounding;    /* m, of these: from a line to where its rounding begins; 0: an element */
 };
 
 /* Make *heights, which the caller frees, of the points x [nx], two or more, and z [nz], one or more,

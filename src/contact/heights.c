@@ -174,6 +174,9 @@ static void nearest(struct bed *bed, double r[3], const struct hawser_heights *o
 		double step[2], part = 1.0, size, now = INFINITY;
 
 		step_of(step, bed, r);
+		size = hypot(step[0], step[1]);
+		if (!(size > floor) || (size < FEW*floor && size > 0.5*last))
+			return;
 		for (int k = 0; k < HALVES && !(now <= square*(1.0 + NO_MORE)); k++) {
 			double to[2] = {at[0] + part*step[0], at[1] + part*step[1]};
 
@@ -183,9 +186,6 @@ static void nearest(struct bed *bed, double r[3], const struct hawser_heights *o
 		}
 		for (int k = 0; k < 2; k++)
 			at[k] += 2.0*part*step[k];
-		size = hypot(step[0], step[1]);
-		if (!(size > floor) || (size < FEW*floor && size > 0.5*last))
-			return;
 		square = fmin(square, now);
 		last = size;
 	}

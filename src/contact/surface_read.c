@@ -24,6 +24,9 @@ static enum hawser_status fits(struct hawser__reader *reader, const struct hawse
 		return hawser__reader_fail(reader, &side->at, "%s.side: the free side %s: leave side out",
 		                           section, plane ? "of a plane is that of its normal"
 		                                          : "of a profile or grid is above it");
+	if (surface->rounding > 0.0 && !bed)
+		return hawser__reader_fail(reader, &tree->at, "%s.rounding is of a profile or grid: leave it "
+		                           "out", section);
 	if (velocity && surface->kind == HAWSER_SURFACE_GRID)
 		return hawser__reader_fail(reader, &velocity->at, "%s.velocity: a grid does not move: leave "
 		                           "velocity out", section);
@@ -50,7 +53,8 @@ static enum hawser_status obstacle(struct hawser__reader *reader, struct hawser_
 	if (!status)
 		status = fits(reader, surface, tree, section);
 	if (!status && surface->kind >= HAWSER_SURFACE_PROFILE)
-		status = hawser__heights_read(reader, surface, tree, section, round);
+		status = hawser__heights_read(reader, surface, tree, section,
+		                              surface->rounding > 0.0 ? surface->rounding : round);
 	if (!status && hawser_surface_settle(surface, &report))
 		status = hawser__reader_fail(reader, &tree->at, "%s.%s", section, report.message);
 	return status;

@@ -11,6 +11,7 @@
 
 #include <hawser/net_motion.h>
 
+#include "net/motion/motion-contact.h"
 #include "tests/tap.h"
 
 #define CORNER "profile: [[-10, 0], [150, 0], [900, -52.44510895763281]]"
@@ -52,7 +53,7 @@ static double ridge(double x, double z)
 
 static void judged(void)
 {
-	char by_file[200];
+	char by_file[200], rigid[200];
 	double x[21], z[13];
 	const struct {
 		const char *bed, *nodes;
@@ -65,6 +66,7 @@ static void judged(void)
 		{TROUGH, "nodes={A: [0, 0, 0], B: [796.732, 150, 0]}", 850.0, 273933.5915, 0.0},
 		{TROUGH SOFT, "nodes={A: [0, 0, 0], B: [796.732, 150, 0]}", 850.0, 273967.725108, 0.0},
 		{by_file, "nodes={A: [0, 0, 0], B: [780, 186, 160]}", 835.5, 798946.41157, 166017.826217},
+		{rigid, "nodes={A: [0, 0, 0], B: [780, 186, 160]}", 835.5, 798981.379205, 166038.315251},
 	};
 
 	for (int i = 0; i < 21; i++)
@@ -72,6 +74,7 @@ static void judged(void)
 	for (int i = 0; i < 13; i++)
 		z[i] = -200.0 + 50.0*i;
 	snprintf(by_file, sizeof by_file, "grid: %s%s", path, SOFT);
+	snprintf(rigid, sizeof rigid, "grid: %s", path);
 	grid(ridge, 21, x, 13, z);
 	for (size_t i = 0; i < sizeof of/sizeof *of; i++) {
 		struct hawser_net net = {0};
@@ -181,6 +184,82 @@ static void stiffness(void)
 	close_to(K[2], (H[4] - H[3])/0.2, 4e-4, "and over hills, by differences, N/m");
 }
 
+/* Nodes that go over corners which are sharper than elements: the ledger, and the same with half the
+ * step. */
+static void corners(void)
+{
+	static const char *const rules[] = {"", SOFT, ", stiffness: 1e5, friction: 0.3"};
+	char bed[200];
+
+	for (int i = 0; i < 3; i++) {
+		double T[2];
+
+		snprintf(bed, sizeof bed, "profile: [[-50, 2], [60, -12], [110, 0], [160, -12], [900, -12]], "
+		         "rounding: 0.4%s", rules[i]);
+		moved(T, bed, 80, 4.0);
+		ok(T[1] > 0.0, "T %.9g, %.9g", T[0], T[1]);
+	}
+}
+
+/* The mean normal of a step over a corner: it has the change of the gap along the way, and its
+ * derivative is that of differences. */
+static void mean(void)
+{
+	static const double x[] = {-3.0, 0.2, 1.1, 4.0}, z[] = {-2.0, 0.9, 2.385};
+	static const double from[3] = {-0.2, 0.31, 0.5};
+	double y[12], H1[3][3], n0[3], n1[3], n[3], by[3][3], apart = 0.0, off = 0.0;
+	struct hawser_surface bed = {.kind = HAWSER_SURFACE_GRID};
+	struct hawser_report report = {0};
+
+	for (int i = 0; i < 12; i++)
+		y[i] = 0.4*x[i % 4]*cos(z[i/4]) - 0.3*x[i % 4]*x[i % 4];
+	ok(!hawser_heights_make(&bed.heights, 4, x, 3, z, y, 0.45, &report) &&
+	   !hawser_surface_settle(&bed, &report), "a bed");
+	for (int i = 0; i < 9; i++) {
+		double to[3] = {0.1 + 0.07*i, 0.3 - 0.02*i, 0.62 + 0.05*i};
+		double change = -hawser_surface_gap(n0, NULL, &bed, from), along = 0.0;
+
+		change += hawser_surface_gap(n1, H1, &bed, to);
+		hawser__mean_normal(n, by, &bed, from, to, change, n0, n1, (const double (*)[3])H1);
+		for (int k = 0; k < 3; k++) {
+			double up[3] = {to[0], to[1], to[2]}, m[3], m1[3], more;
+
+			along += n[k]*(to[k] - from[k]);
+			up[k] += 1e-6;
+			more = hawser_surface_gap(m1, NULL, &bed, up) - hawser_surface_gap(n1, NULL, &bed, to);
+			hawser__mean_normal(m, NULL, &bed, from, up, change + more, n0, m1, NULL);
+			for (int j = 0; j < 3; j++)
+				off = fmax(off, fabs((m[j] - n[j])/1e-6 - by[j][k]));
+		}
+		apart = fmax(apart, fabs(along - change));
+	}
+	ok(apart < 1e-15, "its product with the way is the change of the gap, to %.1e m", apart);
+	ok(off < 1e-5, "its derivative is that of differences, to %.1e/m", off);
+	hawser_heights_free(bed.heights);
+}
+
+/* Friction over hills, all towards the anchor: a bed that moves there, and a line that is drawn over
+ * it. */
+static void dragged(void)
+{
+	double T[2] = {0};
+
+	for (int i = 0; i < 2; i++) {
+		struct hawser_net net = {0};
+		struct hawser_net_statics st = {0};
+		struct hawser_report report = {0};
+
+		if (opened(&net, i ? HILLS ", friction: 0.6, velocity: -1" : HILLS ", friction: 0.6", 835.5,
+		           100, "nodes={A: [0, -0.5, 0], B: [796.732, 186, 0]}",
+		           i ? NULL : "contact={sliding: pulled, steps: 10}") &&
+		    ok(!hawser_net_solve(&st, &net, NULL, &report), "%s", report.message))
+			T[i] = st.member[0].T_from;
+		hawser_net_statics_clear(&st);
+		hawser_net_clear(&net);
+	}
+	close_to(T[1], T[0], 1e-8, "a profile that moves, and a line that is pulled: T at the anchor, N");
+}
+
 CASE(reference_net_ground)
 {
 	int file = mkstemp(path);
@@ -188,6 +267,9 @@ CASE(reference_net_ground)
 	ok(file >= 0, "a temporary file");
 	judged();
 	same();
+	corners();
+	mean();
+	dragged();
 	grid(slope, 5, (const double []){-50, 150, 300, 450, 900}, 2, (const double []){-100, 200});
 	stiffness();
 	remove(path);

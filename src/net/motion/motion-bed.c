@@ -128,8 +128,8 @@ static void rub(double T[3], double *block, const struct hawser__motion *motion,
 		block[i/4] += stiff*by_q[i % 4/2][i % 2]*e[i % 4/2][i/12]*e[i % 2][i/4 % 3];
 }
 
-/* Depth of a node with the displacements u, and the normal there. */
-static double depth(double n[3], const struct hawser__motion *motion, const struct hawser__bed_node *of,
+/* Depth of a node with the displacements u, and the normal there; far above the bed more than it. */
+static double depth(double n[3], const struct hawser__motion *motion, struct hawser__bed_node *of,
                     const double (*u)[3])
 {
 	const struct hawser__touch *touch = &motion->mesh->touch[of->touch];
@@ -137,7 +137,7 @@ static double depth(double n[3], const struct hawser__motion *motion, const stru
 
 	for (int k = 0; k < 3; k++)
 		at[k] = motion->reference[touch->node][k] + u[touch->node][k];
-	return -hawser_surface_gap(n, NULL, touch->surface, at);
+	return -hawser__clear_gap(n, &of->clear, touch->surface, at, motion->bed->reach);
 }
 
 /* s1 and the normals, for motion->x. Of a plane they are those of the beginning; what stays above all
@@ -146,7 +146,7 @@ static void follow(struct hawser__bed_node *of, const struct hawser__motion *mot
 {
 	const struct hawser__touch *touch = &motion->mesh->touch[of->touch];
 	const double *x = motion->x[touch->node];
-	double from[3], to[3];
+	double from[3], to[3], H[3][3];
 
 	if (!touch->surface->heights) {
 		of->s1 = of->s0 - hawser__dot(of->n0, x);
@@ -159,11 +159,14 @@ static void follow(struct hawser__bed_node *of, const struct hawser__motion *mot
 		from[k] = motion->reference[touch->node][k] + motion->u0[touch->node][k];
 		to[k] = from[k] + x[k];
 	}
-	of->s1 = -hawser_surface_gap(of->n1, of->n_x, touch->surface, to);
-	if (at_rest)
-		memcpy(of->n, of->n1, sizeof of->n);
-	else
-		hawser__mean_normal(of->n, of->n_x, touch->surface, from, to, of->s0 - of->s1);
+	if (-of->s0 > motion->bed->reach) /* it is known to be above that alone */
+		of->s0 = -hawser__clear_gap(of->n0, &of->clear, touch->surface, from, INFINITY);
+	of->s1 = -hawser_surface_gap(of->n1, H, touch->surface, to);
+	memcpy(of->n, of->n1, sizeof of->n);
+	memcpy(of->n_x, H, sizeof H);
+	if (!at_rest)
+		hawser__mean_normal(of->n, of->n_x, touch->surface, from, to, of->s0 - of->s1, of->n0, of->n1,
+		                    (const double (*)[3])H);
 }
 
 void hawser__bed_prepare(struct hawser__motion *motion)
@@ -411,23 +414,24 @@ void hawser__bed_forces(struct hawser__mesh *mesh, const struct hawser__bed *bed
 
 double hawser__bed_energy(const struct hawser__motion *motion)
 {
-	const struct hawser__bed *bed = motion->bed;
+	struct hawser__bed *bed = motion->bed;
 	const double (*u)[3] = (const double (*)[3])motion->u;
 	double sum = 0.0, F[2];
 
 	for (int i = 0; i < bed->nodes; i++) {
-		const struct hawser__bed_node *at = &bed->node[i];
+		struct hawser__bed_node *at = &bed->node[i];
 		const double *T = motion->contact ? motion->contact->touch[at->touch].T : NULL;
-		double n[3], p = fmax(depth(n, motion, at, u), 0.0);
+		double n[3], p;
+
+		at->s = depth(n, motion, at, u);
+		p = fmax(at->s, 0.0);
 
 		sum += 0.5*at->k*p*p;
 		sum += T ? 0.5*hawser__dot(T, T)/(HAWSER__STIFFER_ALONG*at->k) : 0.0;
 	}
 	for (int i = 0; i < bed->touchdowns; i++) {
 		const int *end = bed->touchdown[i].end;
-		double n[3];
-		const double s[2] = {depth(n, motion, &bed->node[end[0]], u),
-		                     depth(n, motion, &bed->node[end[1]], u)};
+		const double s[2] = {bed->node[end[0]].s, bed->node[end[1]].s};
 
 		sum += hawser__touchdown_energy(F, NULL, &bed->touchdown[i], s);
 	}

@@ -4,6 +4,7 @@
 #define HAWSER_NET_MOTION_BED_H
 
 #include "core/hold.h"
+#include "net/motion/motion-contact.h"
 #include "net/motion/motion.h"
 
 /* A node and a plane. */
@@ -14,6 +15,8 @@ struct hawser__bed_node {
 	double n[3];         /* its mean: the direction of the force */
 	double n_x[3][3];    /* 1/m, the derivative of that by the place at the end */
 	double v[3];         /* m/s of the surface */
+	double s;            /* m, depth where its energy was last asked for */
+	struct hawser__clear clear;
 	double s0, s1;       /* m, depth at both ends of the step, below 0 above the plane */
 	double more, slope;  /* N, N/m: of touchdowns at it in the step, and by s1 */
 	double push[3];      /* the force of the plane, and of friction that slides, over that across it */

@@ -184,17 +184,20 @@ void hawser__contact_begin(struct hawser__motion *motion)
 }
 
 /* The discrete gradient of the gap between two places, which changes by `change`: it is linear but for
- * circles and beds. */
+ * circles and beds. n1: the gradient at the second one. */
 static void gradient(double n[3], const struct hawser_surface *surface, const double from[3],
-                     const double to[3], double change)
+                     const double to[3], double change, const double n1[3])
 {
 	double sign = surface->side == HAWSER_SIDE_INSIDE ? -1.0 : 1.0, D[2], sum;
 
 	if (surface->heights) {
-		hawser__mean_normal(n, NULL, surface, from, to, change);
+		double n0[3];
+
+		(void)hawser_surface_gap(n0, NULL, surface, from);
+		hawser__mean_normal(n, NULL, surface, from, to, change, n0, n1, NULL);
 		return;
 	}
-	(void)hawser__contact_gap(n, surface, to);
+	memcpy(n, n1, 3*sizeof *n);
 	if (surface->kind != HAWSER_SURFACE_CIRCLE)
 		return;
 	D[0] = from[0] + to[0] - 2.0*surface->at[0];
@@ -233,7 +236,7 @@ static int frame(struct hawser__motion *motion, int number, double h)
 		middle[k] = 0.5*(from[k] + to[k]);
 	}
 	touch->g1 = hawser__contact_gap(n1, of->surface, to);
-	gradient(n, of->surface, from, to, touch->g1 - touch->g0);
+	gradient(n, of->surface, from, to, touch->g1 - touch->g0, n1);
 	scale = sqrt(hawser__dot(n, n));
 	if (!(scale > 0.0) || !hawser_contact_frame(contact, n))
 		return 0;
@@ -289,12 +292,14 @@ static int list(struct hawser__motion *motion, int first)
 			from[k] = motion->reference[of->node][k] + motion->u0[of->node][k];
 		if (first) {
 			touch->candidate = -1;
-			touch->g0 = hawser__contact_gap(n0, of->surface, from);
+			touch->g0 = hawser__clear_gap(n0, &touch->clear, of->surface, from, round);
 		}
-		touch->g1 = hawser__contact_gap(n, of->surface, to);
+		touch->g1 = hawser__clear_gap(n, &touch->clear, of->surface, to, round);
 		if (touch->g1 < (first ? round : -round) || (first && (touch->closed || touch->g0 <= round)))
-			if (reaches(of->surface, from, to, touch->g0, touch->g1, round))
+			if (reaches(of->surface, from, to, touch->g0, touch->g1, round)) {
+				touch->g0 = hawser__contact_gap(n0, of->surface, from);
 				add(all, i);
+			}
 	}
 	return all->candidates - before;
 }

@@ -19,6 +19,11 @@
 #include "core/hold.h"
 #include "net/motion/motion.h"
 
+/* The last place of a node whose gap was computed. */
+struct hawser__clear {
+	double at[3], gap;
+};
+
 /* A node and an obstacle, which it may touch; in the order of mesh->touch. */
 struct hawser__motion_touch {
 	int candidate;            /* place in the list of the step; -1: not in it */
@@ -27,6 +32,7 @@ struct hawser__motion_touch {
 	double loss;              /* J, minus the work of f_N */
 	struct hawser_contact_reply reply; /* impulse: f, N; velocity: relative displacement, m */
 	enum hawser_contact_state state;   /* at the end of the step */
+	struct hawser__clear clear;
 	double N, T[3];           /* N: what the obstacle gave, R/h */
 	/* of the step that is tried: */
 	int closes;
@@ -68,9 +74,15 @@ void hawser__contact_clear(struct hawser__motion_contact *contact);
  * segment at its ends, where statics has the distance from the end. */
 double hawser__contact_gap(double n[3], const struct hawser_surface *surface, const double at[3]);
 /* motion-normal.c: the discrete gradient n of the gap of a bed with heights, which changes by `change`
- * between two places, and unless NULL its derivative by the second one. */
+ * between two places, and unless NULL its derivative by the second one. n0, n1: normals at these; H1:
+ * second derivatives of the gap at the second one, for the derivative. */
 void hawser__mean_normal(double n[3], double (*by)[3], const struct hawser_surface *surface,
-                         const double from[3], const double to[3], double change);
+                         const double from[3], const double to[3], double change,
+                         const double n0[3], const double n1[3], const double (*H1)[3]);
+/* The gap at a place or, of a bed with heights, less than it, if the last one that was computed tells
+ * that it is above `near`: n is then as it was. */
+double hawser__clear_gap(double n[3], struct hawser__clear *clear, const struct hawser_surface *surface,
+                         const double at[3], double near);
 /* 1 if the node of a touch is beyond the points of its bed. */
 int hawser__contact_outside(const struct hawser__motion *motion, int touch);
 /* Fail where a node touched a bed beyond its points. */

@@ -23,9 +23,10 @@
 static const double SHORT = 1e-6;
 
 void hawser__mean_normal(double n[3], double (*by)[3], const struct hawser_surface *surface,
-                         const double from[3], const double to[3], double change)
+                         const double from[3], const double to[3], double change,
+                         const double n0[3], const double n1[3], const double (*H1)[3])
 {
-	double x[3], at[3], n0[3], n1[3], H[3][3], H1[3][3], square, part, reach = 0.0;
+	double x[3], at[3], H[3][3], square, part, reach = 0.0;
 
 	for (int k = 0; k < 3; k++) {
 		x[k] = to[k] - from[k];
@@ -35,8 +36,6 @@ void hawser__mean_normal(double n[3], double (*by)[3], const struct hawser_surfa
 	square = hawser__dot(x, x);
 	(void)hawser_surface_gap(n, by ? H : NULL, surface, at);
 	if (square <= SHORT*reach*SHORT*reach) {
-		(void)hawser_surface_gap(n0, NULL, surface, from);
-		(void)hawser_surface_gap(n1, by ? H1 : NULL, surface, to);
 		for (int k = 0; k < 3; k++)
 			n[k] = (n0[k] + 4.0*n[k] + n1[k])/6.0;
 		for (int k = 0; k < 9 && by; k++)
@@ -44,8 +43,6 @@ void hawser__mean_normal(double n[3], double (*by)[3], const struct hawser_surfa
 		return;
 	}
 	part = (change - hawser__dot(n, x))/square;
-	if (by)
-		(void)hawser_surface_gap(n1, NULL, surface, to);
 	for (int j = 0; j < 3 && by; j++) {
 		double turned = 0.5*(H[0][j]*x[0] + H[1][j]*x[1] + H[2][j]*x[2]);
 
@@ -55,4 +52,18 @@ void hawser__mean_normal(double n[3], double (*by)[3], const struct hawser_surfa
 	}
 	for (int k = 0; k < 3; k++)
 		n[k] += part*x[k];
+}
+
+double hawser__clear_gap(double n[3], struct hawser__clear *clear, const struct hawser_surface *surface,
+                         const double at[3], double near)
+{
+	double way[3], left;
+
+	for (int k = 0; k < 3; k++)
+		way[k] = at[k] - clear->at[k];
+	left = clear->gap - hawser__norm(way);
+	if (surface->heights && left > near)
+		return left;
+	memcpy(clear->at, at, sizeof clear->at);
+	return clear->gap = hawser__contact_gap(n, surface, at);
 }

@@ -284,6 +284,9 @@ static const struct hawser__tree_key net_rows[] = {
 	ROW("net.obstacles[].grid", TEXT, 0, "", ANY, 0, 0, ONE_OF, SURFACE_AT(file), 1, SURFACE_AT(kind),
 	    NULL, "file of a bed below the net: points x y z in m, y upwards, every x with every z; or "
 	    "the bathymetry of MoorDyn and MoorPy; rounded as profiles")
+	NUMBER("net.obstacles[].rounding", OPTIONAL, "m", POSITIVE, SURFACE_AT(rounding), "an element",
+	       "of a profile or grid: distance from a corner to where its rounding begins, at most half "
+	       "way to the next one")
 	WORD("net.obstacles[].side", OPTIONAL, "above|below|left|right|inside|around", SURFACE_AT(side),
 	     "above", "side where the net is: left or right of a vertical segment, inside a circle, or "
 	     "around one, as a belt: then all nodes must have places, cables begin straight between "

@@ -99,7 +99,7 @@ static enum hawser_status beds(struct hawser_net *by, struct hawser_report *repo
 
 		if (of)
 			status = hawser_heights_make(&by->surface[s].heights, of->nx, of->x, of->nz, of->z, of->y,
-			                             round, report);
+			                             from[s].rounding > 0.0 ? from[s].rounding : round, report);
 	}
 	return by->surface ? status : hawser__no_memory(report, "net");
 }
@@ -279,7 +279,7 @@ static double around(const struct hawser_net *net, const double *each, int c)
 static void round_beds(struct hawser_net *net)
 {
 	for (int s = 0; s < net->surfaces; s++)
-		if (net->surface[s].heights)
+		if (net->surface[s].heights && !(net->surface[s].rounding > 0.0))
 			hawser__heights_round(net->surface[s].heights, hawser__net_rounding(net));
 }
 

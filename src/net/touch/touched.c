@@ -25,9 +25,10 @@ static const double ROUND = 1e-9;
 static const double NEAR = 2.0;
 /* Friction at its bound, as of a surface that moves, has the round-off of a few products. */
 static const double AT_BOUND = 1e-12;
-/* Of an element: depth in a bed between its nodes, which only the rounding of a corner gives, 1/16 at
- * an angle of a radian; and places where it is looked for. */
-static const double DEEP = 0.1;
+/* Of an element: depth in a bed between its nodes. That of a rounded corner is 1/16 of the difference
+ * of the slopes, as they go with the elements: steep ones have less than this. PLACES: where it is
+ * looked for. */
+static const double DEEP = 0.25;
 enum { PLACES = 8 };
 /* Of a radius: the end of a segment that is no further from a circle is meant to be on it. */
 static const double CLOSE = 1e-3;
@@ -287,10 +288,11 @@ static enum hawser_status beds(const struct hawser__mesh *mesh, const struct haw
 		if (deep > DEEP)
 			return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "net", "%s: cable %s passes through "
 			                    "the bed %s at (%.6g, %.6g, %.6g) m, %.3g m below it, between two "
-			                    "nodes: its elements of %.3g m are too long for the bed there: give it "
-			                    "more elements, or the bed points that are further apart", net->name,
+			                    "nodes: its elements of %.3g m are too long for what rises there: give "
+			                    "it more elements, or obstacles.%s a rounding above them, with places "
+			                    "further apart", net->name,
 			                    net->cable[mesh->cable[e]].name, bed->name, x[0], x[1], x[2],
-			                    deep*mesh->length0[e], mesh->length0[e]);
+			                    deep*mesh->length0[e], mesh->length0[e], bed->name);
 	}
 	return HAWSER_OK;
 }
