@@ -285,4 +285,18 @@ assert len(a) == 15 and a.keys() == b.keys() and all(abs(a[k]/b[k] - 1) < 1e-6 f
 assert all(abs(value + zeta) < 1e-12 for (zeta, alpha), value in values("growth").items())
 assert all(abs(c[F, 0.5]/a[1.2, F] - 1) < 1e-6 for F in (0.1, 0.25, 0.4)), (a, c)
 END
+cat >slack.yaml <<'END'
+cable: {EA: 100 MN, rho: 5.56 kg/m}
+span: {d: 250 m, h: 0 m}
+tension: {length0: 450 m}
+damping: {ratio: 0.5 %}
+load: {frame: global, per_length: [0, 1 N/m, 1 N/m]}
+END
+flat "a response that is lost" map slack.yaml --x Omega=0.246579889:0.24658 --y factor.load=0.5:0.5001 \
+	--points 2x2 --coarse 1 --json lost.json -q
+python "is not said to have a fold: hawser frf --over factor.load has none" <<'END'
+import json
+lost = json.load(open("lost.json"))
+assert set(lost["points"]["status"]) == {"no-response"} and "was lost at 0.06" in json.dumps(lost), lost
+END
 done_testing

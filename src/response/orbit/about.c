@@ -173,8 +173,13 @@ enum hawser_status hawser__about_response(struct hawser__about *about, const str
 		                 &raised, omega, report);
 	if (status == HAWSER_ERR_CONVERGENCE && raised.load >= 0.0)
 		status = hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "about",
-		                      "at Omega %.9g%s the response that grows out of rest has a fold at "
-		                      "%.3g of the excitation, where it jumps: hawser frf follows it",
+		                      raised.turned
+		                      ? "at Omega %.9g%s the response that grows out of rest has a fold at "
+		                        "%.3g of the excitation, where it jumps: hawser frf follows it"
+		                      : "at Omega %.9g%s the response that grows out of rest was lost at "
+		                        "%.3g of the excitation, where it changes too fast to be followed "
+		                        "in all points of a plane: hawser frf --over factor.load=0.01:1 "
+		                        "with this --Omega tells whether it has a fold",
 		                      HAWSER_SHOWN(rom, omega), raised.load);
 	if (!status) {
 		about->error = orbit->ops->error(orbit, correction.residual);

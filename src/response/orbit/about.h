@@ -25,8 +25,9 @@ enum hawser_status hawser__about_way(struct hawser__way *way, const struct hawse
 /* Set about->rom from the response at the scaled frequency omega that grows out of rest as all
  * excitation is raised from 0. It points to the D of `rom` and is valid as long as that, until the next
  * call. The response is computed anew, so that the result does not depend on other calls.
- * HAWSER_ERR_NO_SOLUTION: it has a fold before the whole excitation is reached, or the linear response
- * is infinite; HAWSER_ERR_ARGUMENT (drag, terms), HAWSER_ERR_CONVERGENCE, HAWSER_ERR_MEMORY. */
+ * HAWSER_ERR_NO_SOLUTION: it has a fold, or is lost, before the whole excitation is reached, or the
+ * linear response is infinite; HAWSER_ERR_ARGUMENT (drag, terms), HAWSER_ERR_CONVERGENCE,
+ * HAWSER_ERR_MEMORY. */
 enum hawser_status hawser__about_response(struct hawser__about *about, const struct hawser_rom *rom,
                                           double omega, struct hawser_report *report);
 void hawser__about_clear(struct hawser__about *about);

@@ -258,6 +258,7 @@ static enum hawser_status raise_load(double *y, struct hawser__orbit *orbit, int
 		status = *failed == 3 ? HAWSER_ERR_MEMORY : HAWSER_ERR_CONVERGENCE;
 	if (status == HAWSER_ERR_CONVERGENCE && *failed == 1) {
 		raised->load = climb.peak;
+		raised->turned = hawser__climb_turned(&climb);
 		if (climb.load > 0.0)
 			orbit->ops->state(orbit, raised->x, climb.good);
 	}

@@ -31,6 +31,7 @@ struct hawser__raised {
 	                                  * load is raised; or NULL */
 	double most; /* work, s (hawser_orbit_work), at which it ends; 0: no limit */
 	double load; /* factor of the load; -1: that was not tried, or other loads would not help */
+	int turned;  /* 1: the curve over the load turned back there; 0: it was lost */
 	double *x;   /* [m] state of the orbit at this load, where it is above 0 */
 };
 
@@ -60,6 +61,9 @@ int hawser__climb_pass(struct hawser__climb *climb, const double *y, double load
 int hawser__climb_arc(double *y, struct hawser__climb *climb, struct hawser__orbit *orbit,
                       struct hawser__correction *correction, double omega,
                       const struct hawser__raised *raised, struct hawser_report *report);
+
+/* Whether the load has fallen from its peak by more than in a dip: the curve has a fold there. */
+int hawser__climb_turned(const struct hawser__climb *climb);
 
 /* Distance of y from `from`, relative to it; both [count]. */
 double hawser__orbit_distance(const double *y, const double *from, int count);

@@ -187,6 +187,11 @@ static int correct_arc(double *y, struct hawser__climb *climb, struct hawser__or
 	return 0;
 }
 
+int hawser__climb_turned(const struct hawser__climb *climb)
+{
+	return climb->load <= (1.0 - DIP)*climb->peak && climb->peak > 0.0;
+}
+
 /* See start.h; the parameter of the orbit is the load. */
 static int follow_arc(double *y, struct hawser__climb *climb, struct hawser__orbit *orbit,
                       struct hawser__correction *correction, double omega,
@@ -203,7 +208,7 @@ static int follow_arc(double *y, struct hawser__climb *climb, struct hawser__orb
 		memcpy(y, climb->good, (size_t)count*sizeof *y);
 		return 0;
 	}
-	while (!failed && step > LEAST_ARC && climb->load > (1.0 - DIP)*climb->peak) {
+	while (!failed && step > LEAST_ARC && !hawser__climb_turned(climb)) {
 		double off, before = climb->load;
 
 		for (int i = 0; i <= count; i++)
