@@ -1,6 +1,7 @@
 /* bench/clock.h - the wall clock of the benchmarks.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_BENCH_CLOCK_H
+#define HAWSER_BENCH_CLOCK_H
 
 #include <time.h>
 
@@ -21,3 +22,5 @@ static inline double cpu_secs(void)
 	clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
 	return (double)now.tv_sec + 1e-9*(double)now.tv_nsec;
 }
+
+#endif

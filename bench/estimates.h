@@ -7,7 +7,8 @@
  * A scene depends on (seed, command, index) only, so that it can be repeated alone.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_BENCH_ESTIMATES_H
+#define HAWSER_BENCH_ESTIMATES_H
 
 #include <hawser/hawser.h>
 #include <math.h>
@@ -126,3 +127,5 @@ struct hawser_span estimate_span(struct chance *chance, double *H);
 /* A reduced model of a random cable, or of coupled oscillators; strong: with folds. Returns 1 on
  * failure. */
 int estimate_model(struct hawser_rom *rom, struct chance *chance, int strong);
+
+#endif

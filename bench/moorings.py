@@ -1,20 +1,40 @@
 #!/usr/bin/env python3
 # bench/moorings.py PROGRAM [COUNT [SEED]] - random moorings in water by hawser statics: how many are not solved, and the stated
 # error of the tensions against meshes with two and four times as many elements. One to three parts, slack to taut, with currents that
-# may change over the depth, buoys, and a bed with a slope under most; with --floating a third of the parts is lighter than water.
+# may change over the depth, buoys, and a bed with a slope under most; with --floating a third of the parts is lighter than water;
+# with --beds all have a profile or a grid of random heights, which gives way under half of them.
 # The stated error holds where that of twice the elements is within 1.5 times the one stated, plus 1e-6.
 # SPDX-License-Identifier: GPL-3.0-or-later
 import json
 import math
 import random
+import os
 import subprocess
 import sys
+import tempfile
 import time
 
 WATER = 1025.0
 
 
-def scene(seed, floating):
+def hills(r, depth, folder):
+    """A bed with slopes up to some 0.3 between its points, just below the anchor at the origin."""
+    n, m, step = r.randrange(8, 16), r.randrange(6, 11), r.uniform(0.3, 1.0)*depth
+    at = (n//3, m//3)
+    x, z = ([step*(i - k) for i in range(count)] for k, count in zip(at, (n, m)))
+    y = [[-1.01*depth + ((i, j) != at)*r.uniform(-0.12, 0.12)*step for i in range(n)] for j in range(m)]
+    x[0], x[-1], z[0], z[-1] = -20*depth, 20*depth, -20*depth, 20*depth
+    bed = {"name": "bed", **({"stiffness": 10**r.uniform(5, 7)} if r.random() < 0.5 else {})}
+    if r.random() < 0.5:
+        bed["profile"] = [list(point) for point in zip(x, y[at[1]])]
+        return bed
+    bed["grid"] = os.path.join(folder, "bed.txt")
+    with open(bed["grid"], "w") as to:
+        to.writelines("%r %r %r\n" % (x[i], y[j][i], z[j]) for j in range(m) for i in range(n))
+    return bed
+
+
+def scene(seed, floating, beds=None):
     r = random.Random(seed)
     depth, bed = r.uniform(30, 400), r.random() < 0.7
     slope = r.uniform(-0.08, 0.08) if bed else 0.0
@@ -47,6 +67,8 @@ def scene(seed, floating):
         net["buoys"] = buoys
     if bed:
         net["obstacles"] = [{"plane": {"point": [0, -depth], "normal": [-slope, 1]}}]
+    if beds:
+        net["obstacles"] = [hills(random.Random(seed + 10**6), depth, beds)]
     return net
 
 
@@ -65,12 +87,13 @@ def distance(a, b):
 
 
 def main():
-    words = [word for word in sys.argv[1:] if word != "--floating"]
+    words = [word for word in sys.argv[1:] if word not in ("--floating", "--beds")]
     program, count = words[0], int(words[1]) if len(words) > 1 else 200
     first, failed, beyond, began = int(words[2]) if len(words) > 2 else 1, 0, 0, time.process_time()
     ratios = []
+    folder = tempfile.TemporaryDirectory()
     for seed in range(first, first + count):
-        net = scene(seed, "--floating" in sys.argv)
+        net = scene(seed, "--floating" in sys.argv, folder.name if "--beds" in sys.argv else None)
         found = [solved(program, net, factor) for factor in (1, 2, 4)]
         lost = [one for one in found if isinstance(one, str)]
         if lost:

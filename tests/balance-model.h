@@ -1,7 +1,8 @@
 /* tests/balance-model.h - a model with every kind of term, and an orbit that does not satisfy it:
  * for tests of harmonic balance.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_TESTS_BALANCE_MODEL_H
+#define HAWSER_TESTS_BALANCE_MODEL_H
 
 #include <math.h>
 #include <stdlib.h>
@@ -73,3 +74,5 @@ static inline double *some_orbit(const struct hawser__balance *balance, int orde
 	y[balance->base.size - 1] = omega;
 	return y;
 }
+
+#endif

@@ -1,6 +1,7 @@
 /* tests/beam-near.h - compare two numbers, with a formatted name.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_TESTS_BEAM_NEAR_H
+#define HAWSER_TESTS_BEAM_NEAR_H
 
 #include "config.h"
 
@@ -21,3 +22,5 @@ static inline int near_to(double got, double want, double within, const char *fo
 	return ok(fabs(got - want) <= within, "%s: %.15g, expected %.15g within %.1e", text, got, want,
 	        within);
 }
+
+#endif

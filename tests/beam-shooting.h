@@ -8,7 +8,8 @@
  * 1 vanishes.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_TESTS_BEAM_SHOOTING_H
+#define HAWSER_TESTS_BEAM_SHOOTING_H
 
 #include <math.h>
 
@@ -75,3 +76,5 @@ static inline double shooting_speed(const struct hawser_beam *beam, double low, 
 	}
 	return 0.5*(low + high);
 }
+
+#endif

@@ -1,6 +1,7 @@
 /* tests/fields-text.h - tables and JSON as text, for the tests of fields.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_TESTS_FIELDS_TEXT_H
+#define HAWSER_TESTS_FIELDS_TEXT_H
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -49,3 +50,5 @@ static void same(const char *got, const char *want, const char *what)
 {
 	ok(!strcmp(got, want), "%s: %s", what, got);
 }
+
+#endif

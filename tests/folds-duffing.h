@@ -1,6 +1,7 @@
 /* tests/folds-duffing.h - the Duffing oscillator for tests of folds.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_TESTS_FOLDS_DUFFING_H
+#define HAWSER_TESTS_FOLDS_DUFFING_H
 
 #include <stdlib.h>
 
@@ -22,3 +23,5 @@ static inline int duffing(struct hawser_rom *rom, double d, double c, double f)
 	rom->harmonic[0].f[0] = f;
 	return hawser_rom_compile(rom, NULL) != HAWSER_OK;
 }
+
+#endif

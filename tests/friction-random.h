@@ -1,7 +1,8 @@
 /* tests/friction-random.h - random steps with contact: chains over floors, slopes, arcs and moving
  * surfaces, in a plane and in space, stiff and soft. The same seed gives the same problem everywhere.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_TESTS_FRICTION_RANDOM_H
+#define HAWSER_TESTS_FRICTION_RANDOM_H
 
 #include <math.h>
 #include <stdint.h>
@@ -123,3 +124,5 @@ static inline enum hawser_status friction_solve(double (*u)[3], struct hawser_co
 	hawser_friction_clear(solver);
 	return status;
 }
+
+#endif

@@ -1,7 +1,8 @@
 /* tests/friction-siconos.h - a step with contact and friction by methods of Siconos (INRIA,
  * Apache-2.0), which share nothing with hawser's own but the problem.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_TESTS_FRICTION_SICONOS_H
+#define HAWSER_TESTS_FRICTION_SICONOS_H
 
 #include <hawser/friction.h>
 
@@ -14,3 +15,5 @@ const char *siconos_method(int index);
 const char *siconos_solve(struct hawser_contact_reply *reply /* [contacts] */,
                           const struct hawser_friction_problem *problem, int nodes,
                           const int (*link)[2] /* [links] */, int links, const char *method);
+
+#endif

@@ -1,7 +1,8 @@
 /* tests/gsl_mathieu.h - characteristic values of Mathieu's equation by GSL, which shares no code
  * with this program.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef TESTS_GSL_MATHIEU_H
+#define TESTS_GSL_MATHIEU_H
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_sf_mathieu.h>
@@ -21,3 +22,5 @@ static inline int gsl_mathieu(double *delta, int r, int odd, double epsilon)
 	*delta = result.val;
 	return failed || !isfinite(result.val);
 }
+
+#endif

@@ -8,7 +8,8 @@
  * This route does not assume that omega is real.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_TESTS_GYROSCOPIC_SHOOTING_H
+#define HAWSER_TESTS_GYROSCOPIC_SHOOTING_H
 
 #include <complex.h>
 #include <hawser/gyroscopic.h>
@@ -124,3 +125,5 @@ static inline double complex turn_frequency(const struct hawser_statics *st,
 	}
 	return (double complex)b;
 }
+
+#endif

@@ -1,7 +1,8 @@
 /* tests/gyroscopic-span.h - a travelling span and its modes, for tests.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_TESTS_GYROSCOPIC_SPAN_H
+#define HAWSER_TESTS_GYROSCOPIC_SPAN_H
 
 #include <hawser/gyroscopic.h>
 #include <stdio.h>
@@ -36,3 +37,5 @@ static inline int solve(struct hawser_modes *modes, const struct hawser_statics 
 	printf("# %s\n", report.message);
 	return 0;
 }
+
+#endif

@@ -1,6 +1,7 @@
 /* tests/integrate-models.h - reduced models built by hand for the tests of time integration.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_TESTS_INTEGRATE_MODELS_H
+#define HAWSER_TESTS_INTEGRATE_MODELS_H
 
 #include "config.h"
 
@@ -169,3 +170,5 @@ static inline struct hawser_trajectory model_run(const struct hawser_rom *rom, c
 	}
 	return run;
 }
+
+#endif

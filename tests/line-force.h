@@ -1,6 +1,7 @@
 /* Forces of a model of a rope over sheaves at a moment, its load and known motions included.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_TESTS_LINE_FORCE_H
+#define HAWSER_TESTS_LINE_FORCE_H
 
 #include <math.h>
 
@@ -29,3 +30,5 @@ static inline void force_of(double *R, double *T, const struct hawser_rom *rom, 
 		}
 	}
 }
+
+#endif

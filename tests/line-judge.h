@@ -2,7 +2,8 @@
  * solver is used: the differential equations of the rope, free and on a circle, are integrated step
  * by step from A to B.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_TESTS_LINE_JUDGE_H
+#define HAWSER_TESTS_LINE_JUDGE_H
 
 #include "tests/line-random.h"
 
@@ -212,3 +213,5 @@ static inline double integrated(const struct hawser_line_statics *st, int steps)
 	worst = fmax(worst, fabs(tension(line, s.P)/st->T_B - 1.0));
 	return fmax(worst, hypot(s.x[0] - line->B[0], s.x[1] - line->B[1])/size_of(line));
 }
+
+#endif

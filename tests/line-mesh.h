@@ -1,6 +1,7 @@
 /* tests/line-mesh.h - the nonlinear energy of a rope over sheaves, by polynomials: its gradient and its
  * inertia. SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_TESTS_LINE_MESH_H
+#define HAWSER_TESTS_LINE_MESH_H
 
 #include <complex.h>
 #include <math.h>
@@ -330,3 +331,5 @@ static void differences(long double *K, const struct mesh *t, number *q)
 			K[i*t->unknowns + j] = cimagl(g[i])/step;
 	}
 }
+
+#endif

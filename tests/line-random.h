@@ -1,7 +1,8 @@
 /* tests/line-random.h - random lines: up to 12 sheaves above and below the rope, points or
  * circles, with and without carriers, friction and speed; stiff and soft ropes.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_TESTS_LINE_RANDOM_H
+#define HAWSER_TESTS_LINE_RANDOM_H
 
 #include <math.h>
 #include <stdint.h>
@@ -89,3 +90,5 @@ static inline void line_random(struct line_random *r, int number)
 		r->line.speed = 0.9*draw(&state)*sqrt(r->line.value/r->line.rho)/
 		                sqrt(1.0 + r->line.value/r->line.EA);
 }
+
+#endif

@@ -2,7 +2,8 @@
  * has the stiffness EA over its length along it and the tension over it across; results are of second
  * order in the length of the links.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_TESTS_LINK_CHAIN_H
+#define HAWSER_TESTS_LINK_CHAIN_H
 
 #include <lapacke.h>
 #include <math.h>
@@ -48,3 +49,5 @@ static inline void link_frequencies(double *omega, double *K, double *M, int n)
 	for (int i = 0; i < n; i++)
 		omega[i] = sqrt(omega[i]);
 }
+
+#endif

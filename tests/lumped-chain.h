@@ -13,7 +13,8 @@
  * dt, so that one extrapolation of n and dt together gives fourth order.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_TESTS_LUMPED_CHAIN_H
+#define HAWSER_TESTS_LUMPED_CHAIN_H
 
 #include <lapacke.h>
 #include <math.h>
@@ -424,3 +425,5 @@ static inline int lumped_run(const struct lumped *c, double *x, double *v, doubl
 	}
 	return 1;
 }
+
+#endif

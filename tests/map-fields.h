@@ -1,6 +1,7 @@
 /* tests/map-fields.h - fields with closed forms, and a limit on the memory of a map.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_TESTS_MAP_FIELDS_H
+#define HAWSER_TESTS_MAP_FIELDS_H
 
 #include <math.h>
 #include <stdio.h>
@@ -118,3 +119,5 @@ static inline int same_maps(const struct hawser_map *a, const struct hawser_map 
 	return a->segments == 0 ||
 	       memcmp(a->segment, b->segment, (size_t)a->segments*4*sizeof(double)) == 0;
 }
+
+#endif

@@ -8,7 +8,8 @@
  *    a    coefficients: constant, then cosine and sine of each harmonic
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_TESTS_MAP_RESPONSES_H
+#define HAWSER_TESTS_MAP_RESPONSES_H
 
 #include <math.h>
 #include <string.h>
@@ -180,3 +181,5 @@ static inline int responses(double *least, double *most, double *apart, const st
 	}
 	return count;
 }
+
+#endif

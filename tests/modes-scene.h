@@ -1,6 +1,7 @@
 /* tests/modes-scene.h - spans of the source's example cables (B Table 4.1) for tests of the modes.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_TESTS_MODES_SCENE_H
+#define HAWSER_TESTS_MODES_SCENE_H
 
 #include <hawser/modes.h>
 #include <stdio.h>
@@ -40,3 +41,5 @@ static inline int table_4_1(struct hawser_statics *st, int which, double slope, 
 	hawser_scene_clear(&scene);
 	return tighten(st, ratio);
 }
+
+#endif

@@ -5,7 +5,8 @@
  *   X' = a e + b n, a = epsilon F.e, b = (g/T) F.n;   F' = -omega^2 X
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_TESTS_MODES_SHOOTING_H
+#define HAWSER_TESTS_MODES_SHOOTING_H
 
 #include <hawser/modes.h>
 #include <math.h>
@@ -153,3 +154,5 @@ static inline double shoot_frequency(const struct hawser_statics *st, enum hawse
 	*error = fabs((double)((omega - b)/b));
 	return (double)b;
 }
+
+#endif

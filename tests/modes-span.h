@@ -8,7 +8,8 @@
  * without cancellation; both equations are monotone.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_TESTS_MODES_SPAN_H
+#define HAWSER_TESTS_MODES_SPAN_H
 
 #include <hawser/modes.h>
 #include <math.h>
@@ -64,3 +65,5 @@ static inline struct hawser_statics span_of(double epsilon, double delta, double
 	st.T1 = hypot(1.0, st.V1);
 	return st;
 }
+
+#endif

@@ -1,7 +1,8 @@
 /* tests/modes-third.h - the quadratic coupling of two modes to a third, by a route independent of
  * the library.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_TESTS_MODES_THIRD_H
+#define HAWSER_TESTS_MODES_THIRD_H
 
 #include <hawser/modes.h>
 
@@ -22,3 +23,5 @@ static inline double third(const struct hawser_modes *modes, int j, int k, int s
 	}
 	return sum;
 }
+
+#endif

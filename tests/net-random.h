@@ -2,7 +2,8 @@
  * badly scaled (lengths over three decades, stiffness over five, strains to 40 %). Harder ones have
  * what random_harder() changes.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_TESTS_NET_RANDOM_H
+#define HAWSER_TESTS_NET_RANDOM_H
 
 #include <math.h>
 #include <stdint.h>
@@ -213,3 +214,5 @@ static inline void random_harder(struct random_net *r, uint64_t *state, enum ran
 		random_units(r, state);
 	random_weigh(r);
 }
+
+#endif

@@ -20,6 +20,7 @@ tests_net_SOURCES = tests/cases.c \
 	tests/property/test-net-tension.c \
 	tests/property/test-net-touchdown.c \
 	tests/reference/test-net-bed.c \
+	tests/reference/test-net-ground.c \
 	tests/reference/test-net-belt.c \
 	tests/reference/test-net-body.c \
 	tests/reference/test-net-body-bed.c \

@@ -1,6 +1,7 @@
 /* tests/rod-chain.h - a rod with a winch that tests move step by step.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_TESTS_ROD_CHAIN_H
+#define HAWSER_TESTS_ROD_CHAIN_H
 
 #include "rod/motion.h"
 #include "tests/tap.h"
@@ -72,3 +73,5 @@ static inline struct chain cable(double length, double rho, double EA, double EI
 	                            .rho_inf = 0.8, .winch = {.on = 1, .speed = speed}};
 	return c;
 }
+
+#endif

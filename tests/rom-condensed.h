@@ -1,7 +1,8 @@
 /* tests/rom-condensed.h - condensation by another route: the effect of modes that are not kept, mode by
  * mode, from their coupling to the kept ones (modes-third.h).
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_TESTS_ROM_CONDENSED_H
+#define HAWSER_TESTS_ROM_CONDENSED_H
 
 #include <math.h>
 #include <stdlib.h>
@@ -100,3 +101,5 @@ static inline double rest_of_shape(const struct hawser_rom *condensed, const dou
 		}
 	return worst/largest;
 }
+
+#endif

@@ -1,6 +1,7 @@
 /* tests/rom-eigenvalue.h - an eigenvalue of a linear reduced model.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_TESTS_ROM_EIGENVALUE_H
+#define HAWSER_TESTS_ROM_EIGENVALUE_H
 
 #include <complex.h>
 #include <math.h>
@@ -32,3 +33,5 @@ static inline double complex eigenvalue(const struct hawser_rom *rom, double com
 	free(w);
 	return best;
 }
+
+#endif

@@ -1,6 +1,7 @@
 /* tests/run.h - the tests that tests/run runs (run.c), and how it chooses them (run_list.c).
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_TESTS_RUN_H
+#define HAWSER_TESTS_RUN_H
 
 #include <sys/types.h>
 
@@ -40,3 +41,5 @@ void gather(struct run *run, int count, char **argument);
 
 /* Is the name the first word of a line of the file? NULL: no. */
 int is_listed(const char *path, const char *name);
+
+#endif

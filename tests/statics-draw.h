@@ -1,7 +1,8 @@
 /* tests/statics-draw.h - random spans for the tests and the bench of the statics stage, and the
  * closure of a solved span in long double.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_TESTS_STATICS_DRAW_H
+#define HAWSER_TESTS_STATICS_DRAW_H
 
 #include <math.h>
 #include <stdint.h>
@@ -81,3 +82,5 @@ static inline double draw_closure(const struct hawser_statics *st)
 	y = S*(u0 + u1)*(0.5L*H/st->span.EA + 1.0L/(r0 + r1)) - h;
 	return (double)(hypotl(x, y)/hypotl(d, h));
 }
+
+#endif

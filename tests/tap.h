@@ -1,6 +1,7 @@
 /* tests/tap.h - output in the Test Anything Protocol: one line per check, with values on failure.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_TESTS_TAP_H
+#define HAWSER_TESTS_TAP_H
 
 #include <math.h>
 #include <stdarg.h>
@@ -45,3 +46,5 @@ static inline int done_testing(void)
 	printf("1..%d\n", tap_count);
 	return tap_failed != 0;
 }
+
+#endif

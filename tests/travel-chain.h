@@ -11,7 +11,8 @@
  * either end, and a joint has the mass of one rod. Second order in the length of a rod.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_TESTS_TRAVEL_CHAIN_H
+#define HAWSER_TESTS_TRAVEL_CHAIN_H
 
 #include <math.h>
 #include <stdlib.h>
@@ -182,3 +183,5 @@ static int chain_run(struct chain_extremes *found, const struct chain *c, double
 	free(w);
 	return worst <= 1e-13;
 }
+
+#endif

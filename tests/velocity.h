@@ -1,6 +1,7 @@
 /* tests/velocity.h - the velocity of points of a cable against differences of their displacement.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_TESTS_VELOCITY_H
+#define HAWSER_TESTS_VELOCITY_H
 
 #include <hawser/rom.h>
 
@@ -36,3 +37,5 @@ static inline void check_velocity(const struct hawser_rom *rom, int points, doub
 	ok(most > 0.0 && worst < tolerance*most, "velocity is the derivative of displacement: %.1e",
 	   worst/most);
 }
+
+#endif

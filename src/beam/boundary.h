@@ -1,6 +1,7 @@
 /* beam/boundary.h - the equations of a stability boundary (minimally augmented systems).
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_BEAM_BOUNDARY_H
+#define HAWSER_BEAM_BOUNDARY_H
 
 #include <complex.h>
 
@@ -46,3 +47,5 @@ enum hawser_status hawser__onset_correct(struct hawser__onset_equation *equation
 /* Unit tangent at u. */
 enum hawser_status hawser__onset_tangent(struct hawser__onset_equation *equation, double *tangent,
                                          const double *u, struct hawser_report *report);
+
+#endif

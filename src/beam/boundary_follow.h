@@ -1,6 +1,7 @@
 /* beam/boundary_follow.h - continuation of one piece of a stability boundary.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_BEAM_BOUNDARY_FOLLOW_H
+#define HAWSER_BEAM_BOUNDARY_FOLLOW_H
 
 #include "beam/boundary.h"
 
@@ -43,3 +44,5 @@ enum hawser_status hawser__boundary_point(struct hawser_beam_boundary_point *poi
 enum hawser_status hawser__boundary_follow(enum hawser__boundary_end *end, double *reached,
                                            struct hawser__boundary_work *work, const double *start,
                                            double sign, struct hawser_report *report);
+
+#endif

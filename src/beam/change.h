@@ -1,6 +1,7 @@
 /* beam/change.h - the speed at which the number of growing pairs, or of real pairs, changes.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_BEAM_CHANGE_H
+#define HAWSER_BEAM_CHANGE_H
 
 #include "beam/sample.h"
 
@@ -31,3 +32,5 @@ enum hawser_status hawser__beam_change(struct hawser__beam_change *change,
                                        const struct hawser__beam_sample *b,
                                        enum hawser__beam_counted counted,
                                        struct hawser_report *report);
+
+#endif

@@ -1,6 +1,7 @@
 /* beam/sample.h - the eigenvalues of a beam at one speed, sorted into pairs.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_BEAM_SAMPLE_H
+#define HAWSER_BEAM_SAMPLE_H
 
 #include "beam/spectrum.h"
 
@@ -41,3 +42,5 @@ enum hawser_status hawser__beam_correlate(double *share, const struct hawser__be
                                           const struct hawser_beam_integrals *integrals,
                                           const struct hawser_beam *beam,
                                           struct hawser_report *report);
+
+#endif

@@ -1,6 +1,7 @@
 /* beam/spectrum.h - eigenvalues with right and left vectors, and properties of a beam's equation.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_BEAM_SPECTRUM_H
+#define HAWSER_BEAM_SPECTRUM_H
 
 #include <hawser/beam.h>
 
@@ -24,3 +25,5 @@ int hawser__beam_flux(const struct hawser_beam *beam);
 
 /* 1: C is skew-symmetric and K symmetric. */
 int hawser__beam_gyroscopic(const struct hawser_beam *beam);
+
+#endif

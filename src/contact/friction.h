@@ -7,7 +7,8 @@
  * z    r - rho w, which the law of the contact projects
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CONTACT_FRICTION_H
+#define HAWSER_CONTACT_FRICTION_H
 
 #include <hawser/friction.h>
 
@@ -154,3 +155,5 @@ int hawser__friction_free(struct hawser_friction *of, double (*u)[3] /* [nodes][
 /* The round-off of forces at u. */
 double hawser__friction_roundoff(const struct hawser_friction *of,
                                  const double (*u)[3] /* [nodes][3] */);
+
+#endif

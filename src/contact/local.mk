@@ -10,6 +10,9 @@ noinst_LTLIBRARIES += %D%/libcontact.la
 	%D%/friction-newton.c \
 	%D%/friction-start.c \
 	%D%/friction-state.c \
+	%D%/heights.c \
+	%D%/heights.h \
+	%D%/heights_read.c \
 	%D%/surface.c \
 	%D%/surface_read.c \
 	%D%/surface_read.h

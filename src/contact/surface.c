@@ -16,10 +16,11 @@
 
 #include <hawser/surface.h>
 
+#include "contact/heights.h"
 #include "core/report.h"
 #include "core/vec3.h"
 
-static const char *const kinds[] = {"plane", "segment", "circle"};
+static const char *const kinds[] = {"plane", "segment", "circle", "profile", "grid"};
 static const char *const sides[] = {"above", "below", "left", "right", "inside", "around"};
 
 /* Distance from a line along z through c; outwards is the direction there, curved 1/distance. */
@@ -56,6 +57,8 @@ double hawser_surface_gap(double *normal, double (*hessian)[3], const struct haw
 	double n[3], curved = 0.0, g, part = 0.5;
 	int inside = surface->side == HAWSER_SIDE_INSIDE;
 
+	if (surface->heights)
+		return hawser__heights_gap(normal ? normal : n, hessian, surface->heights, x);
 	if (surface->kind == HAWSER_SURFACE_SEGMENT)
 		part = part_of(surface, x);
 	if (surface->kind == HAWSER_SURFACE_CIRCLE)
@@ -82,7 +85,11 @@ void hawser_surface_velocity(double *v, const struct hawser_surface *surface, co
 	memcpy(v, surface->velocity, 3*sizeof *v);
 	if (surface->kind == HAWSER_SURFACE_PLANE)
 		return;
-	if (surface->kind == HAWSER_SURFACE_CIRCLE) {
+	if (surface->heights) {
+		(void)hawser__heights_gap(n, NULL, surface->heights, x);
+		v[0] = surface->speed*n[1];
+		v[1] = -surface->speed*n[0];
+	} else if (surface->kind == HAWSER_SURFACE_CIRCLE) {
 		round_gap(n, &curved, surface->at, x);
 		v[0] = -surface->speed*n[1];
 		v[1] = surface->speed*n[0];
@@ -94,18 +101,24 @@ void hawser_surface_velocity(double *v, const struct hawser_surface *surface, co
 	v[2] = 0.0;
 }
 
-/* y of the surface at x[0] along the free side, sign 1 above and -1 below; 0 if it is not there. */
-static int height(double *y, const struct hawser_surface *surface, double x, double sign)
+/* y of the surface at x[0], x[2] along the free side, sign 1 above and -1 below; 0 if it is not
+ * there. */
+static int height(double *y, const struct hawser_surface *surface, const double x[3],
+                  double sign)
 {
 	double a = surface->at[0], b = surface->to[0], half;
 
-	if (surface->kind == HAWSER_SURFACE_SEGMENT) {
-		if (x < fmin(a, b) || x > fmax(a, b))
-			return 0;
-		*y = surface->at[1] + (surface->to[1] - surface->at[1])*(x - a)/(b - a);
+	if (surface->heights) {
+		*y = hawser_heights_at(surface->heights, x[0], x[2]);
 		return 1;
 	}
-	half = surface->radius*surface->radius - (x - a)*(x - a);
+	if (surface->kind == HAWSER_SURFACE_SEGMENT) {
+		if (x[0] < fmin(a, b) || x[0] > fmax(a, b))
+			return 0;
+		*y = surface->at[1] + (surface->to[1] - surface->at[1])*(x[0] - a)/(b - a);
+		return 1;
+	}
+	half = surface->radius*surface->radius - (x[0] - a)*(x[0] - a);
 	if (half < 0.0)
 		return 0;
 	*y = surface->at[1] + sign*sqrt(half);
@@ -131,7 +144,7 @@ int hawser_surface_clear_of(double *x, const struct hawser_surface *surface)
 		x[0] -= g*n[0];
 		return 1;
 	}
-	if (!height(&y, surface, x[0], sign) || sign*(x[1] - y) >= 0.0)
+	if (!height(&y, surface, x, sign) || sign*(x[1] - y) >= 0.0)
 		return 0;
 	x[1] = y;
 	return 1;
@@ -139,7 +152,8 @@ int hawser_surface_clear_of(double *x, const struct hawser_surface *surface)
 
 int hawser_surface_convex(const struct hawser_surface *surface)
 {
-	return surface->kind == HAWSER_SURFACE_PLANE || surface->side == HAWSER_SIDE_INSIDE;
+	return surface->kind == HAWSER_SURFACE_PLANE || surface->side == HAWSER_SIDE_INSIDE ||
+	       (surface->heights && surface->heights->convex);
 }
 
 static enum hawser_status fail(struct hawser_report *report, const char *message)
@@ -193,25 +207,26 @@ enum hawser_status hawser_surface_settle(struct hawser_surface *surface, struct 
 		surface->friction, surface->velocity[0], surface->velocity[1], surface->velocity[2],
 		surface->speed};
 	int circle = surface->kind == HAWSER_SURFACE_CIRCLE;
+	int ground = surface->kind == HAWSER_SURFACE_PLANE || surface->heights;
 
 	for (size_t i = 0; i < sizeof all/sizeof *all; i++)
 		if (!isfinite(all[i]))
 			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "contact", "%s has a number that is not "
 			                    "finite: give finite ones", kinds[surface->kind]);
 	if (!(surface->axial >= 0.0) || !isfinite(surface->axial) ||
-	    (surface->axial > 0.0 && (surface->kind != HAWSER_SURFACE_PLANE ||
+	    (surface->axial > 0.0 && (!ground ||
 	                              !(hawser__norm(surface->velocity) + surface->stiffness > 0.0))))
-		return fail(report, "friction: axial and transverse are of a plane with a velocity or a "
-		            "stiffness: give one of these, or one number");
+		return fail(report, "friction: axial and transverse are of a plane with a velocity, or of a "
+		            "plane, profile or grid with a stiffness: give one of these, or one number");
 	if (surface->friction < 0.0 || surface->radius < 0.0)
 		return fail(report, "friction and radius must not be negative");
 	if (!(surface->stiffness >= 0.0) || !(surface->damping >= 0.0) ||
 	    !isfinite(surface->stiffness + surface->damping))
 		return fail(report, "stiffness and damping must be numbers from 0 on");
-	if (surface->kind != HAWSER_SURFACE_PLANE && surface->stiffness > 0.0)
-		return fail(report, "stiffness is of planes: leave it out");
+	if (!ground && surface->stiffness > 0.0)
+		return fail(report, "stiffness is of planes, profiles and grids: leave it out");
 	if (surface->damping > 0.0 && !(surface->stiffness > 0.0))
-		return fail(report, "damping is of a plane that gives way: give its stiffness too");
+		return fail(report, "damping is of a bed that gives way: give its stiffness too");
 	if (((surface->side == HAWSER_SIDE_INSIDE || surface->side == HAWSER_SIDE_AROUND) && !circle) ||
 	    ((surface->side == HAWSER_SIDE_LEFT || surface->side == HAWSER_SIDE_RIGHT) &&
 	     surface->kind != HAWSER_SURFACE_SEGMENT))
@@ -229,6 +244,15 @@ enum hawser_status hawser_surface_settle(struct hawser_surface *surface, struct 
 		            "leave it out");
 	if (surface->side == HAWSER_SIDE_INSIDE && !(surface->radius > 0.0))
 		return fail(report, "circle.radius is 0, and side is inside: there is no room");
-	return circle ? HAWSER_OK
+	if (surface->kind >= HAWSER_SURFACE_PROFILE && !surface->heights)
+		return fail(report, "a profile or grid has no heights: give them");
+	if (surface->heights) {
+		const struct hawser_heights *of = surface->heights;
+
+		surface->at[0] = of->x[of->nx - 1];
+		surface->at[1] = of->y[of->nx*of->nz - 1];
+		surface->at[2] = of->z[of->nz - 1];
+	}
+	return circle || surface->heights ? HAWSER_OK
 	       : surface->kind == HAWSER_SURFACE_PLANE ? plane(surface, report) : segment(surface, report);
 }

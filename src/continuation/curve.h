@@ -13,7 +13,8 @@
  * Source: E. L. Allgower and K. Georg, Numerical Continuation Methods, Springer 1990, chapter 6.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CONTINUATION_CURVE_H
+#define HAWSER_CONTINUATION_CURVE_H
 
 #include <hawser/status.h>
 
@@ -112,3 +113,5 @@ extern const struct hawser__step_settings hawser__backbone_steps;
 extern const struct hawser__step_settings hawser__boundary_steps;
 extern const struct hawser__step_settings hawser__own_steps;
 extern const struct hawser__step_settings hawser__torus_steps;
+
+#endif

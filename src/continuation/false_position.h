@@ -5,7 +5,8 @@
  * Source: N. Anderson and A. Bjorck, BIT 13 (1973) 253.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CONTINUATION_FALSE_POSITION_H
+#define HAWSER_CONTINUATION_FALSE_POSITION_H
 
 struct hawser__bracketed {
 	double a, b, fa, fb; /* a < b; f(a) and f(b) have different signs; weighted */
@@ -40,3 +41,5 @@ static inline void hawser__false_position_take(struct hawser__bracketed *in, dou
 	}
 	in->moved = end;
 }
+
+#endif

@@ -1,7 +1,8 @@
 /* continuation/metric.h - geometry of a curve in a weighted metric, <a, b> = sum weight_i a_i b_i.
  * Every vector has `size` components, as the weights have.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CONTINUATION_METRIC_H
+#define HAWSER_CONTINUATION_METRIC_H
 
 struct hawser__metric {
 	int size;
@@ -46,3 +47,5 @@ double hawser__curve_meets(double *y, double *direction, const struct hawser__no
 int hawser__curve_passes(double *share, const double *goal, const struct hawser__node *a,
                          const struct hawser__node *b, double step, double near, double *y,
                          double *direction, const struct hawser__metric *metric);
+
+#endif

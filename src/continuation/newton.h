@@ -1,6 +1,7 @@
 /* continuation/newton.h - Newton's method for a point of a curve: equations and a plane across it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CONTINUATION_NEWTON_H
+#define HAWSER_CONTINUATION_NEWTON_H
 
 #include "continuation/curve.h"
 #include "continuation/metric.h"
@@ -23,3 +24,5 @@ struct hawser__newton {
 enum hawser_status hawser__newton_correct(const struct hawser__newton *newton, double *z, double *dz,
                                           const double *row, struct hawser__correction *did,
                                           int *failed) HAWSER_MUST_CHECK;
+
+#endif

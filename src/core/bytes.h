@@ -1,6 +1,7 @@
 /* core/bytes.h - a sequence of bytes that grows, and reading it again.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CORE_BYTES_H
+#define HAWSER_CORE_BYTES_H
 
 #include <stddef.h>
 
@@ -35,3 +36,5 @@ double hawser__extract_double(struct hawser__extract *view);
 void hawser__extract_text(char *to, size_t size, struct hawser__extract *view);
 /* A part that begins with its length, as hawser__bytes_add_text writes it. */
 struct hawser__extract hawser__extract_part(struct hawser__extract *view);
+
+#endif

@@ -1,6 +1,7 @@
 /* core/digits.h - numbers as text with 17 significant digits, faster than printf; see digits.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CORE_DIGITS_H
+#define HAWSER_CORE_DIGITS_H
 
 #include <stddef.h>
 #include <stdint.h>
@@ -24,3 +25,5 @@ void hawser__powers_make(struct hawser__powers *powers);
  * which strtod reads back to the same bits; trailing zeros are omitted. Always with "." or "e", in
  * every locale. Returns the length. */
 size_t hawser__digits(char *text, double value, const struct hawser__powers *powers);
+
+#endif

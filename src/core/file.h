@@ -1,6 +1,7 @@
 /* core/file.h - a file that is written completely or not at all; see file.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CORE_FILE_H
+#define HAWSER_CORE_FILE_H
 
 #include <signal.h>
 #include <stdio.h>
@@ -38,3 +39,5 @@ enum hawser_status hawser__file_put(const char *path, const char *text, size_t s
 /* Make a new folder for temporary files, below TMPDIR or /tmp; its path is in folder [size]. 0: errno
  * says why there is none, and folder is "". */
 int hawser__temporary_folder(char *folder, size_t size);
+
+#endif

@@ -1,6 +1,7 @@
 /* core/grow.h - arrays that grow by one element at a time.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CORE_GROW_H
+#define HAWSER_CORE_GROW_H
 
 #include <stdlib.h>
 #include <string.h>
@@ -20,3 +21,5 @@ static inline int hawser__more(void *array, long count, size_t size)
 		memcpy(array, &larger, sizeof larger);
 	return !larger;
 }
+
+#endif

@@ -5,7 +5,8 @@
  * may be exchanged; none of the arrays may be given to free or realloc.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CORE_HOLD_H
+#define HAWSER_CORE_HOLD_H
 
 #include <stddef.h>
 #include <stdlib.h>
@@ -27,3 +28,5 @@ static inline double *hawser__numbers(size_t a, size_t b)
 	/* NOLINTNEXTLINE(clang-analyzer-optin.portability.UnixAPI): sizes are limited */
 	return calloc(a*b + 1, sizeof(double));
 }
+
+#endif

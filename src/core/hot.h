@@ -6,7 +6,8 @@
  * vectorise short loops at -O2.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CORE_HOT_H
+#define HAWSER_CORE_HOT_H
 
 #define HAWSER_BLOCK 4 /* doubles of an AVX register */
 
@@ -42,4 +43,6 @@ typedef double hawser__vec __attribute__((vector_size(32), aligned(8), may_alias
 #define HAWSER_PART static inline __attribute__((always_inline))
 #else
 #define HAWSER_PART static inline
+#endif
+
 #endif

@@ -1,6 +1,7 @@
 /* core/loaded.h - functions of libraries that are loaded at run time, and their leaks.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CORE_LOADED_H
+#define HAWSER_CORE_LOADED_H
 
 #include <dlfcn.h>
 #include <string.h>
@@ -29,4 +30,6 @@ static inline int hawser__loaded(void *to, size_t size, void *library, const cha
 #else
 #define hawser__leaks_begin() ((void)0)
 #define hawser__leaks_end() ((void)0)
+#endif
+
 #endif

@@ -1,7 +1,8 @@
 /* core/locale.h - numbers in texts and files have a decimal point, whatever the locale of the program
  * that uses the library.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CORE_LOCALE_H
+#define HAWSER_CORE_LOCALE_H
 
 #include <locale.h>
 
@@ -23,3 +24,5 @@ static inline void hawser__locale_end(const struct hawser__locale *locale)
 	uselocale(locale->own);
 	freelocale(locale->c);
 }
+
+#endif

@@ -1,5 +1,6 @@
 /* core/order.h - orders for qsort. SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CORE_ORDER_H
+#define HAWSER_CORE_ORDER_H
 
 /* Of doubles, or of structures that begin with one. */
 static inline int hawser__ascending(const void *a, const void *b)
@@ -8,3 +9,5 @@ static inline int hawser__ascending(const void *a, const void *b)
 
 	return (x > y) - (x < y);
 }
+
+#endif

@@ -1,6 +1,7 @@
 /* core/progress.h - how a computation fills in struct hawser_progress_state.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CORE_PROGRESS_H
+#define HAWSER_CORE_PROGRESS_H
 
 #include <hawser/progress.h>
 
@@ -38,3 +39,5 @@ static inline int hawser__told_to_stop(const struct hawser_progress *progress,
 {
 	return progress->function && progress->function(progress->data, state);
 }
+
+#endif

@@ -1,6 +1,7 @@
 /* core/random.h - random numbers that are the same on every machine.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CORE_RANDOM_H
+#define HAWSER_CORE_RANDOM_H
 
 #include <stdint.h>
 
@@ -13,3 +14,5 @@ static inline double hawser__random(uint64_t *state)
 	z = (z ^ z >> 27)*0x94d049bb133111ebu;
 	return (double)((z ^ z >> 31) >> 11)/9007199254740992.0;
 }
+
+#endif

@@ -14,7 +14,8 @@
  * (src/cli/frame/mpi.c has that of MPI).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CORE_RANKS_H
+#define HAWSER_CORE_RANKS_H
 
 #include <hawser/status.h>
 #include "core/bytes.h"
@@ -98,3 +99,5 @@ void hawser__ranks_serve(struct hawser__ranks *ranks, const struct hawser__tasks
                          enum hawser_status status, const struct hawser_report *report);
 /* Rank 0: end the workers; without a call of hawser__ranks_run too. `tasks` may be NULL. */
 void hawser__ranks_end(struct hawser__ranks *ranks, const struct hawser__tasks *tasks);
+
+#endif

@@ -7,7 +7,8 @@
  *    LAST     a worker's last one
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CORE_RANKS_PACKET_H
+#define HAWSER_CORE_RANKS_PACKET_H
 
 #include "core/ranks.h"
 
@@ -20,3 +21,5 @@ enum hawser_status hawser__packet_ask(struct hawser__bytes *message, const struc
  * workers `worker` on. Failures are in the message. */
 void hawser__packet_work(struct hawser__bytes *answers, const struct hawser__bytes *packet,
                          const struct hawser__tasks *tasks, int threads, int worker);
+
+#endif

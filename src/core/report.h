@@ -1,6 +1,7 @@
 /* core/report.h - how a function fails: fill the caller's report and return its status.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CORE_REPORT_H
+#define HAWSER_CORE_REPORT_H
 
 #include <errno.h>
 
@@ -46,3 +47,5 @@ static inline int hawser__lapack_starved(int info)
 {
 	return info == -1010 || info == -1011;
 }
+
+#endif

@@ -4,7 +4,8 @@
  * stay in registers: to store single numbers and load them as one register stalls a processor.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CORE_ROWS3_H
+#define HAWSER_CORE_ROWS3_H
 
 #include "core/hot.h"
 
@@ -48,3 +49,5 @@ HAWSER_PART void hawser__rows_back(double x[3], const struct hawser__rows *row,
 	x[1] = row->y[3] - (row->y[0]*a + row->y[1]*b + row->y[2]*c);
 	x[2] = row->z[3] - (row->z[0]*a + row->z[1]*b + row->z[2]*c);
 }
+
+#endif

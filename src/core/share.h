@@ -1,6 +1,7 @@
 /* core/share.h - compute independent items of work by several threads.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CORE_SHARE_H
+#define HAWSER_CORE_SHARE_H
 
 #include <pthread.h>
 
@@ -18,3 +19,5 @@ int hawser__thread_start(pthread_t *thread, void *(*run)(void *of), void *of);
 /* Default number of threads: OMP_NUM_THREADS, else the number of processors available to the
  * process. */
 int hawser__processors(void);
+
+#endif

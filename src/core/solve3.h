@@ -1,6 +1,7 @@
 /* core/solve3.h - three equations with a symmetric positive definite matrix.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CORE_SOLVE3_H
+#define HAWSER_CORE_SOLVE3_H
 
 #include <math.h>
 
@@ -30,3 +31,5 @@ static inline void hawser__solve3(double x[3], double A[3][3], const double b[3]
 		x[i] /= L[i][i];
 	}
 }
+
+#endif

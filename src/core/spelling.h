@@ -1,6 +1,7 @@
 /* core/spelling.h - edit distance of two names.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CORE_SPELLING_H
+#define HAWSER_CORE_SPELLING_H
 
 #include <stddef.h>
 
@@ -10,3 +11,5 @@ int hawser__edit_distance(const char *a, const char *b);
 
 /* Largest distance of a suggestion for a name of this length. */
 int hawser__edit_limit(size_t length);
+
+#endif

@@ -1,6 +1,7 @@
 /* core/sundials.h - a context of SUNDIALS that prints nothing; its last message is kept.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CORE_SUNDIALS_H
+#define HAWSER_CORE_SUNDIALS_H
 
 #include <sundials/sundials_context.h>
 
@@ -14,3 +15,5 @@ int hawser__sundials_open(struct hawser__sundials *sundials);
 /* To be called once the integrator is made by CVodeCreate. */
 int hawser__sundials_listen(struct hawser__sundials *sundials, void *cvode);
 void hawser__sundials_clear(struct hawser__sundials *sundials);
+
+#endif

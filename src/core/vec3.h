@@ -1,6 +1,7 @@
 /* core/vec3.h - vectors and matrices in space. Matrices are [9], row by row.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CORE_VEC3_H
+#define HAWSER_CORE_VEC3_H
 
 #include <float.h>
 #include <math.h>
@@ -52,3 +53,5 @@ static inline void hawser__mul(double C[9], const double A[9], const double B[9]
 		for (int j = 0; j < 3; j++)
 			C[3*i + j] = A[3*i]*B[j] + A[3*i + 1]*B[3 + j] + A[3*i + 2]*B[6 + j];
 }
+
+#endif

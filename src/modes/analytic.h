@@ -1,6 +1,7 @@
 /* modes/analytic.h - closed forms for constant tension and curvature.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_MODES_ANALYTIC_H
+#define HAWSER_MODES_ANALYTIC_H
 
 #include <hawser/modes.h>
 
@@ -44,3 +45,5 @@ enum hawser_status hawser__closed_forms_solve(struct hawser_modes *modes,
                                               const struct hawser_statics *statics,
                                               const struct hawser_modes_options *options,
                                               struct hawser_report *report);
+
+#endif

@@ -1,6 +1,7 @@
 /* modes/cable.h - the static cable on a Gauss-Legendre grid, for all methods.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_MODES_CABLE_H
+#define HAWSER_MODES_CABLE_H
 
 #include "modes/compliance.h"
 
@@ -68,3 +69,5 @@ void hawser__space_shape(double *shape, double *slope, const struct hawser__cabl
                          const double *strain, const double *displacement);
 
 void hawser__cable_clear(struct hawser__cable *cable);
+
+#endif

@@ -1,6 +1,7 @@
 /* modes/chain.h - point masses joined by springs.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_MODES_CHAIN_H
+#define HAWSER_MODES_CHAIN_H
 
 #include <hawser/modes.h>
 
@@ -8,3 +9,5 @@ enum hawser_status hawser__chain_solve(struct hawser_modes *modes,
                                        const struct hawser_statics *statics,
                                        const struct hawser_modes_options *options,
                                        struct hawser_report *report);
+
+#endif

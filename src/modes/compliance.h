@@ -1,6 +1,7 @@
 /* modes/compliance.h - eigenpairs of a cable's compliance in one plane (doc/theory-modes.md).
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_MODES_COMPLIANCE_H
+#define HAWSER_MODES_COMPLIANCE_H
 
 #include "modes/grid.h"
 
@@ -158,3 +159,5 @@ double hawser__eigen_floor(int order);
  * round-off; `lowest` is the lowest frequency. */
 enum hawser_status hawser__eigen_lost(int number, int in_plane, double lowest,
                                       struct hawser_report *report);
+
+#endif

@@ -1,6 +1,7 @@
 /* modes/compliance_springs.h - internal to compliance: forces that springs and the fixed ends exert.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_MODES_COMPLIANCE_SPRINGS_H
+#define HAWSER_MODES_COMPLIANCE_SPRINGS_H
 
 #include "modes/compliance.h"
 
@@ -17,3 +18,5 @@ void hawser__spring_work(double *b, const double *force, double end[2][HAWSER__M
 /* force [D][points] and end [2] += factor times the sum of z_a phi_a. */
 void hawser__spring_force(double *force, double end[2][HAWSER__MAX_D], const double *z, double factor,
                           const struct hawser__plane *plane, const struct hawser_grid *grid);
+
+#endif

@@ -4,7 +4,8 @@
  *    field[0] + W^2 field[1] + sum_s force[s] H_s(W) field[2 + s]
  *
  * with H_s of rom/condense/known.c. See driven.c. SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_MODES_DRIVEN_H
+#define HAWSER_MODES_DRIVEN_H
 
 #include <stddef.h>
 
@@ -41,3 +42,5 @@ enum hawser_status hawser__driven_find(struct hawser__driven *driven,
                                        const struct hawser__driven_by *by,
                                        struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser__driven_clear(struct hawser__driven *driven);
+
+#endif

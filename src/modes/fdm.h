@@ -1,6 +1,7 @@
 /* modes/fdm.h - finite differences of the equations of motion.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_MODES_FDM_H
+#define HAWSER_MODES_FDM_H
 
 #include <hawser/modes.h>
 
@@ -19,3 +20,5 @@ enum hawser_status hawser__fdm_dense(double *A, const struct hawser_statics *sta
 enum hawser_status hawser__fdm_sample(double *shape, double *slope, const struct hawser_grid *grid,
                                       const double *x, const struct hawser_statics *statics,
                                       enum hawser_plane plane, int N, struct hawser_report *report);
+
+#endif

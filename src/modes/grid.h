@@ -1,6 +1,7 @@
 /* modes/grid.h - the composite Gauss-Legendre grid, and running integrals on it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_MODES_GRID_H
+#define HAWSER_MODES_GRID_H
 
 #include <hawser/modes.h>
 
@@ -39,3 +40,5 @@ int hawser__grid_weights(double *weight, const struct hawser_grid *grid, double 
 /* Values at s of `fields` fields stored as in[points][stride], field f at offset f. */
 void hawser__grid_at(double *out, const struct hawser_grid *grid, const double *in, int stride,
                      int fields, double s);
+
+#endif

@@ -1,6 +1,7 @@
 /* modes/halving.h - the part common to the finite-difference schemes: grids and error estimate.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_MODES_HALVING_H
+#define HAWSER_MODES_HALVING_H
 
 #include <hawser/modes.h>
 
@@ -33,3 +34,5 @@ int hawser__unresolved(const struct hawser_statics *st, int M, int displacements
  * polynomial through the nearest six points, or all points if there are fewer. *derivative is per
  * interval. */
 double hawser__six_points(double *derivative, const double *value, int last, int stride, double t);
+
+#endif

@@ -1,6 +1,7 @@
 /* modes/krylov.h - the largest eigenvalues of a linear operator given by its product with a vector.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_MODES_KRYLOV_H
+#define HAWSER_MODES_KRYLOV_H
 
 #include <hawser/status.h>
 
@@ -26,3 +27,5 @@ struct hawser__ritz {
 enum hawser_status hawser__krylov(struct hawser__ritz *ritz, const struct hawser__operator *A,
                                   int count, struct hawser_report *report);
 void hawser__ritz_clear(struct hawser__ritz *ritz);
+
+#endif

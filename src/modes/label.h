@@ -1,6 +1,7 @@
 /* modes/label.h - norm, sign and classification of modes, for all methods.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_MODES_LABEL_H
+#define HAWSER_MODES_LABEL_H
 
 #include <stddef.h>
 
@@ -55,3 +56,5 @@ static inline double hawser__stroke(const struct hawser_modes *modes, int k, int
 	return modes->stroke && i < modes->statics.attachments
 	       ? modes->stroke[k*modes->statics.attachments + i] : 0.0;
 }
+
+#endif

@@ -1,6 +1,7 @@
 /* modes/methods.h - checks common to all methods for modes.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_MODES_METHODS_H
+#define HAWSER_MODES_METHODS_H
 
 #include <hawser/modes.h>
 
@@ -14,3 +15,5 @@ enum hawser_status hawser__modes_check_statics(const struct hawser_statics *stat
 int hawser__has_absorbers(const struct hawser_statics *statics);
 enum hawser_status hawser__check_absorbers(const struct hawser_statics *statics,
                                            struct hawser_report *report);
+
+#endif

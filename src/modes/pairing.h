@@ -1,6 +1,7 @@
 /* modes/pairing.h - derivatives of an energy by shapes: of third order by three of them, of fourth
  * order as the sum over the three ways to pair four. SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_MODES_PAIRING_H
+#define HAWSER_MODES_PAIRING_H
 
 #include <stddef.h>
 
@@ -35,3 +36,5 @@ enum hawser_status hawser__third_fill(double *third, int n,
 
 /* The fourth derivative, of pairing [pairs][pairs]: what one way to pair the indices gives. */
 double hawser__pairings(const double *pairing, int pairs, const int index[4]);
+
+#endif

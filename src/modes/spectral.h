@@ -1,6 +1,7 @@
 /* modes/spectral.h - hp Legendre-Galerkin method with error control.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_MODES_SPECTRAL_H
+#define HAWSER_MODES_SPECTRAL_H
 
 #include <hawser/modes.h>
 
@@ -29,3 +30,5 @@ enum hawser_status hawser__spectral_too_many(int n, int functions, int most,
 enum hawser_status hawser__spectral_unsettled(const struct hawser_modes_options *options,
                                               double worst, int functions, int tries,
                                               struct hawser_report *report);
+
+#endif

@@ -58,6 +58,7 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/motion/motion-chain.c \
 	%D%/motion/motion-contact.c \
 	%D%/motion/motion-contact.h \
+	%D%/motion/motion-normal.c \
 	%D%/motion/motion-cvode.c \
 	%D%/motion/motion-error.c \
 	%D%/motion/motion-events.c \

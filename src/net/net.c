@@ -23,6 +23,10 @@ void hawser_net_clear(struct hawser_net *net)
 	free(net->motion);
 	free(net->dynamics.from);
 	free(net->dynamics.release);
+	for (int i = 0; i < net->surfaces; i++) {
+		hawser_heights_free(net->surface[i].heights);
+		free(net->surface[i].file);
+	}
 	free(net->surface);
 	for (int i = 0; i < net->contact.paths; i++)
 		free(net->contact.path[i].x);

@@ -172,6 +172,8 @@ enum hawser_status hawser__touch_again(struct hawser__mesh *mesh, const struct h
                                        struct hawser_report *report) HAWSER_MUST_CHECK;
 /* 1 if cables go around an obstacle, as belts. */
 int hawser__touch_around(const struct hawser_net *net);
+/* mesh-error.c: m, the longest element, over which beds are rounded. */
+double hawser__net_rounding(const struct hawser_net *net);
 /* Gaps and their derivatives at mesh->q. */
 void hawser__touch_measure(struct hawser__mesh *mesh);
 /* Fail for a net with obstacles or water, which `command` does not know. */

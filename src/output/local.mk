@@ -34,6 +34,7 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/drawing/perspective.c \
 	%D%/drawing/perspective.h \
 	%D%/cable/plot_compare.c \
+	%D%/structures/plot_bed.c \
 	%D%/structures/plot_mooring.c \
 	%D%/structures/plot_net.c \
 	%D%/structures/plot_net_modes.c \

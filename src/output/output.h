@@ -5,7 +5,8 @@
  * the message names it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_OUTPUT_OUTPUT_H
+#define HAWSER_OUTPUT_OUTPUT_H
 
 #include <stdio.h>
 
@@ -255,3 +256,5 @@ struct hawser__map_picture {
 };
 enum hawser_status hawser__plot_map(const char *path, const struct hawser__map_picture *map,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

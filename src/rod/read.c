@@ -214,7 +214,7 @@ static enum hawser_status interpret(struct hawser__reader *reader, void *scene,
 		status = hawser__reader_fail(reader, &(struct hawser__mark){.pass = 1}, "the section rod is "
 		                             "missing: give its %s (see hawser-scene(5))", keys);
 	if (!status)
-		status = hawser__water_of(reader, &rod->water, rod->g, hawser__tree_find(root, "water"));
+		status = hawser__water_read(reader, &rod->water, rod->g, hawser__tree_find(root, "water"));
 	if (!status)
 		status = segments(reader, rod, tree);
 	if (!status)

@@ -82,7 +82,7 @@ static const struct hawser__tree_key rod_rows[] = {
 	LIST("rod.loads[].factor", OPTIONAL,
 	     "its history in motions: [time, factor], linear between; two at one time: a jump")
 	VECTOR("rod.loads[].factor[]", 2, OPTIONAL, "s, 1", ANY, NOWHERE, NULL, "[time, factor]")
-	MAPPING("rod.water", OPTIONAL, "as that of nets")
+	WATER("rod.water", ROD_AT)
 	SECTION("rod.damping", OPTIONAL, "damping, of motions")
 	NUMBER("rod.damping.alpha", REQUIRED, "s^-1", NOT_NEGATIVE, ROD_AT(alpha), NULL,
 	       "damping force per mass and velocity, and moment per inertia and angular velocity")

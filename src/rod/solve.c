@@ -25,6 +25,7 @@
 #include "core/report.h"
 #include "rod/solve.h"
 #include "rod/so3.h"
+#include "water/morison.h"
 
 enum {
 	ITERATIONS = 30,   /* of a load step: those that converge take 4 to 10 */
@@ -43,6 +44,7 @@ enum {
 #define WILD 0.3      /* no larger */
 #define GROWTH 3.0    /* of the motion's steps */
 enum { SADDLE = 8 };  /* steps that do not move a rod that is at an unstable equilibrium */
+#define NARROWER 0.25 /* of the height over which a rod comes out of the water */
 #define NEWTON 1e9    /* units of time: a motion with such steps is Newton's method */
 
 static double largest(const struct hawser__rod_mesh *mesh, const double *step)
@@ -360,6 +362,41 @@ int hawser__rod_flow(struct hawser__rod_mesh *mesh, struct hawser__rod_effort *e
 	       flow(mesh, effort, tolerance, straight);
 }
 
+/* A rod that floats is pushed up below the surface and down above it: it comes out of the water over
+ * its whole length at first, and over a smaller height from step to step. 1: done. */
+static int surface(struct hawser__rod_mesh *mesh, struct hawser__rod_effort *effort,
+                   const double *factor, int count, double tolerance)
+{
+	double *band = &mesh->water.band, narrow = NARROWER, least = INFINITY;
+	int done, failed = 0;
+
+	for (int e = 0; e < mesh->elements; e++)
+		least = fmin(least, HAWSER__WATER_BAND*mesh->rod->segment[mesh->segment[e]].line.diameter);
+	*band = mesh->rod->length;
+	memcpy(mesh->node, mesh->rest, (size_t)mesh->nodes*sizeof *mesh->node);
+	done = steps(mesh, effort, factor, count, tolerance);
+	hawser__rod_loads(mesh, factor, 1.0);
+	if (!done)
+		done = hawser__rod_flow(mesh, effort, tolerance);
+	while (done && *band > 0.0) {
+		double before = *band;
+
+		keep(mesh, 0);
+		*band = narrow*before > least ? narrow*before : 0.0;
+		if (newton(mesh, effort, 1.0, tolerance)) {
+			effort->steps++;
+			failed = 0;
+			continue;
+		}
+		keep(mesh, 1);
+		*band = before;
+		narrow = sqrt(narrow);
+		done = ++failed < HALVINGS;
+	}
+	*band = 0.0;
+	return done;
+}
+
 /* The largest unbalanced force of a node, N. scale: the loads and EI/L^2, against which it must be
  * small. stiff: the largest of EA and GA. With a very large EA rounded positions leave large
  * unbalanced forces, and section forces and stability are meaningless. */
@@ -443,6 +480,8 @@ enum hawser_status hawser__rod_equilibrium(struct hawser__rod_mesh *mesh,
 	hawser__rod_loads(mesh, factor, 1.0);
 	if (!done)
 		done = hawser__rod_flow(mesh, effort, tolerance);
+	if (!done && mesh->water.of)
+		done = surface(mesh, effort, factor, count, tolerance);
 	if (!done && (rod->placed || rod->turned)) {
 		mesh->detour = 1;
 		memcpy(mesh->node, mesh->rest, (size_t)mesh->nodes*sizeof *mesh->node);

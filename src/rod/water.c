@@ -19,7 +19,8 @@ enum { FREE = HAWSER__ROD_FREE };
 static struct hawser__morison element(const struct hawser__rod_mesh *mesh, int e)
 {
 	return (struct hawser__morison){&mesh->rod->segment[mesh->segment[e]].line,
-	                                mesh->water.of->density, mesh->rod->g, mesh->element[e].h, 0.0};
+	                                mesh->water.of->density, mesh->rod->g, mesh->element[e].h,
+	                                mesh->water.band};
 }
 
 static void chord(double d[3], const struct hawser__rod_node node[2])

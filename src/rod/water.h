@@ -11,6 +11,7 @@ struct hawser__rod_motion;
 struct hawser__rod_water {
 	const struct hawser_water *of;    /* NULL: none, and nothing else is set */
 	double part;                      /* of all loads, in statics */
+	double band;                      /* m: the rod comes out of the water over this height at least */
 	double velocity[3], spin, lift;   /* of the axes in statics, m/s, rad/s about y; their height, m */
 	double (*load)[2][3];             /* [elements] N: on both ends, as last found in statics */
 	double wet;                       /* m, unstretched length in the water, then */

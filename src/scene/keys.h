@@ -1,7 +1,8 @@
 /* scene/keys.h - keys of spans (span_rows.c) in struct hawser_scene: their places, also in items of
  * lists, and which of them apply.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_SCENE_KEYS_H
+#define HAWSER_SCENE_KEYS_H
 
 #include <hawser/scene.h>
 
@@ -65,3 +66,5 @@ int hawser__child_of(const char *path, const char *section);
 /* check.c: rules over several keys, of a scene that was filled from this tree. */
 enum hawser_status hawser__check(struct hawser__reader *reader, struct hawser_scene *scene,
                                  const struct hawser__tree *root) HAWSER_MUST_CHECK;
+
+#endif

@@ -1,6 +1,7 @@
 /* scene/plausible.h - indices of the rules of plausibility.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_SCENE_PLAUSIBLE_H
+#define HAWSER_SCENE_PLAUSIBLE_H
 
 /* In the order in which they are reported; those of beams last. */
 enum hawser__rule {
@@ -21,3 +22,5 @@ enum hawser__rule {
 	HAWSER__RULE_BEAM_SPEED,
 	HAWSER__RULES
 };
+
+#endif

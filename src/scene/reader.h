@@ -3,7 +3,8 @@
  * Reading consists of passes: the file, then each override (--set) in order.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_SCENE_READER_H
+#define HAWSER_SCENE_READER_H
 
 #include <yaml.h>
 
@@ -48,3 +49,5 @@ enum hawser_status hawser__event_text(struct hawser__reader *reader, char text[H
 	HAWSER_MUST_CHECK;
 struct hawser__mark hawser__event_place(const struct hawser__reader *reader,
                                         const yaml_event_t *event);
+
+#endif

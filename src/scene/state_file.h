@@ -1,6 +1,7 @@
 /* scene/state_file.h - the state of a motion in a file of numbers.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_SCENE_STATE_FILE_H
+#define HAWSER_SCENE_STATE_FILE_H
 
 #include <hawser/status.h>
 
@@ -14,3 +15,5 @@ enum hawser_status hawser__state_write(const double *state /* [count] */, int co
  * kind and count. HAWSER_ERR_IO or HAWSER_ERR_ARGUMENT: it cannot be read; HAWSER_ERR_MEMORY. */
 enum hawser_status hawser__state_read(double **state, int count, const char *kind, const char *path,
                                       const char *stage, struct hawser_report *report);
+
+#endif

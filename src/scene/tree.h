@@ -1,6 +1,7 @@
 /* scene/tree.h - a scene as a tree of values with their places, and how scenes are read from it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_SCENE_TREE_H
+#define HAWSER_SCENE_TREE_H
 
 #include <hawser/document.h>
 #include "scene/reader.h"
@@ -168,3 +169,5 @@ int hawser__tree_between(enum hawser__tree_range range, double value, int by_len
 enum hawser_status hawser__tree_word(struct hawser__reader *reader, int *index,
                                      const struct hawser__tree *tree, const char *what,
                                      const char *const *words, int count) HAWSER_MUST_CHECK;
+
+#endif

@@ -1,7 +1,8 @@
 /* scene/tree_keys.h - the tables of keys of all kinds of scenes. See tree_rows.h for how they are
  * written.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_SCENE_TREE_KEYS_H
+#define HAWSER_SCENE_TREE_KEYS_H
 
 #include <stddef.h>
 
@@ -98,3 +99,5 @@ int hawser__path_element(char *path);
 /* The keys of a mapping as text "name, from, to", into text [size]. */
 enum { HAWSER__TREE_LIST_SIZE = 256 };
 void hawser__tree_key_list(char *text, size_t size, const char *of);
+
+#endif

@@ -92,6 +92,49 @@
 	NUMBER(path ".drag.tangential", OPTIONAL, "1", NOT_NEGATIVE, AT(line.tangential), "0", \
 	       "along it, referred to the surface") \
 	ADDED_MASS(path ".added_mass", AT(line.added_normal), AT(line.added_tangential))
+/* AT: where the members of a struct hawser_water `water` go. */
+#define WATER(path, AT) \
+	SECTION(path, OPTIONAL, "the water around the cables") \
+	NUMBER(path ".density", REQUIRED, "kg/m^3", POSITIVE, AT(water.density), NULL, \
+	       "its density") \
+	NUMBER(path ".surface", OPTIONAL, "m", ANY, AT(water.surface), "0", \
+	       "mean height of its surface, above which it is dry") \
+	VECTOR(path ".current", 3, OPTIONAL, "m/s", ANY, NOWHERE, "[0, 0, 0]", \
+	       "velocity of the water") \
+	MAPPING(path ".current", OPTIONAL, "velocity of the water over the height, or over time") \
+	LIST(path ".current.table", OPTIONAL, "heights, upwards, with velocities: linear between, " \
+	     "and as at the ends beyond them") \
+	TEXT(path ".current.file", OPTIONAL, NOWHERE, NULL, "file of velocities over time, lines of " \
+	     "time in s and velocities along x, y, z in m/s; statics takes that of t = 0") \
+	VECTOR(path ".current.table[]", 4, OPTIONAL, "m, m/s, m/s, m/s", ANY, NOWHERE, NULL, \
+	       "[y, ux, uy, uz]") \
+	NUMBER(path ".depth", OPTIONAL, "m", POSITIVE_OR_INF, AT(water.depth), NULL, \
+	       "depth of the bed below the surface, of waves; .inf: deep water") \
+	SECTION(path ".waves", OPTIONAL, "linear waves: regular ones, or a sea") \
+	NUMBER(path ".waves.height", ONE_OF, "m", POSITIVE, AT(water.given.height), NULL, \
+	       "of regular waves, from trough to crest") \
+	NUMBER(path ".waves.period", OPTIONAL, "s", POSITIVE, AT(water.given.period), NULL, "of these") \
+	NUMBER(path ".waves.phase", OPTIONAL, "rad", ANY, AT(water.given.phase), "0", \
+	       "of these: the elevation at x = z = 0 is height/2 cos(omega t - phase)") \
+	SECTION(path ".waves.jonswap", ONE_OF, "a sea by its spectrum") \
+	NUMBER(path ".waves.jonswap.Hs", REQUIRED, "m", POSITIVE, AT(water.given.Hs), NULL, \
+	       "significant height: 4 standard deviations of the elevation") \
+	NUMBER(path ".waves.jonswap.Tp", REQUIRED, "s", POSITIVE, AT(water.given.Tp), NULL, \
+	       "period of the peak") \
+	NUMBER(path ".waves.jonswap.gamma", OPTIONAL, "1", POSITIVE, AT(water.given.gamma), "3.3", \
+	       "enhancement of the peak, 1 or more; 1: Pierson-Moskowitz") \
+	INTEGER(path ".waves.components", OPTIONAL, 1, 100000, AT(water.given.components), "400", \
+	        "components of a sea") \
+	INTEGER(path ".waves.seed", OPTIONAL, 0, 2147483647, AT(water.given.seed), "0", \
+	        "of its random phases, and frequencies within their bins: so it does not repeat") \
+	VECTOR(path ".waves.frequencies", 2, OPTIONAL, "rad/s", POSITIVE, AT(water.given.range), \
+	       "0.5 and 5 times that of the peak", "range of its frequencies") \
+	NUMBER(path ".waves.heading", OPTIONAL, "rad", ANY, AT(water.given.heading), "0", \
+	       "direction in which waves run, from x towards z") \
+	WORD(path ".stretching", OPTIONAL, "wheeler|none|vertical|extrapolate", \
+	     AT(water.given.stretching), "wheeler", "of the velocity of waves up to their crests") \
+	NUMBER(path ".ramp", OPTIONAL, "s", NOT_NEGATIVE, AT(water.given.ramp), "0", \
+	       "time from t = 0 on in which waves grow")
 #define CIRCLE(path, need, pick, centre, radius) \
 	SHAPE(path, need, pick, "a circle, which extends along z") \
 	VECTOR(path ".centre", 2, REQUIRED, "m", ANY, centre, NULL, "[x, y] of its centre") \

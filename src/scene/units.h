@@ -1,6 +1,7 @@
 /* scene/units.h - numbers with units. All input conversions of units are done here.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_SCENE_UNITS_H
+#define HAWSER_SCENE_UNITS_H
 
 #include <stddef.h>
 #include <hawser/status.h>
@@ -41,3 +42,5 @@ enum { HAWSER__SHOWN = 56 };
 const char *hawser__shown(char shown[HAWSER__SHOWN], const char *text);
 
 void hawser__units_clear(struct hawser__units *units);
+
+#endif

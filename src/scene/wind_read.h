@@ -1,6 +1,7 @@
 /* scene/wind_read.h - the lists of a wind, and its rules. See wind_read.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_SCENE_WIND_READ_H
+#define HAWSER_SCENE_WIND_READ_H
 
 #include <hawser/scene.h>
 
@@ -15,3 +16,5 @@ enum hawser_status hawser__wind_lists(struct hawser__reader *reader, struct haws
 enum hawser_status hawser__wind_check(struct hawser__reader *reader, const struct hawser_wind *wind,
                                       const struct hawser__tree *tree, const char *what)
 	HAWSER_MUST_CHECK;
+
+#endif

@@ -11,7 +11,8 @@
  * assume h >= 0 and refer to the lower and the upper end; solve.c mirrors the result.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_STATICS_CATENARY_H
+#define HAWSER_STATICS_CATENARY_H
 
 #include <hawser/statics.h>
 
@@ -98,3 +99,5 @@ double hawser__irvine_source(const struct hawser__catenary *cat);
 
 /* asinh(v) - asinh(u) for v >= u, given step = v - u, without cancellation. */
 double hawser__angle_between(double u, double v, double step);
+
+#endif

@@ -1,6 +1,7 @@
 /* statics/frame.h - vectors in the local frame of a point and in the axes of the cable.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_STATICS_FRAME_H
+#define HAWSER_STATICS_FRAME_H
 
 #include <hawser/statics.h>
 
@@ -19,3 +20,5 @@ static inline void hawser__frame_in(double local[3], const struct hawser_frame_p
 	for (int k = 0; k < 3; k++)
 		local[k] = v[0]*at->axis[k][0] + v[1]*at->axis[k][1] + v[2]*at->axis[k][2];
 }
+
+#endif

@@ -1,6 +1,7 @@
 /* statics/load.h - the varying load of a scene in parts: see load.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_STATICS_LOAD_H
+#define HAWSER_STATICS_LOAD_H
 
 #include <hawser/statics.h>
 
@@ -46,3 +47,5 @@ void hawser__piece_part(double f[3], const struct hawser__piece *piece,
 void hawser__piece_at(double local[3], const struct hawser__piece *piece,
                       const struct hawser__loads *loads, int h, const struct hawser_statics *st,
                       double s);
+
+#endif

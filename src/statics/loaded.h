@@ -5,7 +5,8 @@
  *   x, y       position of end B that they give; the equilibrium has x = d, y = h
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_STATICS_LOADED_H
+#define HAWSER_STATICS_LOADED_H
 
 #include <hawser/statics.h>
 
@@ -92,3 +93,5 @@ void hawser__loaded_reach(struct hawser__reach *reach, const struct hawser__load
  * derivatives V' and L' by H. */
 double hawser__loaded_sag(const struct hawser__loaded *cable, double V_H, double L_H,
                           double *derivative);
+
+#endif

@@ -1,7 +1,8 @@
 /* statics/models.h - internal to the statics stage: the check of arguments common to all models,
  * and the models in separate files.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_STATICS_MODELS_H
+#define HAWSER_STATICS_MODELS_H
 
 #include <hawser/statics.h>
 
@@ -16,3 +17,5 @@ enum hawser_status hawser__parabola_solve(struct hawser_statics *statics,
                                           double value, enum hawser_branch branch,
                                           struct hawser_report *report);
 struct hawser_profile_point hawser__parabola_at(const struct hawser_statics *statics, double S);
+
+#endif

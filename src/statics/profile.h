@@ -1,6 +1,7 @@
 /* statics/profile.h - internal to the statics stage: the closure error of a solved span.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_STATICS_PROFILE_H
+#define HAWSER_STATICS_PROFILE_H
 
 #include <hawser/statics.h>
 
@@ -13,3 +14,5 @@ double hawser__space_closure(const struct hawser_statics *st);
 struct hawser_profile_point hawser__space_at(const struct hawser_statics *st, double S);
 struct hawser_profile_point hawser__space_before(const struct hawser_statics *st, int i);
 void hawser__space_frame(struct hawser_frame_point *at, const struct hawser_statics *st, double s);
+
+#endif

@@ -6,7 +6,8 @@
  * usually after two to five Newton steps, in the worst case after about sixty bisections.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_STATICS_SEARCH_H
+#define HAWSER_STATICS_SEARCH_H
 
 #include <float.h>
 #include <math.h>
@@ -50,3 +51,5 @@ static inline int hawser__search_next(struct hawser__search *s, int root_is_belo
 	}
 	return s->x >= DBL_MIN && s->x <= DBL_MAX;
 }
+
+#endif

@@ -1,6 +1,7 @@
 /* statics/travel.h - internal to the statics stage: the travelling cable.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_STATICS_TRAVEL_H
+#define HAWSER_STATICS_TRAVEL_H
 
 #include <hawser/statics.h>
 
@@ -28,3 +29,5 @@ enum hawser_status hawser__travel_with(struct hawser_statics *statics,
                                        const struct hawser_motion *motion,
                                        enum hawser_given given, double value,
                                        struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

@@ -1,6 +1,7 @@
 /* statics/wind.h - drag and lift of a section in a flow, and the wind of a scene. See wind.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_STATICS_WIND_H
+#define HAWSER_STATICS_WIND_H
 
 #include <hawser/statics.h>
 
@@ -66,3 +67,5 @@ double hawser__added_mass(const struct hawser_scene *scene);
 
 /* Speed at this fraction of the unstretched length over wind.speed. */
 double hawser__wind_profile(const struct hawser_wind *wind, double part);
+
+#endif

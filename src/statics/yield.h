@@ -1,6 +1,7 @@
 /* statics/yield.h - internal to the statics stage: ends on springs, which give way.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_STATICS_YIELD_H
+#define HAWSER_STATICS_YIELD_H
 
 #include <hawser/statics.h>
 
@@ -20,3 +21,5 @@ enum hawser_status hawser__yield(struct hawser_equivalent *equal, double chord[3
 
 /* Set st->moved and st->imbalance. */
 void hawser__yield_moved(struct hawser_statics *st, const struct hawser_equivalent *equal);
+
+#endif

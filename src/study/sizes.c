@@ -162,6 +162,7 @@ static const struct row {
 	ROW(hawser_grid),
 	ROW(hawser_half_power),
 	ROW(hawser_harmonic),
+	ROW(hawser_heights),
 	ROW(hawser_held),
 	ROW(hawser_hill_boundary),
 	ROW(hawser_hill_chart),

@@ -9,6 +9,7 @@
 struct hawser__tow_run {
 	const struct hawser_tow *tow;
 	struct hawser_tow own;             /* *tow with all stiffnesses, and the path of the start */
+	struct hawser_water_level level;   /* of a current over time, at the start */
 	struct hawser__tow_frame frame;
 	struct hawser__tow_end body;       /* of the string at the start */
 	struct hawser__tow_rod rod;

@@ -62,6 +62,23 @@ static void guide(void *data, struct hawser__rod_guide *to, double t)
 	}
 }
 
+/* A current over time has at the start what its file has for that time. */
+static enum hawser_status current(struct hawser__tow_run *run, struct hawser_report *report)
+{
+	const struct hawser_tow *tow = run->tow;
+	struct hawser__support_table table = {0};
+	double rate[3];
+	enum hawser_status status = tow->water.file
+		? hawser__support_read(&table, tow->water.file, report) : HAWSER_OK;
+
+	if (!status && table.rows) {
+		hawser__support_within(run->level.u, rate, &table, tow->path.from);
+		run->own.water.current = &run->level;
+	}
+	hawser__support_clear(&table);
+	return status;
+}
+
 /* What motion needs of the cable, and the path of the start. */
 static enum hawser_status prepare(struct hawser__tow_run *run, double (*state)[3],
                                   struct hawser_report *report)
@@ -220,6 +237,8 @@ enum hawser_status hawser__tow_run_open(struct hawser__tow_run *run, const struc
 		                    "EA: 200 kN, EI: 0.8 N m^2, drag: {normal: 1.2}}]}");
 	state_at(state, &tow->path, tow->path.from);
 	status = prepare(run, state, report);
+	if (!status)
+		status = current(run, report);
 	if (!status)
 		status = hawser__tow_rod_start(&run->rod, &run->frame, &run->body, &run->own, refine, report);
 	for (int i = 0; i < tow->segments && !status; i++) {

@@ -91,7 +91,7 @@ static enum hawser_status interpret(struct hawser__reader *reader, void *scene,
 	if (!status)
 		status = hawser__tow_path(reader, tow, section);
 	if (!status)
-		status = hawser__water_of(reader, &tow->water, tow->g, hawser__tree_find(root, "water"));
+		status = hawser__water_read(reader, &tow->water, tow->g, hawser__tree_find(root, "water"));
 	if (!status)
 		status = hawser__tow_cable(reader, tow, hawser__tree_find(root, "cable"));
 	if (!status)

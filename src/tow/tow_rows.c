@@ -97,7 +97,7 @@ static const struct hawser__tree_key tow_rows[] = {
 	       "velocity of the wind")
 	TEXT("tow.air.file", OPTIONAL, NOWHERE, NULL, "a file of the wind over time, in place of wind: "
 	     "lines t wx wy wz (s, m/s), linear between; a steady state has that of the first line")
-	MAPPING("tow.water", OPTIONAL, "in place of air, as that of nets")
+	WATER("tow.water", TOW_AT)
 	WINCH("tow.winch", TOW_WINCH_AT)
 	SECTION("tow.body", OPTIONAL, "what is towed; without it the end is free")
 	SECTION("tow.body.ring", OPTIONAL, "a ring")

@@ -9,7 +9,8 @@
  * number of lengths is computed from the total rotation of the determinant of Theta, so that two nearly
  * equal lengths count as two.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_TESTS_MODES_COUNT_H
+#define HAWSER_TESTS_MODES_COUNT_H
 
 #include <complex.h>
 
@@ -176,3 +177,5 @@ static inline double count_error(const struct hawser_statics *st, enum hawser_pl
 	}
 	return fabs((double)((omega - b)/b));
 }
+
+#endif

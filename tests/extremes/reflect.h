@@ -1,7 +1,8 @@
 /* tests/extremes/reflect.h - a model with coupled coordinates whose solution is known, because it is an
  * uncoupled model in reflected coordinates.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_TESTS_REFLECT_H
+#define HAWSER_TESTS_REFLECT_H
 
 /* matrix = H matrix H with H = 1 - 2 v v'/v'v, v = (1, 2, 1, 2, ...). */
 static inline void reflect(double *matrix, int n)
@@ -21,3 +22,5 @@ static inline void reflect(double *matrix, int n)
 				matrix[from + k*by] -= 2.0*sum*(1 + k%2)/v2;
 		}
 }
+
+#endif

@@ -13,7 +13,8 @@
  * that state.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_TESTS_STATICS_QUAD_H
+#define HAWSER_TESTS_STATICS_QUAD_H
 
 #include <hawser/statics.h>
 
@@ -299,3 +300,5 @@ static inline void quad_judge(double *error, double *stated, const struct hawser
 			return;
 	}
 }
+
+#endif

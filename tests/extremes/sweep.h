@@ -12,7 +12,8 @@
  * is valid.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_TESTS_SWEEP_H
+#define HAWSER_TESTS_SWEEP_H
 
 #include <stdlib.h>
 
@@ -198,3 +199,5 @@ static inline struct sweep_tally sweep_pairs(const char *stage, const struct swe
 		}
 	return sum;
 }
+
+#endif

@@ -2,7 +2,8 @@
  * long double (64 bits of mantissa), from the entries of K, D, Q and C. It shares neither the force
  * kernel, nor the integrator, nor the precision with the library.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_TESTS_TAYLOR_H
+#define HAWSER_TESTS_TAYLOR_H
 
 #include <hawser/rom.h>
 
@@ -38,3 +39,5 @@ double taylor_size(struct taylor *taylor, const long double *x, double omega);
 
 /* Solve A x = b by elimination with column pivoting. A [m][m] is overwritten; x replaces b [m]. */
 int taylor_solve(long double *A, long double *b, int m);
+
+#endif

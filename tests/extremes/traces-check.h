@@ -10,7 +10,8 @@
  *   w      omega (k + nu^2)^1/2, the mean impedance of the two waves (k: stiffness)
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_TESTS_TRACES_CHECK_H
+#define HAWSER_TESTS_TRACES_CHECK_H
 
 #include <hawser/campbell.h>
 
@@ -416,3 +417,5 @@ static inline int trace_same(struct sweep_point *point, const struct trace *t,
 	}
 	return compared;
 }
+
+#endif

@@ -3,7 +3,8 @@
  * (traces-check.h).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_TESTS_TRACES_JUDGE_H
+#define HAWSER_TESTS_TRACES_JUDGE_H
 
 #include "tests/extremes/traces-check.h"
 
@@ -345,3 +346,5 @@ static inline void judge_campbell(struct sweep_point *point, const struct hawser
 	}
 	trace_clear(&t);
 }
+
+#endif

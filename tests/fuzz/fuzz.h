@@ -1,6 +1,7 @@
 /* tests/fuzz/fuzz.h - code common to the fuzz targets. Include "config.h" before anything else.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_TESTS_FUZZ_H
+#define HAWSER_TESTS_FUZZ_H
 
 #include <math.h>
 #include <stdint.h>
@@ -84,3 +85,5 @@ static inline void check_scene(const struct hawser_scene *scene)
 	free(first);
 	free(second);
 }
+
+#endif

@@ -2,7 +2,8 @@
  * random cables.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_TESTS_NETS_COMPARISON_H
+#define HAWSER_TESTS_NETS_COMPARISON_H
 
 #include "net/statics/solution.h"
 
@@ -122,3 +123,5 @@ enum hawser_status net_compare(struct net_comparison *comparison,
 void net_comparison_profile(double *value, const struct net_comparison *comparison, int way,
                             int iterations);
 void net_comparison_clear(struct net_comparison *comparison);
+
+#endif

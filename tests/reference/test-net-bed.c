@@ -38,16 +38,17 @@ static int solved(struct hawser_net *net, struct hawser_net_statics *st, const c
 static void chains(void)
 {
 	static const struct {
-		const char *set[3];
+		const char *what, *set[3];
 		double T_A, H, V;
 	} of[] = {
-		{{PLANE("0", "1"), WEIGHT, WEIGHT}, 900903.8, 900903.8, 629156.6},
-		{{PLANE("-0.08715574274765817", "0.9961946980917455"), "nodes.B=[790, 220, 0]", WEIGHT},
+		{"W1", {PLANE("0", "1"), WEIGHT, WEIGHT}, 900903.8, 900903.8, 629156.6},
+		{"W17", {PLANE("-0.08715574274765817", "0.9961946980917455"), "nodes.B=[790, 220, 0]", WEIGHT},
 		 751509.0, 779493.0, 603282.0},
-		{{PLANE("0.08715574274765817", "0.9961946980917455"), "nodes.B=[790, 150, 0]", WEIGHT},
+		{"W17", {PLANE("0.08715574274765817", "0.9961946980917455"), "nodes.B=[790, 150, 0]", WEIGHT},
 		 637368.0, 607094.0, 516470.0},
-		{{ROUGH(", velocity: [-1, 0]"), WEIGHT, WEIGHT}, 745579.1, 902064.3, 629521.1},
-		{{ROUGH(""), "contact={sliding: pulled, steps: 10}", WEIGHT}, 745579.1, 902064.3, 629521.1},
+		{"W1", {ROUGH(", velocity: [-1, 0]"), WEIGHT, WEIGHT}, 745579.1, 902064.3, 629521.1},
+		{"W1", {ROUGH(""), "contact={sliding: pulled, steps: 10}", WEIGHT},
+		 745579.1, 902064.3, 629521.1},
 	};
 
 	for (size_t i = 0; i < sizeof of/sizeof *of; i++) {
@@ -55,9 +56,16 @@ static void chains(void)
 		struct hawser_net_statics st = {0};
 
 		if (solved(&net, &st, of[i].set, 3)) {
-			close_to(st.member[0].T_from, of[i].T_A, 1e-5, "tension at the anchor, N");
-			close_to(st.reaction[1][0], of[i].H, 1e-5, "pull along x, N");
-			close_to(st.reaction[1][1], of[i].V, 1e-5, "pull upwards, N");
+			const double got[3] = {st.member[0].T_from, st.reaction[1][0], st.reaction[1][1]};
+			const double want[3] = {of[i].T_A, of[i].H, of[i].V};
+
+			for (int k = 0; k < 3; k++) {
+				char what[60];
+
+				snprintf(what, sizeof what, "%s: %s, N", of[i].what, (const char *[3]){
+				         "tension at the anchor", "pull along x", "pull upwards"}[k]);
+				close_to(got[k], want[k], 1e-5, what);
+			}
 		}
 		hawser_net_statics_clear(&st);
 		hawser_net_clear(&net);
@@ -86,9 +94,9 @@ static void drawn(void)
 
 	for (int i = 0; i < 3; i++) {
 		if (solved(&net, &st, i == 2 ? ellipse : i ? round : across, 4)) {
-			close_to(st.reaction[1][0], i == 2 ? 19274.57 : 17596.75, 1e-5, "pull along, N");
+			close_to(st.reaction[1][0], i == 2 ? 19274.57 : 17596.75, 1e-5, "W16: pull along, N");
 			close_to(st.reaction[0][2] + st.reaction[1][2], i == 2 ? 67995.52 : 52036.67,
-			         i == 2 ? 1e-5 : 1e-6, "pull across, N");
+			         i == 2 ? 1e-5 : 1e-6, "W16: pull across, N");
 		}
 		hawser_net_statics_clear(&st);
 		hawser_net_clear(&net);
@@ -96,8 +104,8 @@ static void drawn(void)
 	if (solved(&net, &st, along, 5)) {
 		for (int i = 0; i < st.contacts; i++)
 			slid += st.contact[i].sticks ? 0.0 : st.contact[i].length0;
-		close_to(st.reaction[1][0], 2e5, 1e-4, "pull, N");
-		close_to(slid, 384.344, 1e-2, "length that slides, m");
+		close_to(st.reaction[1][0], 2e5, 1e-4, "W24: pull along the bed, N");
+		close_to(slid, 384.344, 1e-2, "W24: length that slides, m");
 	}
 	hawser_net_statics_clear(&st);
 	hawser_net_clear(&net);
@@ -118,14 +126,14 @@ static void corner(void)
 	struct hawser_net_statics st = {0};
 
 	if (solved(&net, &st, bed, 4)) {
-		close_to(st.member[0].T_from, 650423.0, 2e-4, "over a corner: tension at the anchor, N");
+		close_to(st.member[0].T_from, 650423.0, 2e-4, "W25: over a corner, tension at the anchor, N");
 		close_to(st.reaction[1][0], 634895.0, 1e-4, "pull along x, N");
 		close_to(st.reaction[1][1], 485855.0, 1e-4, "pull upwards, N");
 	}
 	hawser_net_statics_clear(&st);
 	hawser_net_clear(&net);
 	if (solved(&net, &st, hauled, 4))
-		close_to(st.member[0].T_to, 1.2e6, 1e-5, "hauled in: tension at the fairlead, N");
+		close_to(st.member[0].T_to, 1.2e6, 1e-5, "W25: hauled in, tension at the fairlead, N");
 	hawser_net_statics_clear(&st);
 	hawser_net_clear(&net);
 }
@@ -146,7 +154,7 @@ static void gives_way(void)
 
 		for (int i = 0; i < st.points/5; i++)
 			least = fmin(least, st.point[i].x[1]);
-		close_to(least, -4.637e-3, 1e-4, "depth, m");
+		close_to(least, -4.637e-3, 1e-4, "W24: depth on a bed that gives way, m");
 		ok(st.gap >= 0.0 && st.gap < 1e-13*st.energy && st.apart < 1e-11, "gap %.1e J, %.1e m", st.gap,
 		   st.apart);
 	}
@@ -188,10 +196,10 @@ static void heaves(void)
 				range[k][0] = fmin(range[k][0], motion.T[i/2*2 + k]);
 				range[k][1] = fmax(range[k][1], motion.T[i/2*2 + k]);
 			}
-		close_to(range[0][0], 855.9e3, 1e-3, "least tension at the anchor, N");
-		close_to(range[0][1], 943.8e3, 1e-3, "largest tension at the anchor, N");
-		close_to(range[1][0], 1049.5e3, 1e-3, "least tension at the fairlead, N");
-		close_to(range[1][1], 1146.3e3, 1e-3, "largest tension at the fairlead, N");
+		close_to(range[0][0], 855.9e3, 1e-3, "W9: least tension at the anchor, N");
+		close_to(range[0][1], 943.8e3, 1e-3, "W9: largest tension at the anchor, N");
+		close_to(range[1][0], 1049.5e3, 1e-3, "W9: least tension at the fairlead, N");
+		close_to(range[1][1], 1146.3e3, 1e-3, "W9: largest tension at the fairlead, N");
 		ok(motion.closure < 1e-10, "energy closed to %.1e", motion.closure);
 	}
 	remove(path);

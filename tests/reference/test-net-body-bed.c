@@ -259,7 +259,9 @@ static void stands(void)
 	struct hawser_net net = {0};
 	struct hawser_net_modes modes = {0};
 	struct hawser_net_statics st = {0};
+	struct hawser_net_stiffness k;
 	struct hawser_report report = {0};
+	const int node = 1;
 	char text[TEXT];
 
 	box_text(text, "", E, 0.0, 0.0, 0.0, 0.0);
@@ -270,6 +272,12 @@ static void stands(void)
 		close_to(st.x[2][1], -rest, 1e-9, "its depth, m");
 		close_to(st.contact[3].r, MASS*G/4.0, 1e-9, "the force at an edge, N");
 		close_to(st.energy, MASS*G*(E - 0.5*rest), 1e-9, "its energy, J");
+	}
+	if (ok(!hawser_net_stiffness_of(&k, &net, &node, 1, NULL, &report), "its stiffness: %s",
+	       report.message)) {
+		close_to(k.K[1][1], 2.0*K, 1e-9, "up, N/m");
+		close_to(k.K[3][3], roll, 1e-9, "about x, N m");
+		close_to(k.K[5][5], pitch, 1e-9, "about z, N m");
 	}
 	if (ok(!hawser_net_modes_solve(&modes, &net, 6, &report) && modes.n == 6, "its modes: %s",
 	       report.message)) {

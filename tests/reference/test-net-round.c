@@ -1,4 +1,5 @@
-/* Ropes over round obstacles on fine meshes: a drum above both ends, and a bed's convex corner.
+/* Ropes over round obstacles on fine meshes: a drum above both ends, a sheave (W22), and a bed's convex
+ * corner (W25).
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -50,6 +51,31 @@ static void drum(void)
 	}
 }
 
+/* W22: a massless rope over a smooth sheave, whose centre is at 20 m and at 20.5 m; closed form. Both
+ * supports bear what the sheave does. */
+static void sheave(void)
+{
+	static const double expected[2][2] = {{14434.16, 21805.31}, {27300.14, 41649.11}};
+	char path[4096];
+
+	snprintf(path, sizeof path, "%s/notebooks-data/scenes/net-capstan.yaml", getenv("SRCDIR"));
+	for (int i = 0; i < 2; i++) {
+		const char *const set[] = {
+			"nodes={A: [-20, 0, 0], B: [20, 0, 0]}", "cables=[{name: c, from: A, to: B, EA: 1 MN, "
+			"rho: 0, length0: 59, elements: 2000}]", "contact={sliding: none}",
+			i ? "obstacles=[{circle: {centre: [0, 20.5], radius: 2}}]"
+			  : "obstacles=[{circle: {centre: [0, 20], radius: 2}}]"};
+		struct hawser_net_statics st = {0};
+
+		if (solved(&st, path, set, 4)) {
+			close_to(st.member[0].T_to, expected[i][0], 5e-5, "W22: tension, N");
+			close_to(-st.reaction[0][1] - st.reaction[1][1], expected[i][1], 5e-5, "W22: force on the "
+			         "sheave, N");
+		}
+		hawser_net_statics_clear(&st);
+	}
+}
+
 /* A bed of two segments with a circle between them, as the message for sharp ends advises: T_A
  * 650.4, H 634.9, V 485.9 kN by an outside program. */
 static void corner(void)
@@ -88,6 +114,7 @@ static void corner(void)
 CASE(reference_net_round)
 {
 	drum();
+	sheave();
 	corner();
 	return done_testing();
 }

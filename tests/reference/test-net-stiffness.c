@@ -77,12 +77,12 @@ static void body(void)
 	struct hawser_net_stiffness K;
 
 	if (opened(&net, "net-mooring", set, 5) && stiffness(&K, &net, fairlead, 3, (double[3]){0.0})) {
-		close_to(K.K[0][0], 70143.2, 2e-5, "surge, N/m");
-		close_to(K.K[2][2], 70143.2, 2e-5, "sway, N/m");
-		close_to(K.K[1][1], 19086.3, 2e-5, "heave, N/m");
-		close_to(K.K[0][5], 103208.0, 3e-4, "surge by a turn about z, N");
-		close_to(K.K[3][3], 8.67324e7, 1e-4, "roll, N m");
-		close_to(K.K[4][4], 1.161201e8, 2e-5, "yaw, N m");
+		close_to(K.K[0][0], 70143.2, 2e-5, "W15: surge, N/m");
+		close_to(K.K[2][2], 70143.2, 2e-5, "W15: sway, N/m");
+		close_to(K.K[1][1], 19086.3, 2e-5, "W15: heave, N/m");
+		close_to(K.K[0][5], 103208.0, 3e-4, "W15: surge by a turn about z, N");
+		close_to(K.K[3][3], 8.67324e7, 1e-4, "W15: roll, N m");
+		close_to(K.K[4][4], 1.161201e8, 2e-5, "W15: yaw, N m");
 		ok(K.asymmetry < 1e-7, "symmetric: no moment acts: %.1e", K.asymmetry);
 	}
 	hawser_net_clear(&net);
@@ -156,10 +156,10 @@ CASE(reference_net_stiffness)
 	int end = 1;
 
 	if (opened(&net, "net-mooring", first, 1) && stiffness(&K, &net, &end, 1, NULL)) {
-		close_to(K.K[0][0], 45631.40, 2e-5, "of W1's chain, N/m");
-		close_to(K.K[0][1], 14335.53, 2e-5, "of W1's chain, N/m");
-		close_to(K.K[1][1], 6362.089, 2e-5, "of W1's chain, N/m");
-		close_to(K.K[2][2], 1130.749, 2e-6, "of W1's chain, N/m");
+		close_to(K.K[0][0], 45631.40, 2e-5, "W15: of W1's chain, N/m");
+		close_to(K.K[0][1], 14335.53, 2e-5, "W15: of W1's chain, N/m");
+		close_to(K.K[1][1], 6362.089, 2e-5, "W15: of W1's chain, N/m");
+		close_to(K.K[2][2], 1130.749, 2e-6, "W15: of W1's chain, N/m");
 	}
 	hawser_net_clear(&net);
 	chain("net-mooring", first, 1, 1065.6252, 753.6e6, 835.5, 0.0);

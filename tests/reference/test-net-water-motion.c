@@ -55,7 +55,24 @@ static int swum(struct hawser_net_motion *motion, const struct swim *swim, doubl
 	       ok(motion->closure < 1e-10, "the ledger closes to %.1e", motion->closure);
 }
 
-/* The buoy on a rigid tether, from 0.5 rad. */
+static void small(struct swim swim)
+{
+	struct hawser_net_modes modes = {0};
+	struct hawser_report report = {0};
+
+	swim.net.node = swim.node;
+	swim.net.cable = &swim.cable;
+	swim.net.water.current = &swim.level;
+	swim.net.dynamics.releases = 0;
+	swim.cable.EA = 1e13;
+	memset(swim.node[1].held, 0, 3);
+	swim.node[1].support = 0;
+	if (ok(!hawser_net_modes_solve(&modes, &swim.net, 2, &report), "W8: %s", report.message))
+		close_to(2.0*M_PI/modes.omega[0], 9.497363, 1e-7, "W8: period of small motions");
+	hawser_net_modes_clear(&modes);
+}
+
+/* The buoy on a rigid tether: its small motions, and from 0.5 rad. */
 static void pendulum(void)
 {
 	static const double at[2][2] = {{5.0501, -0.2361234}, {9.8858, 0.1567916}};
@@ -69,10 +86,11 @@ static void pendulum(void)
 	swim.node[1].mass = 1200.0;
 	swim.net.dynamics.release = &released;
 	swim.net.dynamics.releases = 1;
+	small(swim);
 	for (int i = 0; i < 2; i++) {
 		if (!swum(&motion, &swim, at[i][0], at[i][0], 0.01, &(struct hawser_net_probe){1, -1, 0.0}))
 			return;
-		close_to(motion.x[motion.rows - 1][0], 20.0*sin(at[i][1]), 1e-3, "place of the buoy");
+		close_to(motion.x[motion.rows - 1][0], 20.0*sin(at[i][1]), 1e-3, "W8: place of the buoy");
 		hawser_net_motion_clear(&motion);
 	}
 }
@@ -89,7 +107,7 @@ static void sinks(void)
 	swim.net.dynamics.release = released;
 	swim.net.dynamics.releases = 2;
 	if (swum(&motion, &swim, 0.2983513, 0.2983513, 5e-4, &(struct hawser_net_probe){1, -1, 0.0}))
-		close_to(-motion.v[motion.rows - 1][1], 0.8899195, 1e-4, "speed of sinking");
+		close_to(-motion.v[motion.rows - 1][1], 0.8899195, 1e-4, "W6: speed of sinking");
 	hawser_net_motion_clear(&motion);
 }
 
@@ -146,7 +164,8 @@ static void steady(void)
 		hawser__water_ends(end, &mesh, 0, d, past, 1);
 		f[0] = end[0].load[0] + end[1].load[0];
 		f[1] = end[0].load[1] + end[1].load[1] - 12.0*9.81;
-		ok(hypot(f[0], f[1]) < 2e-5*12.0*9.81, "sinks steadily at %.0f degrees: %.1e N/m are left",
+		ok(hypot(f[0], f[1]) < 2e-5*12.0*9.81, "W6: sinks steadily at %.0f degrees: %.1e N/m are "
+		   "left",
 		   turned[i]*180.0/M_PI, hypot(f[0], f[1]));
 	}
 	hawser__mesh_clear(&mesh);
@@ -207,11 +226,11 @@ static void string_modes(void)
 	swim.net.g = 0.0;
 	if (ok(!hawser_net_modes_solve(&modes, &swim.net, 30, &report), "modes in water%s",
 	       report.message)) {
-		close_to(modes.omega[0]/(2.0*M_PI), 0.2759709, 2e-4, "first mode across");
-		close_to(modes.omega[3]/(2.0*M_PI), 2.0*0.2759709, 6e-4, "second mode across");
+		close_to(modes.omega[0]/(2.0*M_PI), 0.2759709, 2e-4, "W7: first mode across");
+		close_to(modes.omega[3]/(2.0*M_PI), 2.0*0.2759709, 6e-4, "W7: second mode across");
 		for (int i = 0; i < modes.n; i++)
 			if (modes.along[i] > 0.99) {
-				close_to(modes.omega[i]/(2.0*M_PI), 3.569596, 2e-4, "first mode along");
+				close_to(modes.omega[i]/(2.0*M_PI), 3.569596, 2e-4, "W7: first mode along");
 				break;
 			}
 	}
@@ -266,8 +285,8 @@ static void tethered(void)
 				least = fmin(least, motion.x[i][0]);
 				most = fmax(most, motion.x[i][0]);
 			}
-		close_to(least, -2.075, 3e-3, "least x of the buoy");
-		close_to(most, 2.726, 3e-3, "largest x of the buoy");
+		close_to(least, -2.075, 3e-3, "W12: least x of the buoy");
+		close_to(most, 2.726, 3e-3, "W12: largest x of the buoy");
 	}
 	hawser_net_motion_clear(&motion);
 	hawser_waves_clear(&swim.net.water.waves);

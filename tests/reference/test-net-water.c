@@ -86,16 +86,16 @@ static void wet_uniform_current(void)
 		if (!wet_solved(&st, &scene, "uniform current"))
 			return;
 		if (i == 1) {
-			wet_pulls(&st, 0, A, 2e-4*11045.70, "50 elements");
-			wet_pulls(&st, 1, B, 2e-4*11045.70, "50 elements");
+			wet_pulls(&st, 0, A, 2e-4*11045.70, "W2, 50 elements");
+			wet_pulls(&st, 1, B, 2e-4*11045.70, "W2, 50 elements");
 			for (int k = 0; k < 3; k++)
 				ok(fabs(st.point[25].x[k] - middle[k]) <= 2e-4*122.629, "place of the middle "
 				   "along %c: %.9g", "xyz"[k], st.point[25].x[k]);
 			ok(isinf(st.gap), "no bound of the energy in a current");
 		}
 		if (i == 2) {
-			wet_pulls(&st, 0, A, 1e-5*11045.70, "400 elements");
-			wet_pulls(&st, 1, B, 1e-5*11045.70, "400 elements");
+			wet_pulls(&st, 0, A, 1e-5*11045.70, "W2, 400 elements");
+			wet_pulls(&st, 1, B, 1e-5*11045.70, "W2, 400 elements");
 		}
 		off[i & 1] = i < 2 ? -st.reaction[0][0] - A[0] : off[0];
 		hawser_net_statics_clear(&st);
@@ -117,8 +117,8 @@ static void wet_over_depth(void)
 	wet_flow(&scene, -20.0, 1.0, 0.5);
 	wet_flow(&scene, 0.0, 1.2, 0.9);
 	if (wet_solved(&st, &scene, "current over the depth")) {
-		wet_pulls(&st, 0, A, 2e-4*2332.21, "over the depth");
-		wet_pulls(&st, 1, B, 2e-4*2332.21, "over the depth");
+		wet_pulls(&st, 0, A, 2e-4*2332.21, "W3, over the depth");
+		wet_pulls(&st, 1, B, 2e-4*2332.21, "W3, over the depth");
 	}
 	hawser_net_statics_clear(&st);
 }
@@ -140,10 +140,10 @@ static void wet_several(void)
 		if (i)
 			wet_flow(&scene, 0.0, 0.4, 0.7);
 		if (wet_solved(&st, &scene, "three parts") && i)
-			wet_pulls(&st, 0, A, 2e-4*21932.4, "three parts in a current");
+			wet_pulls(&st, 0, A, 2e-4*21932.4, "W4, three parts in a current");
 		else if (!i)
 			wet_pulls(&st, 0, (const double[3]){16689.59, 13113.04, 0.0}, 2e-4*16689.59,
-			      "three parts in still water");
+			      "W4, three parts in still water");
 		ok(i == isinf(st.gap), "a bound of the energy in still water");
 		hawser_net_statics_clear(&st);
 	}
@@ -161,7 +161,7 @@ static void wet_dry(void)
 	memset(scene.node[1].held, 0, 3);
 	if (wet_solved(&st, &scene, "partly dry")) {
 		close_to(st.reaction[0][1], 12.0*9.81*100.0 - wet, 1e-6*2674.224, "weight in water");
-		close_to(st.reaction[0][1], 2674.224, 1e-3, "weight in water, of the table");
+		close_to(st.reaction[0][1], 2674.224, 1e-3, "W24: weight in water, of the table");
 	}
 	hawser_net_statics_clear(&st);
 }
@@ -180,8 +180,8 @@ static void wet_towed(void)
 	if (wet_solved(&st, &scene, "towed")) {
 		double x = st.x[1][0], y = st.x[1][1] + 20.0;
 
-		close_to(hypot(st.reaction[0][0], st.reaction[0][1]), 317.0023, 1e-6, "its tension");
-		close_to(atan2(-y, x)*180.0/acos(-1.0), 17.54475, 1e-6, "its angle, degrees");
+		close_to(hypot(st.reaction[0][0], st.reaction[0][1]), 317.0023, 1e-6, "W5: its tension");
+		close_to(atan2(-y, x)*180.0/acos(-1.0), 17.54475, 1e-6, "W5: its angle, degrees");
 	}
 	hawser_net_statics_clear(&st);
 }

@@ -138,6 +138,32 @@ static void string(void)
 	hawser_rod_statics_clear(&st);
 }
 
+/* A hose that rises from a hinge 5 m below the surface and floats: away from there its weight is that
+ * of the water displaced, and the height follows from the part of a section that is wet. */
+static void floats(void)
+{
+	const double part = 10.0/(1025.0*0.01*acos(-1.0));
+	struct hawser_rod_statics st = {0};
+	struct hawser_report report = {0};
+	struct hawser_rod rod = pole(0.0);
+
+	segment = (struct hawser_rod_segment){
+		.length = 60.0, .rho = 10.0, .EA = 20e6, .GA = {8e6, 8e6}, .EI = {2e4, 2e4}, .GJ = 15e3,
+		.line = {0.2, 1.2, 0.02, 1.0, 0.0}, .elements = 40};
+	rod.length = 60.0;
+	rod.at[1] = -5.0;
+	memcpy(rod.tangent, (const double[3]){1.0, 0.0, 0.0}, sizeof rod.tangent);
+	memcpy(rod.normal, (const double[3]){0.0, 1.0, 0.0}, sizeof rod.normal);
+	if (ok(hawser_rod_solve(&st, &rod, &(struct hawser_rod_options){.skip_error = 1}, &report) ==
+	       HAWSER_OK, "a hose that floats: %s", report.message)) {
+		close_to(st.point[36].x[1], 0.002*(0.5 - part), 1e-7, "its height on the surface, m");
+		close_to(600.0*9.81 - st.force[0][1], st.wet*1025.0*9.81*0.01*acos(-1.0), 1e-9,
+		         "its buoyancy, N");
+		ok(st.judged && !st.negative, "it is stable");
+	}
+	hawser_rod_statics_clear(&st);
+}
+
 /* W6: a free rod, level and without a bend, sinks at one speed. */
 static void sinking(void)
 {
@@ -220,6 +246,7 @@ CASE(reference_rod_water)
 	rigid();
 	order();
 	string();
+	floats();
 	sinking();
 	net();
 	return done_testing();

@@ -1,7 +1,8 @@
 /* tests/unit/scene-text.h - read a scene from a string.
  * Include "config.h" before anything else, for fmemopen.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_TESTS_SCENE_TEXT_H
+#define HAWSER_TESTS_SCENE_TEXT_H
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -42,3 +43,5 @@ static inline int is_read(struct hawser_scene *scene, const char *text)
 
 	return ok(!read_text(scene, text, NULL, &report), "scene %s", report.message);
 }
+
+#endif

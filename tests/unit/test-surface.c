@@ -75,6 +75,44 @@ static void shape(const struct hawser_surface *given)
 	ok(least > -1e-15, "%s: points inside or behind it are brought to the free side", surface.name);
 }
 
+static double spread(const double *x)
+{
+	return 0.3*x[0]*x[0] - 0.4*x[0]*x[2] + 0.2*x[2]*x[2] - 0.5*x[0];
+}
+
+/* Beds: above and below roundings, between lines, and beyond the points. */
+static void beds(void)
+{
+	static const double x[] = {-3.0, -1.385, 0.2, 1.1, 4.0}, z[] = {-2.0, -0.3, 0.9, 2.385};
+	static const double off[] = {-0.05, 0.0, 0.02, 0.05}; /* m, less than the radii of curvature */
+	double y[20], error[3] = {0}, most = 0.0;
+	struct hawser_report report;
+
+	for (int i = 0; i < 20; i++)
+		y[i] = spread((double[]){x[i % 5], 0.0, z[i/5]});
+	for (int lines = 1; lines <= 4; lines += 3) {
+		struct hawser_surface bed = {.name = "bed", .kind = lines > 1 ? HAWSER_SURFACE_GRID
+			: HAWSER_SURFACE_PROFILE, .friction = 0.5};
+
+		ok(!hawser_heights_make(&bed.heights, 5, x, lines, z, y, 0.35, &report) &&
+		   !hawser_surface_settle(&bed, &report), "a bed of %d lines", lines);
+		for (int i = 0; i < 140; i++) {
+			double at[3] = {-3.4 + 0.413*(i % 20), 0.0, -2.3 + 0.759*(i/20)}, n[3], g;
+
+			at[1] = hawser_heights_at(bed.heights, at[0], at[2]) + off[i % 4];
+			differences(error, &bed, at);
+			g = hawser_surface_gap(n, NULL, &bed, at);
+			for (int k = 0; k < 3; k++)
+				at[k] -= g*n[k];
+			most = fmax(most, fabs(at[1] - hawser_heights_at(bed.heights, at[0], at[2])));
+		}
+		hawser_heights_free(bed.heights);
+	}
+	ok(error[0] < 1e-9 && error[1] < 1e-7 && error[2] < 1e-15, "beds: gradient and second derivatives "
+	   "are those of the gap, to %.1e, %.1e, %.1e", error[0], error[1], error[2]);
+	ok(most < 1e-14, "the nearest point is on the bed, to %.1e m", most);
+}
+
 static void gaps(void)
 {
 	struct hawser_surface sheave = shapes[4], table = shapes[1], pipe = shapes[5];
@@ -137,6 +175,7 @@ CASE(unit_surface)
 {
 	for (int i = 0; i < SHAPES; i++)
 		shape(&shapes[i]);
+	beds();
 	gaps();
 	refusals();
 	return done_testing();

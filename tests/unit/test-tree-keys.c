@@ -118,7 +118,8 @@ static int is_left_out(const struct hawser__tree_key *row)
 		"net.cables[].f", "net.cables[].s",
 		"ropeway.ropeway.cases[]", "obstacles.tension.", "net.loads.*", "winch.times", "winch.speeds",
 		"winch.lengths", "net.passing[]", "net.absorbers[]", "net.masses.*.", "net.bodies.*.",
-		"net.wind", "net.cables[].wind"}; /* the scene is in water */
+		"net.wind", "net.cables[].wind", /* the scene is in water */
+		"rod.water.", "tow.water."};     /* those of nets, by the same rows */
 	size_t i = 0;
 
 	while (i < sizeof part/sizeof *part && !strstr(row->path, part[i]))

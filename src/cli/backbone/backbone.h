@@ -1,6 +1,7 @@
 /* cli/backbone/backbone.h - backbones beside a frequency response (hawser frf --backbone).
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_BACKBONE_H
+#define HAWSER_CLI_BACKBONE_H
 
 #include "cli/frame/view.h"
 
@@ -32,3 +33,5 @@ const char *cli_backbone_end(enum hawser_backbone_end end); /* for people */
 /* Energy over frequency; `result` is a cli_frf_result. */
 enum hawser_status cli_backbone_draw(const char *path, const void *result,
                                      struct hawser_report *report);
+
+#endif

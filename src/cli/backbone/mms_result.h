@@ -1,6 +1,7 @@
 /* cli/backbone/mms_result.h - results of multiple scales as table, JSON and picture.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_MMS_RESULT_H
+#define HAWSER_CLI_MMS_RESULT_H
 
 #include "cli/frame/view.h"
 
@@ -51,3 +52,5 @@ struct cli_mms_marks {
 };
 /* Measured by the amplitude of coordinate `mode`. */
 void cli_mms_marks(struct cli_mms_marks *marks, const struct hawser_frf *frf, int mode);
+
+#endif

@@ -4,7 +4,8 @@
  * --vary there is one.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_BEAM_RESULT_H
+#define HAWSER_CLI_BEAM_RESULT_H
 
 #include "cli/frame/cli.h"
 
@@ -83,3 +84,5 @@ void cli_beam_print_scales(FILE *stream, const struct hawser_scene *scene,
                            const struct hawser_beam *beam);
 /* If the lower end of the beam is slack, write a warning and return 1; else return 0. */
 int cli_beam_slack(char *text, size_t size, const struct hawser_beam *beam);
+
+#endif

@@ -1,7 +1,8 @@
 /* cli/compare/compare_made.h - fidelities of nets and ropeways: models of several numbers of modes. Of
  * nets the reference is the mesh, in which the folds and peaks of the largest model are corrected.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_COMPARE_MADE_H
+#define HAWSER_CLI_COMPARE_MADE_H
 
 #include "cli/compare/compare_result.h"
 
@@ -20,3 +21,5 @@ enum hawser_status cli_compare_made(struct cli_compare_result *result, int i,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
 /* The mesh has one peak of each resonance, the largest: those of other components do not count. */
 void cli_compare_made_count(struct cli_compare_result *result, int i);
+
+#endif

@@ -1,6 +1,7 @@
 /* cli/compare/compare_result.h - a comparison of fidelities: its table, JSON and picture.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_COMPARE_RESULT_H
+#define HAWSER_CLI_COMPARE_RESULT_H
 
 #include "cli/frame/cli.h"
 
@@ -31,3 +32,5 @@ const char *cli_compare_outcome(const struct cli_compare_result *result, int i);
 /* Reason why a curve ended before the end of the range. */
 const char *cli_compare_ended(const struct hawser_study_curve *curve);
 extern const struct cli_showing cli_compare_showing;
+
+#endif

@@ -1,6 +1,7 @@
 /* cli/curves/folds_result.h - output of hawser folds.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_FOLDS_RESULT_H
+#define HAWSER_CLI_FOLDS_RESULT_H
 
 #include "cli/frame/cli.h"
 
@@ -15,3 +16,5 @@ struct cli_folds_result {
 extern const struct cli_showing cli_folds_showing;
 enum hawser_status cli_folds_draw(const char *path, const void *result,
                                   struct hawser_report *report);
+
+#endif

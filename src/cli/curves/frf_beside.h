@@ -1,6 +1,7 @@
 /* cli/curves/frf_beside.h - a second response in the picture of a frequency response (hawser frf
  * --beside). SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_FRF_BESIDE_H
+#define HAWSER_CLI_FRF_BESIDE_H
 
 #include <jansson.h>
 
@@ -28,3 +29,5 @@ enum hawser_status cli_beside_overlays(struct cli_overlay *overlay, int *count,
                                        const struct cli_frf_result *result,
                                        struct hawser_report *report) HAWSER_MUST_CHECK;
 void cli_beside_clear(struct cli_beside *beside);
+
+#endif

@@ -1,6 +1,7 @@
 /* cli/curves/frf_cover.h - further branches of a frequency response, for the parts of the range
  * that the first one does not cover. SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_FRF_COVER_H
+#define HAWSER_CLI_FRF_COVER_H
 
 #include <hawser/branches.h>
 #include <hawser/cover.h>
@@ -73,3 +74,5 @@ struct cli_joined {
 /* 1: no memory; release with cli_joined_clear either way. */
 int cli_frf_join(struct cli_joined *joined, const struct cli_frf_result *result);
 void cli_joined_clear(struct cli_joined *joined);
+
+#endif

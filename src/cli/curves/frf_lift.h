@@ -1,6 +1,7 @@
 /* cli/curves/frf_lift.h - where a response takes the rope of a ropeway off a sheave.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_FRF_LIFT_H
+#define HAWSER_CLI_FRF_LIFT_H
 
 #include "cli/frame/cli.h"
 
@@ -11,3 +12,5 @@ void cli_frf_lift_comment(struct hawser__table *table, const struct cli_frf_resu
 /* JSON: sheaves, and lift. */
 void cli_frf_sheaves_json(struct hawser__json *json, json_t *into, const void *result);
 void cli_frf_lift_json(struct hawser__json *json, json_t *into, const void *result);
+
+#endif

@@ -1,6 +1,7 @@
 /* cli/curves/frf_over.h - hawser frf --over: the motion at one frequency, followed in a parameter.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_FRF_OVER_H
+#define HAWSER_CLI_FRF_OVER_H
 
 #include <hawser/scene_family.h>
 
@@ -33,3 +34,5 @@ int cli_over_needs_scene(const char *text);
  * the inertia of condensed modes. */
 enum hawser_status cli_over_load(struct cli_model *model, const struct cli_common *common, int n,
                                  const char *over, struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

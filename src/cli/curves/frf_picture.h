@@ -1,6 +1,7 @@
 /* cli/curves/frf_picture.h - the picture of a frequency response: what its panels and its enlarged
  * parts share. SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_FRF_PICTURE_H
+#define HAWSER_CLI_FRF_PICTURE_H
 
 #include "cli/frame/cli.h"
 #include "output/drawing/figure.h"
@@ -46,3 +47,5 @@ void cli_tori_bands(struct cli_frf_picture *of, int panel);
 void cli_frf_crowds(struct cli_frf_picture *of);
 double cli_frf_details_cm(const struct cli_frf_picture *of);
 void cli_frf_draw_details(struct cli_frf_picture *of, double room);
+
+#endif

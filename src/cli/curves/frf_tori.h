@@ -1,6 +1,7 @@
 /* cli/curves/frf_tori.h - hawser frf --tori: the quasi-periodic motions that begin at the torus
  * points of a frequency response. SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_FRF_TORI_H
+#define HAWSER_CLI_FRF_TORI_H
 
 #include <hawser/torus.h>
 
@@ -26,3 +27,5 @@ void cli_tori_comments(struct hawser__table *table, const struct cli_frf_result 
  * amplitudes. */
 extern const struct hawser__field cli_tori_field[];
 extern const struct hawser__list cli_torus_most_list, cli_torus_least_list;
+
+#endif

@@ -272,8 +272,21 @@ static const struct cli_showing showing = {.head = head, .comments = comments, .
                                            .fields = result_field, .stats = stats_field,
                                            .draw = draw};
 
+/* The mean of the drag of a current and waves, which is more than that of the current. */
+static void warn_mean(const struct hawser_water *water)
+{
+	double most = 0.0;
+
+	for (int i = 0; i < water->levels; i++)
+		for (int k = 0; k < 3; k++)
+			most = fmax(most, fabs(water->current[i].u[k]));
+	if (most > 0.0)
+		cli_warn("this response is about the equilibrium in the current alone, and the mean drag of a "
+		         "current with waves is larger: of mean places and tensions, use hawser integrate");
+}
+
 /* The end of a cable that waves may make slack, for which linear equations do not hold. */
-static void warn(const struct result *result)
+static void warn_slack(const struct result *result)
 {
 	const struct hawser_net_waves *waves = &result->waves;
 	double factor = waves->spectrum ? SIGMAS : 1.0, worst = 0.0;
@@ -344,8 +357,10 @@ enum hawser_status cli_waves_response(const struct cli_common *common, const cha
 		                      "frequency");
 	if (!status)
 		status = hawser_net_mesh_error(&result->mesh.error, &result->mesh.net, NULL, report);
-	if (!status)
-		warn(result);
+	if (!status) {
+		warn_mean(&result->mesh.net.water);
+		warn_slack(result);
+	}
 	if (!status)
 		status = cli_show(common, &showing, result, report);
 	hawser_net_waves_clear(&result->waves);

@@ -1,6 +1,7 @@
 /* cli/curves/locus_result.h - loci of bifurcations as a table, JSON and a picture.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_LOCUS_RESULT_H
+#define HAWSER_CLI_LOCUS_RESULT_H
 
 #include "cli/frame/cli.h"
 
@@ -16,3 +17,5 @@ struct cli_locus_result {
 };
 extern const struct cli_showing cli_locus_showing;
 enum hawser_status cli_locus_draw(const char *path, const void *result, struct hawser_report *report);
+
+#endif

@@ -1,7 +1,8 @@
 /* cli/frame/cli.h - the program: a table of commands, each with a table of options. A command
  * parses its options, calls the library, converts between a model's scale and SI, and prints.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_CLI_H
+#define HAWSER_CLI_CLI_H
 
 #include <stddef.h>
 
@@ -471,3 +472,5 @@ int cli_frf_displacements(const struct cli_frf_result *result);
 enum hawser_status cli_frf_draw(const char *path, const void *result, struct hawser_report *report);
 /* Write "Amplitude of z, mid-span (m)" in gnuplot's markup; probes may have any name. */
 void cli_probe_label(char *label, size_t size, char component, const char *probe, const char *unit);
+
+#endif

@@ -1,6 +1,7 @@
 /* cli/frame/hdf5.h - tables as HDF5, for results of millions of rows.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_HDF5_H
+#define HAWSER_CLI_HDF5_H
 
 #include <hawser/status.h>
 #include "output/fields/fields.h"
@@ -29,3 +30,5 @@ enum hawser_status cli_hdf5_write(const char *path, const struct cli_hdf5_table 
                                   struct hawser_report *report) HAWSER_MUST_CHECK;
 /* Before a long computation: whether that is possible. NULL is legal. */
 enum hawser_status cli_hdf5_check(const char *path, struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

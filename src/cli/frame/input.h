@@ -1,6 +1,7 @@
 /* cli/frame/input.h - the input of commands that is a word: "bash|zsh|fish", or "[cable|net]"
  * where it may be left out. SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_INPUT_H
+#define HAWSER_CLI_INPUT_H
 
 #include "cli/frame/cli.h"
 
@@ -12,3 +13,5 @@ int cli_input_word(char word[CLI_INPUT_WORD], const struct cli_command *command,
 /* The index of `text`, or 0 where it is NULL; otherwise the message names all words. */
 enum hawser_status cli_choose_input(int *index, const struct cli_command *command, const char *text,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

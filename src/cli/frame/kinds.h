@@ -1,6 +1,7 @@
 /* cli/frame/kinds.h - the kinds of inputs: a record of each, from which follow which commands take an
  * input, what check says of it, and what is refused. SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_KINDS_H
+#define HAWSER_CLI_KINDS_H
 
 #include "cli/frame/cli.h"
 
@@ -59,3 +60,5 @@ enum hawser_status cli_kind_check(const struct cli_command *command, const struc
 void cli_kind_print(FILE *to, int index, int forced);
 /* Whether something forces a span: loads, moving ends, a fluctuating speed. */
 int cli_is_forced(const struct hawser_scene *scene);
+
+#endif

@@ -1,6 +1,7 @@
 /* cli/frame/mesh_net.h - the mesh of a net's scene: elements that are not given, and its error.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_MESH_NET_H
+#define HAWSER_CLI_MESH_NET_H
 
 #include <hawser/net.h>
 
@@ -23,3 +24,5 @@ void cli_mesh_warning(char *text, const struct cli_mesh *mesh);
 extern const struct hawser__vector cli_nodes, cli_supports;
 #define CLI_NODES_AT(type, member, of) \
 	.kind = HAWSER__VECTOR, .vector = &(of), HAWSER__PLACE(type, member)
+
+#endif

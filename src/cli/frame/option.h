@@ -1,6 +1,7 @@
 /* cli/frame/option.h - options of commands: parsing, --help and refusals follow from one table
  * (options.c). SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_OPTION_H
+#define HAWSER_CLI_OPTION_H
 
 #include <stddef.h>
 
@@ -114,3 +115,5 @@ enum hawser_status cli_store_count(void *field, const struct cli_option *option,
 /* The heading of the rows that follow, up to the next one. */
 #define CLI_HEADING(text) {.name = "", .arguments = "", .doc = text}
 #define CLI_NO_OPTION {.name = NULL}
+
+#endif

@@ -1,6 +1,7 @@
 /* cli/frame/part.h - the option --part K/N of maps and sweeps.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_PART_H
+#define HAWSER_CLI_PART_H
 
 #include "cli/frame/cli.h"
 
@@ -10,3 +11,5 @@
 enum hawser_status cli_part_read(int *number, int *parts, const char *text, const char *command,
                                  const char *checkpoint, const struct cli_common *common,
                                  const char *other, struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

@@ -1,6 +1,7 @@
 /* cli/frame/picture.h - options about the picture of a command.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_PICTURE_H
+#define HAWSER_CLI_PICTURE_H
 
 #include "cli/frame/cli.h"
 
@@ -16,3 +17,5 @@ enum hawser_status cli_store_range(void *field, const struct cli_option *option,
  * this file. */
 enum hawser_status cli_picture_choose(struct cli_common *common,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

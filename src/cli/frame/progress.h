@@ -1,6 +1,7 @@
 /* cli/frame/progress.h - the line on standard error that shows what a long computation is doing.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_PROGRESS_H
+#define HAWSER_CLI_PROGRESS_H
 
 #include <hawser/progress.h>
 #include <hawser/status.h>
@@ -30,3 +31,5 @@ struct cli_watch {
 int cli_watch(void *data, const struct hawser_progress_state *state);
 /* The same, but shows nothing. data is not read. */
 int cli_watch_silently(void *data, const struct hawser_progress_state *state);
+
+#endif

@@ -14,7 +14,8 @@
  *    cli_ranks_close(ranks, &tasks);
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_RANKS_H
+#define HAWSER_CLI_RANKS_H
 
 #include "core/ranks.h"
 
@@ -45,3 +46,5 @@ enum hawser_status cli_mpi_open(struct hawser__ranks *ranks, struct hawser_repor
 	HAWSER_MUST_CHECK;
 /* in_order: 0: leave MPI as it is. */
 void cli_mpi_close(struct hawser__ranks *ranks, int in_order);
+
+#endif

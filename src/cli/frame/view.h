@@ -1,6 +1,7 @@
 /* cli/frame/view.h - how results of a model are shown, and fields that several results have.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_VIEW_H
+#define HAWSER_CLI_VIEW_H
 
 #include "cli/frame/cli.h"
 #include "output/fields/fields.h"
@@ -93,3 +94,5 @@ extern const struct hawser__list cli_compatibility_list;
  * "x", "y" or "xy". */
 enum hawser_status cli_outputs_check_scales(const struct cli_common *common, const char *axes,
                                             struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

@@ -1,6 +1,7 @@
 /* cli/frame/within.h - commands that run in another command: hawser report and hawser sweep.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_WITHIN_H
+#define HAWSER_CLI_WITHIN_H
 
 #include "cli/frame/cli.h"
 
@@ -54,3 +55,5 @@ void cli_warnings_end(void);
 /* Temporary files: `remove` removes them if the handler of a signal ends the program, and they do
  * not count as written. It only calls what a handler may call. NULL: there are none any longer. */
 void cli_temporary(void (*remove)(void));
+
+#endif

@@ -1,6 +1,7 @@
 /* cli/map/hill_result.h - results of hawser hill as table, JSON and picture.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_HILL_RESULT_H
+#define HAWSER_CLI_HILL_RESULT_H
 
 #include "cli/model/axis.h"
 #include "cli/frame/cli.h"
@@ -35,3 +36,5 @@ enum hawser_status cli_hill_unstable(struct cli_hill_boxes boxes[2],
                                      const struct cli_hill_result *result,
                                      struct hawser_report *report);
 extern const struct cli_showing cli_hill_boundaries, cli_hill_multipliers;
+
+#endif

@@ -1,6 +1,7 @@
 /* cli/map/map_part.h - parts of maps, and maps that are shared among ranks.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_MAP_PART_H
+#define HAWSER_CLI_MAP_PART_H
 
 #include "cli/frame/cli.h"
 #include "cli/map/map_result.h"
@@ -23,3 +24,5 @@ void cli_map_boundary(struct hawser__table *table, const struct cli_map_result *
 enum hawser_status cli_map_hdf5(const char *path, const struct cli_map_result *result,
                                 const struct hawser__table *boundaries,
                                 struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

@@ -1,6 +1,7 @@
 /* cli/map/map_result.h - what hawser map computed, for tables, JSON and pictures.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_MAP_RESULT_H
+#define HAWSER_CLI_MAP_RESULT_H
 
 #include "cli/model/judged.h"
 
@@ -24,3 +25,5 @@ void cli_map_judge(struct cli_map_result *result);
 const char *cli_map_value_unit(const struct cli_map_result *result);
 extern const struct cli_showing cli_map_showing;
 enum hawser_status cli_map_draw(const char *path, const void *result, struct hawser_report *report);
+
+#endif

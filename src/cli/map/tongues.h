@@ -1,6 +1,7 @@
 /* cli/map/tongues.h - tongues that the search of map and hill could not tell.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_TONGUES_H
+#define HAWSER_CLI_TONGUES_H
 
 #include <hawser/map.h>
 
@@ -11,3 +12,5 @@
 void cli_tongues_comment(struct hawser__table *table, const struct hawser_tongues *tongues);
 void cli_tongues_warn(const struct hawser_tongues *tongues);
 extern const struct hawser__field cli_tongues_field[];
+
+#endif

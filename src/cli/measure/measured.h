@@ -1,6 +1,7 @@
 /* cli/measure/measured.h - a table of measured natural frequencies.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_MEASURED_H
+#define HAWSER_CLI_MEASURED_H
 
 #include <hawser/identify.h>
 
@@ -11,3 +12,5 @@
 enum hawser_status cli_measured_read(struct hawser_measured **measured, int *count,
                                      const char *path,
                                      struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

@@ -1,6 +1,7 @@
 /* cli/measure/series.h - two columns of a text table: a measured series, or a result of another
  * command. SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_SERIES_H
+#define HAWSER_CLI_SERIES_H
 
 #include <hawser/status.h>
 
@@ -28,3 +29,5 @@ void cli_series_clear(struct cli_series *series);
 enum hawser_status cli_columns_read(double **column, int *rows, const char *path,
                                     const char *const *name, int names,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

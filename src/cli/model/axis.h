@@ -1,6 +1,7 @@
 /* cli/model/axis.h - axes over a parameter: options that name a range of one, units and titles.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_AXIS_H
+#define HAWSER_CLI_AXIS_H
 
 #include "cli/frame/cli.h"
 
@@ -30,3 +31,5 @@ const char *cli_key_unit(const char *key);
 int cli_axis_quantity(const char **quantity, const char **symbol, const char *key);
 /* The key as the title of an axis, in gnuplot's markup. */
 void cli_key_title(char *text, size_t size, const char *key);
+
+#endif

@@ -1,6 +1,7 @@
 /* cli/model/certificate.h - the certificate of a response (hawser/certificate.h), as results show it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_CERTIFICATE_H
+#define HAWSER_CLI_CERTIFICATE_H
 
 #include <hawser/certificate.h>
 
@@ -20,3 +21,5 @@ struct cli_certificate {
 enum hawser_status cli_certify(struct cli_frf_result *result,
                                struct hawser_report *report) HAWSER_MUST_CHECK;
 void cli_certificate_comments(struct hawser__table *table, const struct cli_frf_result *result);
+
+#endif

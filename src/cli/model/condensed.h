@@ -1,6 +1,7 @@
 /* cli/model/condensed.h - error of multipliers that is due to the condensation of fast coordinates.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_CONDENSED_H
+#define HAWSER_CLI_CONDENSED_H
 
 #include <hawser/map.h>
 
@@ -10,3 +11,5 @@
  * hawser_map_condensed; both are omitted if no coordinate was condensed (points is 0). */
 void cli_condensed_comment(struct hawser__table *table, const struct hawser_map_condensed *condensed);
 extern const struct hawser__field cli_condensed_field[];
+
+#endif

@@ -1,6 +1,7 @@
 /* cli/model/exact.h - a response with the exact energy, where the reduced model is not good enough.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_EXACT_H
+#define HAWSER_CLI_EXACT_H
 
 #include "cli/frame/cli.h"
 
@@ -52,3 +53,5 @@ enum hawser_status cli_exact_as(struct cli_model *model, const char *text,
 void cli_exact_warn(const struct cli_model *model);
 /* What was done, and why. */
 void cli_exact_comment(struct hawser__table *table, const struct cli_model *model);
+
+#endif

@@ -1,6 +1,7 @@
 /* cli/model/film_ropeway.h - the ropes of a ropeway in a motion of its model, for orbit --animate.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_FILM_ROPEWAY_H
+#define HAWSER_CLI_FILM_ROPEWAY_H
 
 #include <hawser/line_modes.h>
 #include <hawser/net_rom.h>
@@ -10,3 +11,5 @@
 enum hawser_status cli_film_ropeway(const char *path, const struct hawser_line_modes *modes,
                                     const struct hawser_net_rom_motion *motion, int stride,
                                     double apart, struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

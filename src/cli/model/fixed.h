@@ -1,7 +1,8 @@
 /* cli/model/fixed.h - the error of a model with a given number of modes: an estimate, what is
  * said of it, and its members in JSON (cli_fixed_field in view.h).
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_FIXED_H
+#define HAWSER_CLI_FIXED_H
 
 #include <hawser/accuracy.h>
 #include <hawser/law.h>
@@ -72,3 +73,5 @@ double *cli_range_reach(double *reached, const struct cli_model *model, const do
 void cli_range_warn(struct cli_model *model, double *reached);
 /* The same for the curves of a response. */
 void cli_range_warn_frf(struct cli_model *model, const struct cli_frf_result *result);
+
+#endif

@@ -1,6 +1,7 @@
 /* cli/model/judged.h - the model by which the response of a travelling cable is judged. See judged.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_JUDGED_H
+#define HAWSER_CLI_JUDGED_H
 
 #include <hawser/hill.h>
 #include <hawser/map.h>
@@ -41,3 +42,5 @@ void cli_judged_warn(const struct cli_judged *judged);
 int cli_judged_free(const struct cli_model *model, int n);
 void cli_judged_comment(struct hawser__table *table, const struct cli_judged *judged);
 extern const struct hawser__field cli_judged_field[];
+
+#endif

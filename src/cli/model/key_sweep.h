@@ -1,7 +1,8 @@
 /* cli/model/key_sweep.h - the values of --over: KEY=FROM:TO, KEY=FROM:TO:POINTS, both with :log behind
  * for equal ratios, and KEY=[A, B, ...].
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_KEY_SWEEP_H
+#define HAWSER_CLI_KEY_SWEEP_H
 
 #include "cli/frame/cli.h"
 
@@ -32,3 +33,5 @@ void cli_key_sweep_at(struct cli_common *common, char set[CLI_KEY_SWEEP_SET],
 /* A message about the override `set` becomes one about --over. Returns `status`. */
 enum hawser_status cli_key_sweep_blame(struct hawser_report *report, enum hawser_status status,
                                        const struct cli_key_sweep *sweep, const char *set);
+
+#endif

@@ -1,6 +1,7 @@
 /* cli/model/label.h - labels of a frequency response, and runs that begin at one: FILE#LABEL.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_LABEL_H
+#define HAWSER_CLI_LABEL_H
 
 #include "cli/curves/frf_over.h"
 #include "cli/frame/cli.h"
@@ -62,3 +63,5 @@ enum hawser_status cli_label_begin(struct hawser_frf_options *choice, double *al
 /* Check that the first orbit of the trace is that of the label. */
 enum hawser_status cli_label_kept(const struct cli_label *label, const struct hawser_frf *frf,
                                   const char *text, struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

@@ -1,6 +1,7 @@
 /* cli/model/lane.h - which model is made of which lane of a ropeway: options of commands that
  * take models. SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_LANE_H
+#define HAWSER_CLI_LANE_H
 
 /* How a model is made of a ropeway; NULL or 0: not given. */
 struct cli_lane_choice {
@@ -35,3 +36,5 @@ struct cli_lane_choice {
 	 CLI_TEXT_FOR(common.lane.contact, CLI_ROPEWAY)}, \
 	{"case", 0, "NAME", "ropeways: the load case (full)", \
 	 CLI_TEXT_FOR(common.lane.load_case, CLI_ROPEWAY)}
+
+#endif

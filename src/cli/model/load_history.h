@@ -1,6 +1,7 @@
 /* cli/model/load_history.h - integrate --load and --motion.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_LOAD_HISTORY_H
+#define HAWSER_CLI_LOAD_HISTORY_H
 
 #include "cli/frame/cli.h"
 
@@ -14,3 +15,5 @@ enum hawser_status cli_load_history(struct cli_model *model, const char *load, c
 /* A sentence if the ends move at the scaled time t, with which a run begins at rest. Returns whether
  * there is one. */
 int cli_motion_warning(char *text, size_t size, const struct cli_model *model, double t);
+
+#endif

@@ -1,6 +1,7 @@
 /* cli/model/made.h - models of scenes that are no spans: how they are made, and made again with other
  * modes. SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_MADE_H
+#define HAWSER_CLI_MADE_H
 
 #include <hawser/family.h>
 #include <hawser/line_rom.h>
@@ -84,3 +85,5 @@ enum hawser_status cli_made_response(struct hawser_frf *frf, struct cli_model *m
                                      struct hawser_report *report) HAWSER_MUST_CHECK;
 
 extern const struct cli_maker cli_maker_ropeway, cli_maker_net;
+
+#endif

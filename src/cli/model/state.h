@@ -1,6 +1,7 @@
 /* cli/model/state.h - JSON of states, to read an initial state or the end of a result.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_STATE_H
+#define HAWSER_CLI_STATE_H
 
 #include <jansson.h>
 
@@ -21,3 +22,5 @@ const char *cli_last_difference(char *name, size_t size, const json_t *root, con
 
 /* Read a list of 2n numbers in SI as a scaled state of the model. Returns 0 if it is none. */
 int cli_state_take(double *state, const json_t *list, const struct cli_model *model);
+
+#endif

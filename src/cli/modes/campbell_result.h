@@ -1,6 +1,7 @@
 /* cli/modes/campbell_result.h - a Campbell diagram as table, JSON and picture.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_CAMPBELL_RESULT_H
+#define HAWSER_CLI_CAMPBELL_RESULT_H
 
 #include "cli/frame/view.h"
 
@@ -25,3 +26,5 @@ struct hawser__axis cli_campbell_axis(const char *column,
 enum hawser_status cli_campbell_draw(const char *path, const void *result,
                                      struct hawser_report *report);
 void cli_campbell_free(struct cli_campbell_result *result);
+
+#endif

@@ -1,6 +1,7 @@
 /* cli/modes/irvine_result.h - a sweep of the tension as table, JSON and picture.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_IRVINE_RESULT_H
+#define HAWSER_CLI_IRVINE_RESULT_H
 
 #include "cli/frame/cli.h"
 
@@ -42,3 +43,5 @@ extern const struct cli_showing cli_irvine_showing;
 enum hawser_status cli_irvine_draw(const char *path, const void *result,
                                    struct hawser_report *report);
 void cli_irvine_free(struct cli_irvine_result *result);
+
+#endif

@@ -1,6 +1,7 @@
 /* cli/modes/modes_damped.h - damped modes of one span, or over a key of its scene.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_MODES_DAMPED_H
+#define HAWSER_CLI_MODES_DAMPED_H
 
 #include <hawser/net.h>
 
@@ -32,3 +33,5 @@ enum hawser_status cli_damped_solve(struct cli_damped_result *result, const char
 void cli_damped_free(struct cli_damped_result *result);
 extern const struct cli_showing cli_damped_showing;
 extern const struct hawser__field cli_damped_field[], cli_damped_member[];
+
+#endif

@@ -1,6 +1,7 @@
 /* cli/modes/modes_net.h - hawser modes of a scene of kind `net`.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_MODES_NET_H
+#define HAWSER_CLI_MODES_NET_H
 
 #include "cli/frame/cli.h"
 #include "output/fields/fields.h"
@@ -12,3 +13,5 @@ enum hawser_status cli_modes_net(const struct cli_common *common, int n, int sha
 
 /* Columns of the table, keys of JSON. */
 extern const struct hawser__field cli_modes_net_field[], cli_modes_net_member[];
+
+#endif

@@ -1,6 +1,7 @@
 /* cli/modes/modes_result.h - modes of a cable, at rest or travelling, as a table, as JSON and as
  * a picture. SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_MODES_RESULT_H
+#define HAWSER_CLI_MODES_RESULT_H
 
 #include "cli/frame/view.h"
 
@@ -17,3 +18,5 @@ struct cli_modes_result {
 enum hawser_status cli_modes_sample(struct cli_modes_result *result,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
 extern const struct cli_showing cli_modes_showing;
+
+#endif

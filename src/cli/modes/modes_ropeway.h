@@ -1,7 +1,8 @@
 /* cli/modes/modes_ropeway.h - hawser modes of a scene of kind `ropeway`, and what modes of a span over
  * obstacles share with it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_MODES_ROPEWAY_H
+#define HAWSER_CLI_MODES_ROPEWAY_H
 
 #include <hawser/ropeway_modes.h>
 
@@ -68,3 +69,5 @@ extern const struct hawser__field cli_modes_ropeway_field[], cli_modes_ropeway_p
 /* Bits of the view. */
 enum { CLI_MODES_RUNS = 1, CLI_MODES_REST = 2, CLI_MODES_SHAPES = 4, CLI_MODES_LOOP = 8,
        CLI_MODES_ROPEWAY = 16 };
+
+#endif

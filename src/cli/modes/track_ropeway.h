@@ -2,7 +2,8 @@
  * modes
  * --over, campbell, irvine.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_TRACK_ROPEWAY_H
+#define HAWSER_CLI_TRACK_ROPEWAY_H
 
 #include <hawser/campbell.h>
 
@@ -48,3 +49,5 @@ extern const struct hawser__field cli_track_field[], cli_track_member[];
 extern const struct hawser__list cli_track_rows;
 enum hawser_status cli_track_name_spans(struct cli_track *track,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

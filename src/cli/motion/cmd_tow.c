@@ -42,8 +42,8 @@ static const struct cli_option options[] = {
 	CLI_NO_OPTION,
 };
 static const char *const notes[] = {
-	"The scene has tow (any path), cable with EA and EI, air and body. The motion begins in the steady",
-	"state at the path's first velocity.",
+	"The scene has tow (any path), cable with EA and EI, air or water, and body. The motion begins in",
+	"the steady state at the path's first velocity.",
 	NULL,
 };
 

@@ -11,8 +11,8 @@ static const struct cli_option options[] = {
 	CLI_NO_OPTION,
 };
 static const char *const notes[] = {
-	"The scene has tow (speed or orbit), cable, air and body; the state is that at the full speed. The",
-	"cable is a string, or with EI a rod that bends.",
+	"The scene has tow (speed or orbit), cable, air or water, and body; the state is that at the full",
+	"speed. The cable is a string, or with EI a rod that bends.",
 	NULL,
 };
 

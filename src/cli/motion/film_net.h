@@ -1,6 +1,7 @@
 /* cli/motion/film_net.h - a net in motion, for --animate of hawser integrate and orbit.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_FILM_NET_H
+#define HAWSER_CLI_FILM_NET_H
 
 #include <hawser/net_motion.h>
 
@@ -28,3 +29,5 @@ enum hawser_status cli_film_write(const char *path, const struct cli_film *film,
                                   const struct hawser_net *net,
                                   struct hawser_report *report) HAWSER_MUST_CHECK;
 void cli_film_clear(struct cli_film *film);
+
+#endif

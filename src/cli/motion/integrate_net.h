@@ -1,6 +1,7 @@
 /* cli/motion/integrate_net.h - hawser integrate of a scene of kind `net`.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_INTEGRATE_NET_H
+#define HAWSER_CLI_INTEGRATE_NET_H
 
 #include <hawser/net.h>
 
@@ -55,3 +56,5 @@ enum hawser_status cli_integrate_times(double *until, double *every, double *ste
 
 /* warnings_net.c: what is warned of after a motion. */
 void cli_motion_warnings(const struct hawser_net *net, const struct hawser_net_motion *motion);
+
+#endif

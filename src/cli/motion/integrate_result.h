@@ -1,6 +1,7 @@
 /* cli/motion/integrate_result.h - a time response as a table, as JSON and as a picture.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_INTEGRATE_RESULT_H
+#define HAWSER_CLI_INTEGRATE_RESULT_H
 
 #include <hawser/lyapunov.h>
 
@@ -100,3 +101,5 @@ extern const struct cli_showing cli_integrate_showing;
 struct hawser__axis cli_integrate_axis(const struct cli_integrate_result *result);
 enum hawser_status cli_integrate_draw(const char *path, const void *result,
                                       struct hawser_report *report);
+
+#endif

@@ -1,6 +1,7 @@
 /* cli/motion/span_run.h - frequency and times of a motion of a span's mesh, from options.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_SPAN_RUN_H
+#define HAWSER_CLI_SPAN_RUN_H
 
 #include "cli/frame/cli.h"
 
@@ -20,3 +21,4 @@ enum hawser_status cli_span_run(struct cli_span_run *run, const struct cli_commo
                                 struct hawser_report *report) HAWSER_MUST_CHECK;
 /* 1 if the scene has a varying load or a moving end. */
 int cli_driven(const struct hawser_scene *scene);
+#endif

@@ -1,6 +1,7 @@
 /* cli/motion/transient_ropeway.h - what hawser transient shows.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_TRANSIENT_ROPEWAY_H
+#define HAWSER_CLI_TRANSIENT_ROPEWAY_H
 
 #include <hawser/transient.h>
 
@@ -31,3 +32,5 @@ enum { CLI_TRANSIENT_SPANS = 1, CLI_TRANSIENT_TOWERS = 2, CLI_TRANSIENT_PASSES =
 extern const struct hawser__field cli_transient_field[];
 extern const struct hawser__list cli_transient_row_list, cli_transient_span_list,
                                  cli_transient_tower_list, cli_passing_list;
+
+#endif

@@ -1,6 +1,7 @@
 /* cli/plan/plan_net.h - hawser plan of a scene of kind `net`.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_PLAN_NET_H
+#define HAWSER_CLI_PLAN_NET_H
 
 #include <hawser/net_plan.h>
 
@@ -37,3 +38,5 @@ enum hawser_status cli_plan_net(const struct cli_common *common, const struct cl
 void cli_plan_net_print(FILE *stream, const struct cli_plan_net_result *result);
 /* Fields of the table and of JSON, for the list of columns. */
 extern const struct hawser__field cli_plan_net_row[], cli_plan_net_fields[];
+
+#endif

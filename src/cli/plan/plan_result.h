@@ -1,6 +1,7 @@
 /* cli/plan/plan_result.h - a plan as text, table and JSON.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_PLAN_RESULT_H
+#define HAWSER_CLI_PLAN_RESULT_H
 
 #include "cli/frame/cli.h"
 
@@ -32,3 +33,5 @@ void cli_plan_forget_times(struct hawser_plan *plan);
 void cli_plan_print_decisions(FILE *stream, const struct cli_plan_result *result);
 void cli_plan_print(FILE *stream, const struct cli_plan_result *result);
 extern const struct cli_showing cli_plan_showing;
+
+#endif

@@ -1,6 +1,7 @@
 /* cli/report/report.h - the report of a scene: running the parts, and the page that shows them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_REPORT_H
+#define HAWSER_CLI_REPORT_H
 
 #include "cli/report/report_parts.h"
 
@@ -52,3 +53,5 @@ void cli_report_result_clear(struct cli_report_result *result);
 /* --- report_page.c --- */
 
 void cli_report_write(FILE *to, const struct cli_report_page *page);
+
+#endif

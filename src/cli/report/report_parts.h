@@ -1,6 +1,7 @@
 /* cli/report/report_parts.h - of what a report consists: commands of the program, by the kind of
  * the scene. SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_REPORT_PARTS_H
+#define HAWSER_CLI_REPORT_PARTS_H
 
 #include "cli/frame/cli.h"
 
@@ -22,3 +23,5 @@ enum hawser_status cli_report_choose(const struct cli_report_part *part[], int *
                                      struct hawser_scene *span, int *scene,
                                      const struct cli_common *common, const char *list,
                                      struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

@@ -59,8 +59,9 @@ void cli_contacts_comments(struct hawser__table *table, const struct hawser_net 
 		comment(table, net, st, i);
 	}
 	if (at_rest && !net->contact.history && most == 0.0)
-		hawser__table_comment(table, "no friction: at rest it depends on the way here: give it by "
-		                      "contact.sliding: history and contact.path");
+		hawser__table_comment(table, "no friction: at rest it depends on the way here%s", net->bodies
+		                      ? ", which is not known of bodies" : ": give it by contact.sliding: "
+		                        "history and contact.path");
 	hawser__table_comment(table, "contacts: penetration, and gap of what touches, at most %.1e m",
 	                      st->apart);
 }

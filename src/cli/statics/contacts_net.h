@@ -1,6 +1,7 @@
 /* cli/statics/contacts_net.h - what a net touches, in the output of hawser statics and modes.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_CONTACTS_NET_H
+#define HAWSER_CLI_CONTACTS_NET_H
 
 #include <hawser/net.h>
 
@@ -29,3 +30,5 @@ struct cli_touch {
 };
 struct cli_touch cli_contacts_at(const struct hawser_net *net, const struct hawser_net_statics *st,
                                  const struct hawser_net_point *point);
+
+#endif

@@ -1,7 +1,8 @@
 /* cli/statics/statics_kinds.h - what hawser statics does with each kind of scenes.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_STATICS_KINDS_H
+#define HAWSER_CLI_STATICS_KINDS_H
 
 #include "cli/frame/kinds.h"
 #include "cli/frame/view.h"
@@ -51,3 +52,5 @@ struct cli_statics_kinds {
 /* Tables of the kinds, for their records (cli/frame/kinds.h). */
 extern const struct cli_listing cli_statics_net_listing[], cli_obstacles_listing[],
                                 cli_ropeway_listing[], cli_rod_listing[];
+
+#endif

@@ -1,6 +1,7 @@
 /* cli/statics/statics_loaded.h - what hawser statics shows of a loaded span, and the points of
  * its profile. SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_STATICS_LOADED_H
+#define HAWSER_CLI_STATICS_LOADED_H
 
 #include "cli/frame/view.h"
 
@@ -62,3 +63,5 @@ enum hawser_status cli_cases_draw(const char *path, const struct cli_cases *case
                                   const struct hawser__axis *axis, struct hawser_report *report)
 	HAWSER_MUST_CHECK;
 void cli_cases_rows(struct hawser__table *table, const struct cli_cases *cases);
+
+#endif

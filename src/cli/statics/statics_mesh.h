@@ -1,6 +1,7 @@
 /* cli/statics/statics_mesh.h - hawser statics --model fe: a mesh in place of the catenary.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_STATICS_MESH_H
+#define HAWSER_CLI_STATICS_MESH_H
 
 #include "cli/frame/view.h"
 
@@ -16,3 +17,5 @@ enum hawser_status cli_statics_mesh(struct hawser__spot **profile,
                                     const struct hawser_scene *scene,
                                     const struct hawser_statics *statics, int elements,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

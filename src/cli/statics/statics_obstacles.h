@@ -1,7 +1,8 @@
 /* cli/statics/statics_obstacles.h - what hawser statics and modes show of a span over obstacles.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_STATICS_OBSTACLES_H
+#define HAWSER_CLI_STATICS_OBSTACLES_H
 
 #include "cli/statics/statics_kinds.h"
 
@@ -55,3 +56,5 @@ void cli_obstacles_clear(struct cli_obstacles *of);
 extern const struct hawser__list cli_obstacle_span_list, cli_obstacle_point_list;
 extern const struct hawser__field cli_obstacle_field[], cli_obstacles_field[];
 unsigned cli_obstacles_view(const struct cli_obstacles *of);
+
+#endif

@@ -1,7 +1,8 @@
 /* cli/statics/statics_ropeway.h - what hawser statics shows of a ropeway.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_STATICS_ROPEWAY_H
+#define HAWSER_CLI_STATICS_ROPEWAY_H
 
 #include "cli/statics/statics_kinds.h"
 
@@ -79,3 +80,5 @@ extern const struct hawser__field cli_ropeway_field[], cli_ropeway_case_field[];
 extern const struct hawser__list cli_ropeway_tower_list, cli_ropeway_span_list, cli_ropeway_worst_list,
                                  cli_ropeway_case_list, cli_ropeway_point_list;
 enum { CLI_ROPEWAY_SWEPT = 1, CLI_ROPEWAY_PROFILE = 2, CLI_ROPEWAY_CASES = 4 }; /* bits of the view */
+
+#endif

@@ -1,6 +1,7 @@
 /* cli/statics/stiffness_net.h - hawser statics --stiffness: the stiffness of a net at its nodes.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_STIFFNESS_NET_H
+#define HAWSER_CLI_STIFFNESS_NET_H
 
 #include <hawser/net.h>
 
@@ -21,3 +22,5 @@ enum { CLI_STIFFNESS = 4, CLI_STIFFNESS_TURNS = 8 };
 /* Columns; rows of the parent's member `stiffness`; members of JSON. */
 extern const struct hawser__field cli_stiffness_field[], cli_stiffness_member[];
 extern const struct hawser__list cli_stiffness_list;
+
+#endif

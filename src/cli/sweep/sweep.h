@@ -6,7 +6,8 @@
  *    packed      the result of a variation as text, see sweep_pack.c
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_SWEEP_H
+#define HAWSER_CLI_SWEEP_H
 
 #include "cli/frame/within.h"
 #include "output/fields/units.h"
@@ -235,3 +236,5 @@ enum hawser_status cli_sweep_map(const char *path, const struct cli_sweep_result
 
 enum hawser_status cli_sweep_draw(const char *path, const void *result,
                                   struct hawser_report *report);
+
+#endif

@@ -1,6 +1,7 @@
 /* cli/sweep/sweep_run.h - the variations of a sweep while they are computed. See sweep_run.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_SWEEP_RUN_H
+#define HAWSER_CLI_SWEEP_RUN_H
 
 #include "cli/frame/progress.h"
 #include "cli/sweep/sweep.h"
@@ -37,3 +38,5 @@ enum hawser_status cli_sweep_together(struct cli_sweep_run *run, int count,
 /* sweep_ranks.c: among the ranks of the sweep. */
 enum hawser_status cli_sweep_among(struct cli_sweep_run *run,
                                    struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

@@ -356,8 +356,10 @@ static enum hawser_status read_failure(struct cli_mooring *mooring, const struct
 static enum hawser_status read_option(struct cli_mooring *mooring, const struct words *words,
                                       struct hawser_report *report)
 {
-	static const char *const other[] = {"WaveKin", "Currents", "Current", "SeafloorFile",
-	                                    "bathymetry", "bathymetryFile"};
+	static const char *const other[] = {"WaveKin", "Currents", "Current"};
+	static const char *const bed[] = {"SeafloorFile", "SeafloorPath", "bathymetry",
+	                                  "bathymetryFile", "depth", "WtrDpth", "WtrDepth"};
+	double value;
 	const struct {
 		const char *key;
 		double *value;
@@ -368,13 +370,18 @@ static enum hawser_status read_option(struct cli_mooring *mooring, const struct 
 		{"kb", &mooring->stiffness}, {"cBot", &mooring->damping}, {"cb", &mooring->damping},
 		{"FrictionCoefficient", &mooring->friction}};
 
+	for (size_t i = 0; i < sizeof bed/sizeof *bed; i++)
+		if (!strcasecmp(words->word[1], bed[i]) && !number(&value, words->word[0]))
+			return cli_mooring_bed(mooring, words->word[0]) ? HAWSER_OK
+				: wrong(report, mooring, "the bathymetry '%s' cannot be read: its path is that of the "
+				        "folder where hawser runs, or of this file", words->word[0]);
 	for (size_t i = 0; i < sizeof known/sizeof *known; i++)
 		if (!strcasecmp(words->word[1], known[i].key))
 			return numbers(known[i].value, 1, mooring, words, 0, report);
 	for (size_t i = 0; i < sizeof other/sizeof *other; i++)
 		if (!strcasecmp(words->word[1], other[i]) && strcmp(words->word[0], "0") != 0)
-			left_out(mooring, "%s: waves, currents and beds of other files; see water and obstacles "
-			         "in hawser-scene(5)", words->word[1]);
+			left_out(mooring, "%s: waves and currents of other files; see water in "
+			         "hawser-scene(5)", words->word[1]);
 	return HAWSER_OK;
 }
 

@@ -13,7 +13,7 @@
 enum hawser_status cli_init_from(const char *path, struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* What such a file has, in its own axes: z upwards. */
-enum { CLI_MOORING_NAME = 32 };
+enum { CLI_MOORING_NAME = 32, CLI_MOORING_PATH = 1024 };
 struct cli_mooring_type {
 	char name[CLI_MOORING_NAME];
 	double diameter, mass, EA;   /* m, kg/m, N */
@@ -50,8 +50,11 @@ struct cli_mooring {
 	struct cli_mooring_failure *failure;
 	int types, bodies, points, lines, failures;
 	double g, density, depth, stiffness, damping, friction; /* depth: NAN: not given */
+	char bed[CLI_MOORING_PATH]; /* file of the bathymetry, "": none */
 };
-/* init_write.c */
+/* init_write.c. _bed: the file of the bathymetry, as an option has it or beside the file of the
+ * mooring; 0: none can be read. */
+int cli_mooring_bed(struct cli_mooring *mooring, const char *name);
 void cli_mooring_write(FILE *stream, const struct cli_mooring *mooring);
 
 #endif

@@ -1,6 +1,7 @@
 /* cli/tools/init_scenes.h - the scenes that hawser init writes.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_CLI_INIT_SCENES_H
+#define HAWSER_CLI_INIT_SCENES_H
 
 extern const char cli_init_cable[], cli_init_travelling[], cli_init_beam[], cli_init_net[],
                   cli_init_obstacles[], cli_init_ropeway[], cli_init_rod[], cli_init_tow[];
@@ -10,3 +11,5 @@ extern const char cli_init_cable[], cli_init_travelling[], cli_init_beam[], cli_
 #define CLI_INIT_DECLARE(name) extern const char cli_init_##name[];
 CLI_INIT_STRUCTURES(CLI_INIT_DECLARE)
 #undef CLI_INIT_DECLARE
+
+#endif

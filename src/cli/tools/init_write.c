@@ -3,6 +3,7 @@
 #include "config.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "cli/tools/init_from.h"
 #include "core/file.h"
@@ -123,6 +124,22 @@ static void failures(FILE *stream, const struct cli_mooring *mooring)
 	}
 }
 
+int cli_mooring_bed(struct cli_mooring *mooring, const char *name)
+{
+	const int folder = (int)(hawser__file_name(mooring->path) - mooring->path);
+	FILE *file = NULL;
+
+	for (int beside = 0; beside < 2 && !file && !strpbrk(name, "\"\\"); beside++) {
+		int length = snprintf(mooring->bed, sizeof mooring->bed, "%.*s%s", beside ? folder : 0,
+		                      mooring->path, name);
+
+		file = (size_t)length < sizeof mooring->bed ? fopen(mooring->bed, "r") : NULL;
+	}
+	if (file)
+		fclose(file);
+	return file != NULL;
+}
+
 void cli_mooring_write(FILE *stream, const struct cli_mooring *mooring)
 {
 	int deep = !isnan(mooring->depth);
@@ -138,10 +155,13 @@ void cli_mooring_write(FILE *stream, const struct cli_mooring *mooring)
 	cables(stream, mooring);
 	bodies(stream, mooring);
 	failures(stream, mooring);
-	if (!deep)
+	if (*mooring->bed)
+		fprintf(stream, "obstacles:\n  - {name: bed, grid: \"%s\"", mooring->bed);
+	else if (deep)
+		fprintf(stream, "obstacles:\n  - {name: bed, plane: {point: [0, %.12g], normal: [0, 1]}",
+		        -mooring->depth);
+	else
 		return;
-	fprintf(stream, "obstacles:\n  - {name: bed, plane: {point: [0, %.12g], normal: [0, 1]}",
-	        -mooring->depth);
 	if (mooring->stiffness > 0.0)
 		fprintf(stream, ", stiffness: %.12g", mooring->stiffness);
 	if (mooring->stiffness > 0.0 && mooring->damping > 0.0)

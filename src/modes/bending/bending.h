@@ -1,6 +1,7 @@
 /* modes/bending/bending.h - rotations, changes of curvature and end moments of modes with
  * bending stiffness. SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_MODES_BENDING_H
+#define HAWSER_MODES_BENDING_H
 
 #include "modes/grid.h"
 
@@ -31,3 +32,5 @@ enum hawser_status hawser__curvature(double *curvature, double *ends, const stru
 
 /* Fill moment[] of all modes. */
 enum hawser_status hawser__modes_moments(struct hawser_modes *modes, struct hawser_report *report);
+
+#endif

@@ -1,7 +1,8 @@
 /* modes/bending/flexure.h - a cable with bending stiffness in one plane: C1 functions of displacement,
  * stiffness and mass (doc/theory-bending.md).
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_MODES_FLEXURE_H
+#define HAWSER_MODES_FLEXURE_H
 
 #include "core/hold.h"
 #include "modes/grid.h"
@@ -69,3 +70,5 @@ enum hawser_status hawser__flexure_edges(double **edge, int *elements, const str
 
 /* cosine and sine of the angle of the tangent from that at mid-length, at s. */
 void hawser__flexure_axes(double *cosine, double *sine, const struct hawser_statics *st, double s);
+
+#endif

@@ -1,6 +1,7 @@
 /* modes/complex/complex_mode.h - refinement and error bound of one mode of a travelling cable.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_MODES_COMPLEX_MODE_H
+#define HAWSER_MODES_COMPLEX_MODE_H
 
 #include "modes/cable.h"
 
@@ -34,3 +35,5 @@ void hawser__complex_step(struct hawser__complex *t);
  * after each of `steps` further steps of inverse iteration. It holds for any x, since the matrix of
  * the first-order system for (K^1/2 q, q') is skew. Destroys x and the other fields. */
 double hawser__complex_bound(struct hawser__complex *t, int steps);
+
+#endif

@@ -1,6 +1,7 @@
 /* modes/complex/damped.h - eigenvalues of a cable with dampers, between the files of hawser/damped.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_MODES_DAMPED_H
+#define HAWSER_MODES_DAMPED_H
 
 #include <hawser/damped.h>
 
@@ -34,3 +35,5 @@ enum hawser_status hawser__damped_of(struct hawser_damped *damped, double *worst
 enum hawser_status hawser__damped_onset(double *value, const struct hawser_scene *scene,
                                         const struct hawser_damped_sweep_options *options,
                                         struct hawser_report *report);
+
+#endif

@@ -1,6 +1,7 @@
 /* modes/complex/gyroscopic.h - the code common to the methods for modes of a travelling cable.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_MODES_GYROSCOPIC_H
+#define HAWSER_MODES_GYROSCOPIC_H
 
 #include <hawser/gyroscopic.h>
 
@@ -27,3 +28,5 @@ enum hawser_status hawser__gyroscopic_at_rest(struct hawser_modes *modes,
 /* Set norm, phase, shares, family and symmetry of complex mode k from its eigenvalue, shape and
  * slope; returns its norm before. For hawser__modes_label. */
 double hawser__complex_label(struct hawser_modes *modes, int k);
+
+#endif

@@ -1,6 +1,7 @@
 /* modes/complex/quadratic.h - the eigenvalues of least modulus of M q'' + C q' + K q = 0, for
  * any real C and K. SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_MODES_QUADRATIC_H
+#define HAWSER_MODES_QUADRATIC_H
 
 #include <complex.h>
 
@@ -35,3 +36,5 @@ void hawser__quadratic_apply(double complex *product, const double *A, const dou
 
 /* y* q, both [n]. */
 double complex hawser__quadratic_dot(const double complex *y, const double complex *q, int n);
+
+#endif

@@ -1,6 +1,7 @@
 /* modes/complex/wind.h - a flow along a cable with modes. See wind.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_MODES_WIND_H
+#define HAWSER_MODES_WIND_H
 
 #include <hawser/modes.h>
 
@@ -34,3 +35,5 @@ void hawser__flow_damping(double *D, const struct hawser__flow_points *flow);
  * short. */
 double *hawser__wind_damping(int *failed, const struct hawser_modes *modes,
                              const struct hawser_scene *scene);
+
+#endif

@@ -1,7 +1,8 @@
 /* modes/sweep/branches.h - following branches of frequencies along a sweep: of the tension
  * (irvine.h) or of the speed (campbell.h). doc/theory-irvine.md.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_MODES_BRANCHES_H
+#define HAWSER_MODES_BRANCHES_H
 
 #include <hawser/gyroscopic.h>
 #include <hawser/irvine.h>
@@ -154,3 +155,5 @@ enum hawser_status hawser__branches_locate(struct hawser__branches *all, int k,
 /* Find veerings that are wider than a step, and insert samples that resolve the narrow ones. */
 enum hawser_status hawser__branches_veerings(struct hawser__branches *all,
                                              struct hawser_report *report);
+
+#endif

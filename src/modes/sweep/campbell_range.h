@@ -1,6 +1,7 @@
 /* modes/sweep/campbell_range.h - the range of speeds of a Campbell diagram, and its stations.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_MODES_CAMPBELL_RANGE_H
+#define HAWSER_MODES_CAMPBELL_RANGE_H
 
 #include <hawser/campbell.h>
 
@@ -14,3 +15,5 @@ enum hawser_status hawser__campbell_settle(struct hawser_campbell_options *optio
 enum hawser_status hawser__campbell_place(double **x, int *count, int *asked,
                                           const struct hawser_campbell_options *options,
                                           double limit, struct hawser_report *report);
+
+#endif

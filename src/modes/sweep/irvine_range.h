@@ -1,6 +1,7 @@
 /* modes/sweep/irvine_range.h - the range of a sweep of the tension, and its stations.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_MODES_IRVINE_RANGE_H
+#define HAWSER_MODES_IRVINE_RANGE_H
 
 #include <hawser/irvine.h>
 
@@ -19,3 +20,5 @@ enum hawser_status hawser__irvine_at(struct hawser_statics *st, const struct haw
 enum hawser_status hawser__irvine_range(double *from, double *to, const struct hawser_span *span,
                                         const struct hawser_irvine_options *options,
                                         enum hawser_given given, struct hawser_report *report);
+
+#endif

@@ -302,6 +302,8 @@ static enum hawser_status row(int *stop, struct hawser_net_motion *to, struct ru
 	}
 	status = run->net->bodies ? hawser__bodies_outside(run->net, (const double (*)[3])run->x, motion->t,
 	                                                   report) : HAWSER_OK;
+	if (!status)
+		status = hawser__contact_beyond(motion, report);
 	if (!status && options->probes)
 		status = hawser__probes_state(&run->probes, report);
 	for (int p = 0; p < options->probes && !status; p++) {

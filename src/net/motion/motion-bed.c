@@ -1,6 +1,6 @@
-/* net/motion/motion-bed.c - planes that give way, as a seabed, in the time steps of a mesh.
+/* net/motion/motion-bed.c - beds that give way, planes and others, in the time steps of a mesh.
  *
- * s0, s1  depth of a node in the plane at both ends of the step, below 0 above it
+ * s0, s1  depth of a node in the bed at both ends of the step, below 0 above it
  * p       max(s, 0); W = k*p^2/2 its energy, and c*p' the damping of its rate
  *
  * The force along the normal is the discrete gradient of W, (W1 - W0)/(s1 - s0), and c*(p1 -
@@ -89,10 +89,10 @@ static void directions(double e[2][3], const struct hawser__motion *motion,
 			e[0][k] += el->d[k]/el->l;
 	}
 	for (int try = 0; try < 3; try++) { /* where the cable is upright, any */
-		double off = hawser__dot(e[0], of->n);
+		double off = hawser__dot(e[0], of->n0);
 
 		for (int k = 0; k < 3; k++)
-			e[0][k] -= off*of->n[k];
+			e[0][k] -= off*of->n0[k];
 		l = hawser__norm(e[0]);
 		if (l > 0.1)
 			break;
@@ -101,7 +101,7 @@ static void directions(double e[2][3], const struct hawser__motion *motion,
 	}
 	for (int k = 0; k < 3; k++)
 		e[0][k] /= l;
-	hawser__cross(e[1], of->n, e[0]);
+	hawser__cross(e[1], of->n0, e[0]);
 }
 
 /* Friction of the step, for the force N across the plane, and what it adds to the block of the node
@@ -117,7 +117,7 @@ static void rub(double T[3], double *block, const struct hawser__motion *motion,
 
 	directions(e, motion, of);
 	for (int k = 0; k < 6; k++)
-		q[k/3] += e[k/3][k % 3]*(now->T[k % 3] - stiff*(x[k % 3] - h*plane->velocity[k % 3]));
+		q[k/3] += e[k/3][k % 3]*(now->T[k % 3] - stiff*(x[k % 3] - h*of->v[k % 3]));
 	within(along, by_q, by_N, q, plane->axial > 0.0 ? plane->axial : plane->friction, plane->friction,
 	       N);
 	for (int k = 0; k < 3; k++) {
@@ -128,8 +128,8 @@ static void rub(double T[3], double *block, const struct hawser__motion *motion,
 		block[i/4] += stiff*by_q[i % 4/2][i % 2]*e[i % 4/2][i/12]*e[i % 2][i/4 % 3];
 }
 
-/* Depth of a node with the displacements u. */
-static double depth(const struct hawser__motion *motion, const struct hawser__bed_node *of,
+/* Depth of a node with the displacements u, and the normal there. */
+static double depth(double n[3], const struct hawser__motion *motion, const struct hawser__bed_node *of,
                     const double (*u)[3])
 {
 	const struct hawser__touch *touch = &motion->mesh->touch[of->touch];
@@ -137,15 +137,53 @@ static double depth(const struct hawser__motion *motion, const struct hawser__be
 
 	for (int k = 0; k < 3; k++)
 		at[k] = motion->reference[touch->node][k] + u[touch->node][k];
-	return -hawser_surface_gap(NULL, NULL, touch->surface, at);
+	return -hawser_surface_gap(n, NULL, touch->surface, at);
+}
+
+/* s1 and the normals, for motion->x. Of a plane they are those of the beginning; what stays above all
+ * elements that may lie keeps its depth. */
+static void follow(struct hawser__bed_node *of, const struct hawser__motion *motion, int at_rest)
+{
+	const struct hawser__touch *touch = &motion->mesh->touch[of->touch];
+	const double *x = motion->x[touch->node];
+	double from[3], to[3];
+
+	if (!touch->surface->heights) {
+		of->s1 = of->s0 - hawser__dot(of->n0, x);
+		return;
+	}
+	of->s1 = of->s0;
+	if (-of->s0 - hawser__norm(x) > motion->bed->reach)
+		return;
+	for (int k = 0; k < 3; k++) {
+		from[k] = motion->reference[touch->node][k] + motion->u0[touch->node][k];
+		to[k] = from[k] + x[k];
+	}
+	of->s1 = -hawser_surface_gap(of->n1, of->n_x, touch->surface, to);
+	if (at_rest)
+		memcpy(of->n, of->n1, sizeof of->n);
+	else
+		hawser__mean_normal(of->n, of->n_x, touch->surface, from, to, of->s0 - of->s1);
 }
 
 void hawser__bed_prepare(struct hawser__motion *motion)
 {
 	struct hawser__bed *bed = motion->bed;
 
-	for (int i = 0; i < bed->nodes; i++)
-		bed->node[i].s0 = depth(motion, &bed->node[i], (const double (*)[3])motion->u0);
+	for (int i = 0; i < bed->nodes; i++) {
+		struct hawser__bed_node *at = &bed->node[i];
+		const struct hawser__touch *touch = &motion->mesh->touch[at->touch];
+		double place[3];
+
+		at->s0 = depth(at->n0, motion, at, (const double (*)[3])motion->u0);
+		memcpy(at->n1, at->n0, sizeof at->n0);
+		memcpy(at->n, at->n0, sizeof at->n0);
+		memcpy(at->v, touch->surface->velocity, sizeof at->v);
+		for (int k = 0; k < 3; k++)
+			place[k] = motion->reference[touch->node][k] + motion->u0[touch->node][k];
+		if (touch->surface->speed != 0.0)
+			hawser_surface_velocity(at->v, touch->surface, place);
+	}
 	for (int i = 0; i < bed->touchdowns; i++) {
 		struct hawser__touchdown *at = &bed->touchdown[i];
 
@@ -186,19 +224,17 @@ static double force(double *slope, const struct hawser__bed_node *of,
 }
 
 /* The elements with both ends in the list. */
-static int touchdowns(struct hawser__motion *motion)
+static void touchdowns(struct hawser__motion *motion)
 {
 	struct hawser__bed *bed = motion->bed;
 	const struct hawser__mesh *mesh = motion->mesh;
-	int *first = hawser__hold(&bed->hold, (size_t)motion->nodes + 1, sizeof *first);
 
-	bed->touchdown = hawser__hold(&bed->hold, (size_t)motion->elements + 1, sizeof *bed->touchdown);
-	if (!first || !bed->touchdown)
-		return 0;
+	bed->touchdowns = 0;
+	memset(bed->first, 0, (size_t)motion->nodes*sizeof *bed->first);
 	for (int i = bed->nodes; i > 0; i--)
-		first[mesh->touch[bed->node[i - 1].touch].node] = i;
+		bed->first[mesh->touch[bed->node[i - 1].touch].node] = i;
 	for (int e = 0; e < motion->elements; e++) {
-		int a = first[motion->element[e].a] - 1, b = first[motion->element[e].b] - 1;
+		int a = bed->first[motion->element[e].a] - 1, b = bed->first[motion->element[e].b] - 1;
 		const struct hawser_surface *plane;
 
 		if (a < 0 || b < 0 || motion->element[e].rod)
@@ -206,18 +242,40 @@ static int touchdowns(struct hawser__motion *motion)
 		plane = mesh->touch[bed->node[a].touch].surface;
 		if (mesh->touch[bed->node[b].touch].surface == plane &&
 		    hawser__touchdown_of(&bed->touchdown[bed->touchdowns], motion, e, plane)) {
+			const struct hawser__touchdown *of = &bed->touchdown[bed->touchdowns];
+
+			bed->reach = fmax(bed->reach, 0.5*of->curvature*of->L*of->L);
 			bed->touchdown[bed->touchdowns].end[0] = a;
 			bed->touchdown[bed->touchdowns++].end[1] = b;
 		}
 	}
-	return 1;
+}
+
+static void list(struct hawser__motion *motion)
+{
+	const struct hawser__mesh *mesh = motion->mesh;
+	struct hawser__bed *bed = motion->bed;
+
+	bed->nodes = 0;
+	for (int i = 0; i < mesh->touches; i++) {
+		const struct hawser__touch *touch = &mesh->touch[i];
+		struct hawser__bed_node *to = &bed->node[bed->nodes];
+
+		if (!(touch->give > 0.0))
+			continue;
+		*to = (struct hawser__bed_node){.touch = i, .k = 1.0/touch->give};
+		to->c = to->k*touch->surface->damping/touch->surface->stiffness;
+		(void)hawser_surface_gap(to->n, NULL, touch->surface, mesh->q[touch->node]);
+		bed->nodes++;
+	}
+	touchdowns(motion);
 }
 
 enum hawser_status hawser__bed_open(struct hawser__motion *motion, struct hawser_report *report)
 {
 	const struct hawser__mesh *mesh = motion->mesh;
+	size_t nodes = (size_t)motion->nodes, count = 0;
 	struct hawser__bed *bed;
-	int count = 0;
 
 	for (int i = 0; i < mesh->touches; i++)
 		count += mesh->touch[i].give > 0.0;
@@ -226,25 +284,37 @@ enum hawser_status hawser__bed_open(struct hawser__motion *motion, struct hawser
 	bed = motion->bed = calloc(1, sizeof *bed);
 	if (!bed)
 		return hawser__no_memory(report, "net");
-	bed->node = hawser__hold(&bed->hold, (size_t)count, sizeof *bed->node);
-	for (int i = 0; i < mesh->touches && bed->node; i++) {
-		const struct hawser__touch *touch = &mesh->touch[i];
-		struct hawser__bed_node *to = &bed->node[bed->nodes];
-
-		if (!(touch->give > 0.0))
-			continue;
-		to->touch = i;
-		to->k = 1.0/touch->give;
-		to->c = to->k*touch->surface->damping/touch->surface->stiffness;
-		(void)hawser_surface_gap(to->n, NULL, touch->surface, mesh->q[touch->node]);
-		bed->nodes++;
-	}
+	count += (size_t)(mesh->net->failures*mesh->net->surfaces); /* where cables may part */
+	bed->node = hawser__hold(&bed->hold, count, sizeof *bed->node);
+	bed->first = hawser__hold(&bed->hold, nodes + 1, sizeof *bed->first);
+	bed->touchdown = hawser__hold(&bed->hold, (size_t)motion->elements + 1, sizeof *bed->touchdown);
 	if (!motion->block)
-		motion->block = hawser__hold(&bed->hold, (size_t)motion->nodes, sizeof *motion->block);
+		motion->block = hawser__hold(&bed->hold, nodes, sizeof *motion->block);
 	if (!motion->other)
 		motion->other = hawser__hold(&bed->hold, (size_t)motion->elements + 1, sizeof *motion->other);
-	return bed->node && touchdowns(motion) && !bed->hold.short_of_memory ? HAWSER_OK
-		: hawser__no_memory(report, "net");
+	if (bed->hold.short_of_memory)
+		return hawser__no_memory(report, "net");
+	list(motion);
+	return HAWSER_OK;
+}
+
+void hawser__bed_part(struct hawser__motion *motion, int from, int to)
+{
+	struct hawser__mesh *mesh = motion->mesh;
+
+	for (int i = 0; i < mesh->touches; i++) {
+		struct hawser__touch *a = &mesh->touch[i];
+
+		for (int j = 0; j < mesh->touches && a->node == from && a->give > 0.0; j++) {
+			struct hawser__touch *b = &mesh->touch[j];
+
+			for (int k = 0; k < 3 && b->node == to && b->number == a->number; k++) {
+				b->friction[k] = a->friction[k]*a->give/(a->give + b->give);
+				a->friction[k] -= b->friction[k];
+			}
+		}
+	}
+	list(motion);
 }
 
 void hawser__bed_clear(struct hawser__bed *bed)
@@ -279,10 +349,11 @@ static void couple(struct hawser__motion *motion, const struct hawser__touchdown
 
 	for (int i = 0; i < 2; i++) {
 		const struct hawser__bed_node *end = &motion->bed->node[of->end[i]];
+		const struct hawser__bed_node *other = &motion->bed->node[of->end[!i]];
 		double *block = motion->block[motion->mesh->touch[end->touch].node];
 
 		for (int k = 0; k < 9; k++) {
-			double change = of->F_s[i][!i]*end->push[k/3]*end->n[k % 3];
+			double change = of->F_s[i][!i]*end->push[k/3]*other->n1[k % 3];
 
 			B[i][k] -= change;
 			block[k] += change; /* B is there too */
@@ -300,7 +371,7 @@ double hawser__bed_residual(struct hawser__motion *motion, const struct hawser__
 	for (int i = 0; i < bed->nodes; i++) {
 		struct hawser__bed_node *at = &bed->node[i];
 
-		at->s1 = at->s0 - hawser__dot(at->n, motion->x[motion->mesh->touch[at->touch].node]);
+		follow(at, motion, rule->weight >= 0.0);
 		at->more = at->slope = 0.0;
 		memcpy(at->push, at->n, sizeof at->push);
 	}
@@ -323,7 +394,7 @@ double hawser__bed_residual(struct hawser__motion *motion, const struct hawser__
 				motion->r[node][k] -= T[k];
 		}
 		for (int k = 0; k < 9 && tangent; k++)
-			motion->block[node][k] += slope*at->push[k/3]*at->n[k % 3];
+			motion->block[node][k] += slope*at->push[k/3]*at->n1[k % 3] - N*at->n_x[k/3][k % 3];
 		most = fmax(most, N);
 	}
 	for (int i = 0; i < bed->touchdowns && tangent; i++)
@@ -347,15 +418,16 @@ double hawser__bed_energy(const struct hawser__motion *motion)
 	for (int i = 0; i < bed->nodes; i++) {
 		const struct hawser__bed_node *at = &bed->node[i];
 		const double *T = motion->contact ? motion->contact->touch[at->touch].T : NULL;
-		double p = fmax(depth(motion, at, u), 0.0);
+		double n[3], p = fmax(depth(n, motion, at, u), 0.0);
 
 		sum += 0.5*at->k*p*p;
 		sum += T ? 0.5*hawser__dot(T, T)/(HAWSER__STIFFER_ALONG*at->k) : 0.0;
 	}
 	for (int i = 0; i < bed->touchdowns; i++) {
 		const int *end = bed->touchdown[i].end;
-		const double s[2] = {depth(motion, &bed->node[end[0]], u),
-		                     depth(motion, &bed->node[end[1]], u)};
+		double n[3];
+		const double s[2] = {depth(n, motion, &bed->node[end[0]], u),
+		                     depth(n, motion, &bed->node[end[1]], u)};
 
 		sum += hawser__touchdown_energy(F, NULL, &bed->touchdown[i], s);
 	}
@@ -365,10 +437,10 @@ double hawser__bed_energy(const struct hawser__motion *motion)
 /* What the friction of a step takes, and what the plane gives where it moves. */
 static void rubbed(struct hawser__motion *motion, const struct hawser__bed_node *of, double h)
 {
-	const struct hawser__touch *at = &motion->mesh->touch[of->touch];
+	const int node = motion->mesh->touch[of->touch].node;
 	struct hawser__motion_touch *touch = &motion->contact->touch[of->touch];
-	const double *x = motion->x[at->node], *T = touch->rubbed, *before = touch->T;
-	double drives = h*hawser__dot(T, at->surface->velocity);
+	const double *x = motion->x[node], *T = touch->rubbed, *before = touch->T;
+	double drives = h*hawser__dot(T, of->v);
 	double lost = drives - hawser__dot(T, x) - 0.5*(hawser__dot(T, T) - hawser__dot(before, before))/
 	                                    (HAWSER__STIFFER_ALONG*of->k);
 	motion->contact->friction += lost;

@@ -9,7 +9,11 @@
 /* A node and a plane. */
 struct hawser__bed_node {
 	int touch;           /* of the mesh */
-	double k, c, n[3];   /* N/m, N s/m, normal */
+	double k, c;         /* N/m, N s/m */
+	double n0[3], n1[3]; /* normal at both ends of the step */
+	double n[3];         /* its mean: the direction of the force */
+	double n_x[3][3];    /* 1/m, the derivative of that by the place at the end */
+	double v[3];         /* m/s of the surface */
 	double s0, s1;       /* m, depth at both ends of the step, below 0 above the plane */
 	double more, slope;  /* N, N/m: of touchdowns at it in the step, and by s1 */
 	double push[3];      /* the force of the plane, and of friction that slides, over that across it */
@@ -25,8 +29,10 @@ struct hawser__touchdown {
 
 struct hawser__bed {
 	int nodes, touchdowns;
+	double reach;        /* m: an element that is higher is free */
 	struct hawser__bed_node *node;
 	struct hawser__touchdown *touchdown;
+	int *first;          /* [nodes of the motion] 1 + the first of the list that is of it; 0: none */
 	struct hawser__hold hold;
 };
 

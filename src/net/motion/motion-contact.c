@@ -183,12 +183,17 @@ void hawser__contact_begin(struct hawser__motion *motion)
 	}
 }
 
-/* The discrete gradient of the gap between two places: it is linear but for circles. */
+/* The discrete gradient of the gap between two places, which changes by `change`: it is linear but for
+ * circles and beds. */
 static void gradient(double n[3], const struct hawser_surface *surface, const double from[3],
-                     const double to[3])
+                     const double to[3], double change)
 {
 	double sign = surface->side == HAWSER_SIDE_INSIDE ? -1.0 : 1.0, D[2], sum;
 
+	if (surface->heights) {
+		hawser__mean_normal(n, NULL, surface, from, to, change);
+		return;
+	}
 	(void)hawser__contact_gap(n, surface, to);
 	if (surface->kind != HAWSER_SURFACE_CIRCLE)
 		return;
@@ -228,7 +233,7 @@ static int frame(struct hawser__motion *motion, int number, double h)
 		middle[k] = 0.5*(from[k] + to[k]);
 	}
 	touch->g1 = hawser__contact_gap(n1, of->surface, to);
-	gradient(n, of->surface, from, to);
+	gradient(n, of->surface, from, to, touch->g1 - touch->g0);
 	scale = sqrt(hawser__dot(n, n));
 	if (!(scale > 0.0) || !hawser_contact_frame(contact, n))
 		return 0;

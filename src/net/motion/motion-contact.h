@@ -55,6 +55,7 @@ struct hawser__motion_contact {
 	                                      * the laws: largest since they were set to 0 */
 	double laws_now, apart_now;          /* of the step that is tried */
 	double jump_error;                   /* m: largest way of a step with the velocity of a jump */
+	int beyond;                          /* 1 + a touch that has been beyond the points of its bed */
 	struct hawser__hold hold; /* its arrays */
 };
 
@@ -66,6 +67,15 @@ void hawser__contact_clear(struct hawser__motion_contact *contact);
 /* The gap of a place, and its gradient. Of a segment that of its line: in motion a node leaves the
  * segment at its ends, where statics has the distance from the end. */
 double hawser__contact_gap(double n[3], const struct hawser_surface *surface, const double at[3]);
+/* motion-normal.c: the discrete gradient n of the gap of a bed with heights, which changes by `change`
+ * between two places, and unless NULL its derivative by the second one. */
+void hawser__mean_normal(double n[3], double (*by)[3], const struct hawser_surface *surface,
+                         const double from[3], const double to[3], double change);
+/* 1 if the node of a touch is beyond the points of its bed. */
+int hawser__contact_outside(const struct hawser__motion *motion, int touch);
+/* Fail where a node touched a bed beyond its points. */
+enum hawser_status hawser__contact_beyond(const struct hawser__motion *motion,
+                                          struct hawser_report *report) HAWSER_MUST_CHECK;
 /* Which nodes touch at the state of the motion. */
 void hawser__contact_begin(struct hawser__motion *motion);
 /* The mean part of a step, for motion->x; *done is 0 if it has none. */

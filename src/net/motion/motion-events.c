@@ -209,12 +209,15 @@ int hawser__events_fits(struct hawser__motion *motion, double h)
 	return least >= 1.0;
 }
 
-/* The contacts of the mesh, whose nodes have changed. */
-static enum hawser_status touch_anew(struct hawser__motion *motion, struct hawser_report *report)
+/* The contacts of the mesh, where a part of the node `from` is the node `to` now. */
+static enum hawser_status touch_anew(struct hawser__motion *motion, int from, int to,
+                                     struct hawser_report *report)
 {
 	struct hawser__motion_contact before = *motion->contact;
 	enum hawser_status status;
 
+	for (int i = 0; i < motion->mesh->touches; i++) /* which are of the same nodes in the new list */
+		memcpy(motion->mesh->touch[i].friction, before.touch[i].T, sizeof before.touch[i].T);
 	hawser__contact_clear(motion->contact);
 	motion->contact = NULL;
 	status = hawser__touch_again(motion->mesh, motion->events->net, report);
@@ -224,6 +227,8 @@ static enum hawser_status touch_anew(struct hawser__motion *motion, struct hawse
 		return status;
 	for (int i = 0; i < motion->mesh->touches; i++)
 		motion->mesh->touch[i].r = 0.0; /* those of the equilibrium: now the gaps tell */
+	if (motion->bed)
+		hawser__bed_part(motion, from, to);
 	hawser__contact_begin(motion);
 	motion->contact->friction = before.friction;
 	motion->contact->impacts = before.impacts;
@@ -320,7 +325,7 @@ static enum hawser_status separate(struct hawser__motion *motion, int element, i
 	hawser__blocks_clear(motion->blocks);
 	status = hawser__blocks_open(&motion->blocks, mesh, report);
 	if (!status && motion->contact)
-		status = touch_anew(motion, report);
+		status = touch_anew(motion, from, to, report);
 	return status ? status : hawser__motion_restart(motion, report);
 }
 

@@ -208,6 +208,9 @@ void hawser__contact_finish(struct hawser__motion *motion)
 		struct hawser__motion_touch *touch = &all->touch[i];
 		enum hawser_contact_state before = touch->state;
 
+		if (touch->given > 0.0 && (touch->candidate >= 0 || motion->mesh->touch[i].give > 0.0) &&
+		    !all->beyond && hawser__contact_outside(motion, i))
+			all->beyond = i + 1;
 		if (motion->mesh->touch[i].give > 0.0) { /* net/motion/motion-bed.c */
 			touch->N = touch->given;
 			memcpy(touch->reply.velocity, touch->rubbed, sizeof touch->rubbed); /* is in a state */

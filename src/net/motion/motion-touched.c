@@ -73,6 +73,30 @@ enum hawser_status hawser__contact_result(struct hawser_net_motion *to, const st
 	return status;
 }
 
+int hawser__contact_outside(const struct hawser__motion *motion, int touch)
+{
+	const struct hawser__touch *of = &motion->mesh->touch[touch];
+	double at[3];
+
+	for (int k = 0; k < 3; k++)
+		at[k] = motion->reference[of->node][k] + motion->u[of->node][k];
+	return hawser_surface_beyond(of->surface, at);
+}
+
+enum hawser_status hawser__contact_beyond(const struct hawser__motion *motion,
+                                          struct hawser_report *report)
+{
+	const struct hawser__touch *touch;
+	double at[3];
+
+	if (!motion->contact || !motion->contact->beyond)
+		return HAWSER_OK;
+	touch = &motion->mesh->touch[motion->contact->beyond - 1];
+	for (int k = 0; k < 3; k++)
+		at[k] = motion->reference[touch->node][k] + motion->u[touch->node][k];
+	return hawser__touch_beyond(motion->mesh, touch, at, motion->t, report);
+}
+
 /* --- the state as numbers --- */
 
 void hawser__contact_save(double *to, const struct hawser__motion_contact *contact)

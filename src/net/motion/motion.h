@@ -331,11 +331,14 @@ enum hawser_status hawser__bodies_correct(struct hawser__motion *motion, int *go
 	HAWSER_MUST_CHECK;
 void hawser__bodies_move(struct hawser__motion *motion, double part);
 void hawser__bodies_finish(struct hawser__motion *motion);
-/* motion-bed.c: planes that give way: whether there are any, after motion-open.c has the elements; what
- * does not change within a step; their part of the residual and of the matrix, which returns the
- * largest force; of the energy, J; and of the ledger. */
+/* motion-bed.c: planes that give way: whether there are any, after motion-open.c has the elements;
+ * after a cable has parted and the touches are listed anew, with a part of the area and the
+ * friction of the node `from` at the node `to`; what does not change within a step; their part of
+ * the residual and of the matrix, which returns the largest force; of the energy, J; and of the
+ * ledger. */
 enum hawser_status hawser__bed_open(struct hawser__motion *motion, struct hawser_report *report)
 	HAWSER_MUST_CHECK;
+void hawser__bed_part(struct hawser__motion *motion, int from, int to);
 void hawser__bed_clear(struct hawser__bed *bed);
 void hawser__bed_prepare(struct hawser__motion *motion);
 double hawser__bed_residual(struct hawser__motion *motion, const struct hawser__motion_rule *rule,

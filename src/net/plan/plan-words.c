@@ -258,8 +258,9 @@ static void friction(struct hawser__net_planner *planner)
 		say(planner, "friction", 1, "of %d obstacle%s whose surface moves; at rest it depends on the "
 		    "way here, which contact.path would give", moving, moving == 1 ? "" : "s");
 	else
-		say(planner, "friction", 0, "in statics: at rest it depends on the way here, which "
-		    "contact.sliding: history and contact.path would give");
+		say(planner, "friction", 0, "in statics: at rest it depends on the way here, which %s",
+		    net->bodies ? "is not known of bodies"
+		                : "contact.sliding: history and contact.path would give");
 	if (net->contact.modes != HAWSER_NET_MODES_SLIP && stick > 0)
 		say(planner, "contact in modes", 1, "%d nodes stick, %d slip along the obstacles "
 		    "(contact.modes)", stick, planner->st.contacts - stick);

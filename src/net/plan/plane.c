@@ -66,8 +66,9 @@ int hawser__net_still(double *place, const struct hawser_net *net, int k,
 		const struct hawser_surface *surface = &net->surface[i];
 		int flat = surface->kind == HAWSER_SURFACE_PLANE;
 
-		/* circles and segments are in the plane of x and y, and move in it */
-		if (flat ? surface->normal[k] != 0.0 || surface->velocity[k] != 0.0 : k == 0)
+		/* circles, segments and profiles are in the plane of x and y, and move in it */
+		if (flat ? surface->normal[k] != 0.0 || surface->velocity[k] != 0.0
+		         : k == 0 || surface->kind == HAWSER_SURFACE_GRID)
 			return 0;
 	}
 	for (int i = 0; i < net->absorbers; i++) /* one along k moves nothing else */

@@ -16,7 +16,6 @@
 #define BODY_AT(member) offsetof(struct hawser_net_body, member)
 #define FAILURE_AT(member) offsetof(struct hawser_net_failure, member)
 #define WINCH_AT(member) offsetof(struct hawser_net_winch, member)
-#define WAVES_AT(member) offsetof(struct hawser_net, water.given.member)
 #define SURFACE_AT(member) offsetof(struct hawser_surface, member)
 
 #define WAVE(path) \
@@ -249,47 +248,7 @@ static const struct hawser__tree_key net_rows[] = {
 	       "tension at its end that it holds")
 	NUMBER("net.winches.*.limit", OPTIONAL, "m/s", POSITIVE, WINCH_AT(limit), NULL,
 	       "its largest speed then, where the tension differs by 5 %; linear between")
-	SECTION("net.water", OPTIONAL, "the water around the cables")
-	NUMBER("net.water.density", REQUIRED, "kg/m^3", POSITIVE, NET_AT(water.density), NULL,
-	       "its density")
-	NUMBER("net.water.surface", OPTIONAL, "m", ANY, NET_AT(water.surface), "0",
-	       "mean height of its surface, above which it is dry")
-	VECTOR("net.water.current", 3, OPTIONAL, "m/s", ANY, NOWHERE, "[0, 0, 0]",
-	       "velocity of the water")
-	MAPPING("net.water.current", OPTIONAL, "velocity of the water over the height, or over time")
-	LIST("net.water.current.table", OPTIONAL, "heights, upwards, with velocities: linear between, "
-	     "and as at the ends beyond them")
-	TEXT("net.water.current.file", OPTIONAL, NOWHERE, NULL, "file of velocities over time, lines of "
-	     "time in s and velocities along x, y, z in m/s; statics takes that of t = 0")
-	VECTOR("net.water.current.table[]", 4, OPTIONAL, "m, m/s, m/s, m/s", ANY, NOWHERE, NULL,
-	       "[y, ux, uy, uz]")
-	NUMBER("net.water.depth", OPTIONAL, "m", POSITIVE_OR_INF, NET_AT(water.depth), NULL,
-	       "depth of the bed below the surface, of waves; .inf: deep water")
-	SECTION("net.water.waves", OPTIONAL, "linear waves: regular ones, or a sea")
-	NUMBER("net.water.waves.height", ONE_OF, "m", POSITIVE, WAVES_AT(height), NULL,
-	       "of regular waves, from trough to crest")
-	NUMBER("net.water.waves.period", OPTIONAL, "s", POSITIVE, WAVES_AT(period), NULL, "of these")
-	NUMBER("net.water.waves.phase", OPTIONAL, "rad", ANY, WAVES_AT(phase), "0",
-	       "of these: the elevation at x = z = 0 is height/2 cos(omega t - phase)")
-	SECTION("net.water.waves.jonswap", ONE_OF, "a sea by its spectrum")
-	NUMBER("net.water.waves.jonswap.Hs", REQUIRED, "m", POSITIVE, WAVES_AT(Hs), NULL,
-	       "significant height: 4 standard deviations of the elevation")
-	NUMBER("net.water.waves.jonswap.Tp", REQUIRED, "s", POSITIVE, WAVES_AT(Tp), NULL,
-	       "period of the peak")
-	NUMBER("net.water.waves.jonswap.gamma", OPTIONAL, "1", POSITIVE, WAVES_AT(gamma), "3.3",
-	       "enhancement of the peak, 1 or more; 1: Pierson-Moskowitz")
-	INTEGER("net.water.waves.components", OPTIONAL, 1, 100000, WAVES_AT(components), "400",
-	        "components of a sea")
-	INTEGER("net.water.waves.seed", OPTIONAL, 0, 2147483647, WAVES_AT(seed), "0",
-	        "of its random phases, and frequencies within their bins: so it does not repeat")
-	VECTOR("net.water.waves.frequencies", 2, OPTIONAL, "rad/s", POSITIVE, WAVES_AT(range),
-	       "0.5 and 5 times that of the peak", "range of its frequencies")
-	NUMBER("net.water.waves.heading", OPTIONAL, "rad", ANY, WAVES_AT(heading), "0",
-	       "direction in which waves run, from x towards z")
-	WORD("net.water.stretching", OPTIONAL, "wheeler|none|vertical|extrapolate", WAVES_AT(stretching),
-	     "wheeler", "of the velocity of waves up to their crests")
-	NUMBER("net.water.ramp", OPTIONAL, "s", NOT_NEGATIVE, WAVES_AT(ramp), "0",
-	       "time from t = 0 on in which waves grow")
+	WATER("net.water", NET_AT)
 	MAPPING("net.wind", OPTIONAL, "steady wind, whose force follows the motion of the cables")
 	NUMBER("net.wind.speed", REQUIRED, "m/s", NOT_NEGATIVE, WIND_AT(speed), NULL, "its speed")
 	VECTOR("net.wind.direction", 3, OPTIONAL, "1", ANY, WIND_AT(direction), "[0, 0, 1]",
@@ -320,8 +279,11 @@ static const struct hawser__tree_key net_rows[] = {
 	       "[x, y, z] of its centre, with that of its groove")
 	ROW("net.obstacles[].profile", LIST, 0, "", ANY, 0, 0, ONE_OF, NOWHERE, 1, SURFACE_AT(kind), NULL,
 	    "a bed along x below the net, which extends along z: its places, between them straight; "
-	    "corners that point upwards are rounded over an element")
+	    "corners are rounded over an element")
 	VECTOR("net.obstacles[].profile[]", 2, OPTIONAL, "m", ANY, NOWHERE, NULL, "[x, y], x rising")
+	ROW("net.obstacles[].grid", TEXT, 0, "", ANY, 0, 0, ONE_OF, SURFACE_AT(file), 1, SURFACE_AT(kind),
+	    NULL, "file of a bed below the net: points x y z in m, y upwards, every x with every z; or "
+	    "the bathymetry of MoorDyn and MoorPy; rounded as profiles")
 	WORD("net.obstacles[].side", OPTIONAL, "above|below|left|right|inside|around", SURFACE_AT(side),
 	     "above", "side where the net is: left or right of a vertical segment, inside a circle, or "
 	     "around one, as a belt: then all nodes must have places, cables begin straight between "
@@ -334,12 +296,12 @@ static const struct hawser__tree_key net_rows[] = {
 	NUMBER("net.obstacles[].friction.transverse", REQUIRED, "1", POSITIVE, SURFACE_AT(friction), NULL,
 	       "coefficient across them")
 	NUMBER("net.obstacles[].stiffness", OPTIONAL, "Pa/m", POSITIVE, SURFACE_AT(stiffness), "rigid",
-	       "of a plane that gives way, as a seabed: force per unstretched length over the diameter and "
-	       "the depth")
+	       "of a plane, profile or grid that gives way, as a seabed: force per unstretched length over "
+	       "the diameter and the depth")
 	NUMBER("net.obstacles[].damping", OPTIONAL, "Pa.s/m", NOT_NEGATIVE, SURFACE_AT(damping), "0",
 	       "of this: the same over the rate of the depth, in motions; it does not pull")
 	NUMBER("net.obstacles[].velocity", OPTIONAL, "m/s", ANY, SURFACE_AT(speed), NULL,
-	       "speed of the surface along a segment or counterclockwise around a circle")
+	       "speed of the surface along a segment or profile, or counterclockwise around a circle")
 	PLACE_OR("net.obstacles[].velocity", 3, OPTIONAL, "m/s", SURFACE_AT(velocity),
 	         "velocity of a plane, along it")
 	WORD("net.obstacles[].groove", OPTIONAL, "no|yes", SURFACE_AT(groove), "no",

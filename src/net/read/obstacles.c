@@ -12,7 +12,7 @@
 #include "net/net.h"
 #include "net/read/read.h"
 
-enum { CALLED = HAWSER__TEXT_ROOM + 64, LIKELY = 100 }; /* elements of a cable that gives no number */
+enum { CALLED = HAWSER__TEXT_ROOM + 64 };
 
 /* Of the distance of a place from the origin: a support may touch an obstacle, whose gap is then
  * round-off of units and of normals. */
@@ -22,18 +22,14 @@ enum hawser_status hawser__net_obstacles(struct hawser__reader *reader, struct h
                                          const struct hawser__tree *tree)
 {
 	enum hawser_status status;
-	double round = 0.0; /* m: the longest element */
 
-	for (int c = 0; c < net->cables; c++) {
-		if (net->cable[c].given == HAWSER_NET_LENGTH0)
-			round = fmax(round, net->cable[c].value/(net->cable[c].elements > 0 ? net->cable[c].elements
-			                                                                    : LIKELY));
+	for (int c = 0; c < net->cables; c++)
 		if (net->cable[c].given != HAWSER_NET_LENGTH0)
 			return hawser__reader_fail(reader, &tree->at, "obstacles: cable %s has no length0, and "
 			                           "form finding does not know obstacles: give its length0",
 			                           net->cable[c].name);
-	}
-	status = hawser__surfaces_read(reader, &net->surface, &net->surfaces, tree, round);
+	status = hawser__surfaces_read(reader, &net->surface, &net->surfaces, tree,
+	                               hawser__net_rounding(net));
 	for (int s = 0; s < net->surfaces && !status; s++)
 		for (int c = 0; c < net->cables && net->surface[s].stiffness > 0.0; c++)
 			if (!(net->cable[c].line.diameter > 0.0))

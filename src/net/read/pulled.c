@@ -23,7 +23,7 @@ static const double ON = 1e-9;
  * the iterations. Friction is less only where the tension does not come to that at this place. */
 static const double LATER = 0.1;
 
-/* The plane with friction that the support is on, or NULL. */
+/* The plane or bed with friction that the support is on, or NULL. */
 static const struct hawser_surface *plane_of(const struct hawser_net *net, int node)
 {
 	const double *x = net->node[node].x;
@@ -31,7 +31,7 @@ static const struct hawser_surface *plane_of(const struct hawser_net *net, int n
 	for (int s = 0; s < net->surfaces && net->node[node].support; s++) {
 		const struct hawser_surface *plane = &net->surface[s];
 
-		if (plane->kind == HAWSER_SURFACE_PLANE && plane->friction > 0.0 &&
+		if ((plane->kind == HAWSER_SURFACE_PLANE || plane->heights) && plane->friction > 0.0 &&
 		    fabs(hawser_surface_gap(NULL, NULL, plane, x)) <= ON*(1.0 + hawser__norm(x)))
 			return plane;
 	}
@@ -59,12 +59,23 @@ static void lengths(double *length, const struct hawser_net *net, int node)
 	}
 }
 
+/* Where a line hangs down to from x: along the normal of a plane, below x on a bed. */
+static void foot_of(double foot[3], const struct hawser_surface *plane, const double x[3])
+{
+	double n[3], g = hawser_surface_gap(n, NULL, plane, x);
+
+	for (int k = 0; k < 3; k++)
+		foot[k] = plane->heights ? x[k] : x[k] - g*n[k];
+	if (plane->heights)
+		foot[1] = hawser_heights_at(plane->heights, x[0], x[2]);
+}
+
 /* Where the way of a support begins; 0 if it has none. length [nodes] is for use here. */
 static int begin_of(double x[3], double *length, const struct hawser_net *net, int node)
 {
 	const double *at = net->node[node].x;
 	const struct hawser_surface *plane = NULL;
-	double g, D, loose, way[3];
+	double g, D, loose, way[3], foot[3];
 	int anchor = -1;
 
 	lengths(length, net, node);
@@ -75,9 +86,10 @@ static int begin_of(double x[3], double *length, const struct hawser_net *net, i
 		}
 	if (anchor < 0 || anchor == node)
 		return 0;
-	g = hawser_surface_gap(NULL, NULL, plane, at);
+	foot_of(foot, plane, at);
 	for (int k = 0; k < 3; k++)
-		way[k] = at[k] - g*plane->normal[k] - net->node[anchor].x[k];
+		way[k] = foot[k] - net->node[anchor].x[k];
+	g = hypot(hypot(at[0] - foot[0], at[1] - foot[1]), at[2] - foot[2]);
 	D = hawser__norm(way);
 	loose = fmax(length[anchor] - g, 0.0);
 	if (!(loose < D))
@@ -113,8 +125,9 @@ enum hawser_status hawser__net_pulled(struct hawser__reader *reader, struct haws
 	}
 	free(length);
 	if (!status && !contact->paths)
-		status = hawser__reader_fail(reader, &tree->at, "contact.sliding: pulled: no support is drawn "
-		                             "over a plane with friction: it needs an anchor on the plane, and "
+		status = hawser__reader_fail(reader, &tree->at,
+		                             "contact.sliding: pulled: no support is drawn over a plane, "
+		                             "profile or grid with friction: it needs an anchor on it, and "
 		                             "a support above it whose line is not loose");
 	return status;
 }

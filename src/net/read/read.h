@@ -42,10 +42,9 @@ enum hawser_status hawser__net_buoys(struct hawser__reader *reader, struct hawse
 enum hawser_status hawser__net_wet(struct hawser__reader *reader, const struct hawser_water *water,
                                    const struct hawser__tree *tree, const char *what)
 	HAWSER_MUST_CHECK;
-/* `water` of another kind of scenes, whose keys are those of nets; to be cleared also after a failure.
- * g: m/s^2. */
-enum hawser_status hawser__water_of(struct hawser__reader *reader, struct hawser_water *water, double g,
-                                    const struct hawser__tree *tree) HAWSER_MUST_CHECK;
+/* What the tables of keys leave of `water`: waves and currents; g in m/s^2. */
+enum hawser_status hawser__water_read(struct hawser__reader *reader, struct hawser_water *water,
+                                      double g, const struct hawser__tree *tree) HAWSER_MUST_CHECK;
 /* Refuse the height y (m) of what is named there, below the bed of the water. */
 enum hawser_status hawser__water_bed(struct hawser__reader *reader, const struct hawser_water *water,
                                      double y, const struct hawser__tree *tree, const char *what)

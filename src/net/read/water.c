@@ -62,10 +62,9 @@ static enum hawser_status over_time(struct hawser__reader *reader, struct hawser
 	return HAWSER_OK;
 }
 
-static enum hawser_status waves(struct hawser__reader *reader, struct hawser_net *net,
+static enum hawser_status waves(struct hawser__reader *reader, struct hawser_water *water, double g,
                                 const struct hawser__tree *tree)
 {
-	struct hawser_water *water = &net->water;
 	struct hawser_report why;
 	enum hawser_status status;
 
@@ -77,19 +76,18 @@ static enum hawser_status waves(struct hawser__reader *reader, struct hawser_net
 		                           "wave, jonswap is a sea: give one of them");
 	water->given.depth = water->depth;
 	water->given.surface = water->surface;
-	water->given.g = net->g;
+	water->given.g = g;
 	status = hawser_waves_make(&water->waves, &water->given, &why);
 	return status == HAWSER_ERR_ARGUMENT
 		? hawser__reader_fail(reader, &tree->at, "water.waves: %s", why.message)
 		: status ? hawser__no_memory(reader->report, "scene") : HAWSER_OK;
 }
 
-enum hawser_status hawser__net_water(struct hawser__reader *reader, struct hawser_net *net,
-                                     const struct hawser__tree *tree)
+enum hawser_status hawser__water_read(struct hawser__reader *reader, struct hawser_water *water,
+                                      double g, const struct hawser__tree *tree)
 {
 	const struct hawser__tree *current = hawser__tree_find(tree, "current"), *rows;
-	struct hawser_water *water = &net->water;
-	enum hawser_status status = waves(reader, net, hawser__tree_find(tree, "waves"));
+	enum hawser_status status = waves(reader, water, g, hawser__tree_find(tree, "waves"));
 
 	if (status || !current)
 		return status;
@@ -109,6 +107,12 @@ enum hawser_status hawser__net_water(struct hawser__reader *reader, struct hawse
 	                            "net.water.current");
 	water->levels = !status;
 	return status;
+}
+
+enum hawser_status hawser__net_water(struct hawser__reader *reader, struct hawser_net *net,
+                                     const struct hawser__tree *tree)
+{
+	return hawser__water_read(reader, &net->water, net->g, tree);
 }
 
 enum hawser_status hawser__net_buoys(struct hawser__reader *reader, struct hawser_net *net,
@@ -140,20 +144,6 @@ enum hawser_status hawser__net_wet(struct hawser__reader *reader, const struct h
 			return hawser__reader_fail(reader, &tree->at, "%s has %s, and the scene has no water: add "
 			                           "water: {density: 1025 kg/m^3}", what, of_water[i]);
 	return HAWSER_OK;
-}
-
-enum hawser_status hawser__water_of(struct hawser__reader *reader, struct hawser_water *water, double g,
-                                    const struct hawser__tree *tree)
-{
-	struct hawser_net net = {.g = g};
-	enum hawser_status status = HAWSER_OK;
-
-	if (tree)
-		status = hawser__tree_value(reader, &net, tree, "water", "net.water");
-	if (tree && !status)
-		status = hawser__net_water(reader, &net, tree);
-	*water = net.water;
-	return status;
 }
 
 enum hawser_status hawser__water_bed(struct hawser__reader *reader, const struct hawser_water *water,

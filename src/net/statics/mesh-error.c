@@ -9,7 +9,8 @@
  * the first is the difference over (n/m)^2 - 1. Where a cable leaves an obstacle within an element,
  * the error depends on the place as well, and may be small by chance: there it is over n/m - 1, and
  * the larger one of two meshes, with a half and two thirds of the elements. Three meshes, with four
- * fifths too, are taken in a current by a table, whose corners are somewhere within elements. At a
+ * fifths too, are taken in a current by a table and on a bed with heights, whose corners are somewhere
+ * within elements; beds are rounded over the elements of each mesh. At a
  * joint of two cables that lies on an obstacle, what of it each half element lays down is not known:
  * both tensions are the same there, and their difference is an error too.
  *
@@ -23,6 +24,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "contact/heights.h"
 #include "core/report.h"
 #include "net/statics/solution.h"
 
@@ -35,7 +37,7 @@ static const double SMALL = 0.01;
 static const double BETTER = 0.7;
 /* Rounds of refinement, largest factor of a round, and most elements that are chosen for a cable: a
  * motion with more takes minutes. */
-enum { ROUNDS = 6, FASTER = 4, MOST = 400 };
+enum { ROUNDS = 6, FASTER = 4, MOST = 400, LIKELY = 100 }; /* LIKELY: of a cable that gives no number */
 
 enum hawser_status hawser__net_exact(struct hawser_net_statics *exact, int *found,
                                      const struct hawser_net *net, const struct hawser_net_statics *st,
@@ -62,6 +64,46 @@ enum hawser_status hawser__net_exact(struct hawser_net_statics *exact, int *foun
 	return status == HAWSER_ERR_MEMORY ? hawser__no_memory(report, "net") : HAWSER_OK;
 }
 
+double hawser__net_rounding(const struct hawser_net *net)
+{
+	double most = 0.0;
+
+	for (int c = 0; c < net->cables; c++)
+		if (net->cable[c].given == HAWSER_NET_LENGTH0)
+			most = fmax(most, net->cable[c].value/(net->cable[c].elements > 0 ? net->cable[c].elements
+			                                                                 : LIKELY));
+	return most;
+}
+
+static void clear_beds(struct hawser_net *by)
+{
+	for (int s = 0; s < by->surfaces && by->surface; s++)
+		hawser_heights_free(by->surface[s].heights);
+	free(by->surface);
+}
+
+/* The obstacles of a net with other elements: beds are rounded over them. */
+static enum hawser_status beds(struct hawser_net *by, struct hawser_report *report)
+{
+	const struct hawser_surface *from = by->surface;
+	double round = hawser__net_rounding(by);
+	enum hawser_status status = HAWSER_OK;
+
+	by->surface = malloc(((size_t)by->surfaces + 1)*sizeof *by->surface);
+	for (int s = 0; s < by->surfaces && by->surface; s++) {
+		by->surface[s] = from[s];
+		by->surface[s].heights = NULL;
+	}
+	for (int s = 0; s < by->surfaces && by->surface && !status; s++) {
+		const struct hawser_heights *of = from[s].heights;
+
+		if (of)
+			status = hawser_heights_make(&by->surface[s].heights, of->nx, of->x, of->nz, of->z, of->y,
+			                             round, report);
+	}
+	return by->surface ? status : hawser__no_memory(report, "net");
+}
+
 /* The net with this part of the elements or, where cables have one, with two. */
 static enum hawser_status coarse(struct hawser_net_statics *other, int *found, double *ratio,
                                  double part, const struct hawser_net *net,
@@ -85,7 +127,10 @@ static enum hawser_status coarse(struct hawser_net_statics *other, int *found, d
 		by.cable[c].elements = net->cable[c].elements > 1 ? (int)ceil(part*net->cable[c].elements) : 2;
 		ratio[c] = (double)net->cable[c].elements/by.cable[c].elements;
 	}
-	status = hawser_net_solve(other, &by, NULL, &unused);
+	status = beds(&by, &unused);
+	if (!status)
+		status = hawser_net_solve(other, &by, NULL, &unused);
+	clear_beds(&by);
 	free(by.cable);
 	*found = status == HAWSER_OK;
 	return status == HAWSER_ERR_MEMORY ? hawser__no_memory(report, "net") : HAWSER_OK;
@@ -159,6 +204,16 @@ static void compare(struct hawser_net_mesh_error *error, double *each, const str
 		joints(error, each, net, st, most);
 }
 
+/* 1 if an obstacle is a bed with heights. */
+static int bent(const struct hawser_net *net)
+{
+	int is = 0;
+
+	for (int s = 0; s < net->surfaces; s++)
+		is |= net->surface[s].heights != NULL;
+	return is;
+}
+
 static enum hawser_status measure(struct hawser_net_mesh_error *error, double *each,
                                   const struct hawser_net *net, const struct hawser_net_statics *st,
                                   struct hawser_report *report)
@@ -167,7 +222,7 @@ static enum hawser_status measure(struct hawser_net_mesh_error *error, double *e
 	double *ratio = calloc((size_t)net->cables + 1, sizeof *ratio);
 	enum hawser_status status = ratio ? HAWSER_OK : hawser__no_memory(report, "net");
 	static const double part[] = {0.5, 2.0/3.0, 0.8};
-	int found = 0, tries = net->water.levels > 1 ? 3 : net->surfaces ? 2 : 1;
+	int found = 0, tries = net->water.levels > 1 || bent(net) ? 3 : net->surfaces ? 2 : 1;
 
 	*error = (struct hawser_net_mesh_error){.tension = NAN, .cable = -1};
 	memset(each, 0, (size_t)net->cables*sizeof *each);
@@ -221,6 +276,13 @@ static double around(const struct hawser_net *net, const double *each, int c)
 	return most;
 }
 
+static void round_beds(struct hawser_net *net)
+{
+	for (int s = 0; s < net->surfaces; s++)
+		if (net->surface[s].heights)
+			hawser__heights_round(net->surface[s].heights, hawser__net_rounding(net));
+}
+
 /* More elements for the cables whose number is not given; returns 0 if none needs them. */
 static int more(struct hawser_net *net, const double *each)
 {
@@ -237,6 +299,7 @@ static int more(struct hawser_net *net, const double *each)
 		any |= n > cable->elements;
 		cable->elements = n;
 	}
+	round_beds(net);
 	return any;
 }
 
@@ -266,6 +329,7 @@ enum hawser_status hawser_net_refine(struct hawser_net *net, struct hawser_repor
 	}
 	for (int c = 0; c < net->cables && best; c++)
 		net->cable[c].elements = best[c];
+	round_beds(net);
 	free(each);
 	free(best);
 	return status;

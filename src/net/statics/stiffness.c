@@ -82,14 +82,17 @@ static void elements(struct tangent *at)
 	}
 }
 
-/* The element from a node on a cable that touches a plane to one that does not, or -1. A node on a
- * cable has one touch with each surface, and its elements have successive numbers. */
+/* The element from a node on a cable that touches a plane, or a flat part of a bed, to one that does
+ * not, or -1. A node on a cable has one touch with each surface, and its elements have successive
+ * numbers. */
 static int leaving(const struct tangent *at, const struct hawser__touch *touch)
 {
 	const struct hawser__mesh *mesh = at->mesh;
 	int e = touch->element - !touch->end, a, b; /* the element before the node, and behind it */
 
-	if (touch->node < at->net->nodes || touch->surface->kind != HAWSER_SURFACE_PLANE)
+	if (touch->node < at->net->nodes ||
+	    !(touch->surface->kind == HAWSER_SURFACE_PLANE || touch->surface->heights) ||
+	    touch->H[0][0] + touch->H[1][1] + touch->H[2][2] != 0.0)
 		return -1;
 	a = mesh->end[e][0];
 	b = mesh->end[e + 1][1];

@@ -122,7 +122,7 @@ static enum hawser_status edges(struct hawser__mesh *mesh, struct hawser_report 
 		int a = on[mesh->end[e][0]], b = on[mesh->end[e][1]], i = a < 0 ? b : a;
 
 		if ((a < 0) == (b < 0) || mesh->touch[i].give > 0.0 ||
-		    mesh->touch[i].H[0][0] + mesh->touch[i].H[1][1] == 0.0)
+		    mesh->touch[i].H[0][0] + mesh->touch[i].H[1][1] + mesh->touch[i].H[2][2] == 0.0)
 			continue;
 		mesh->edge[mesh->edges].element = e;
 		mesh->edge[mesh->edges++].touch = i;
@@ -140,15 +140,15 @@ static int sticks(const struct hawser__touch *touch, enum hawser_net_contact_mod
 	       hawser__touch_sticks(touch);
 }
 
-/* A plane that gives way is a spring, which modes have as the curvature of an obstacle: -r*H. So is the
+/* A bed that gives way is a spring, which modes have as the curvature of an obstacle: -r*H. So is the
  * friction that holds a node of a body. */
 static void spring(struct hawser__touch *touch, int holds)
 {
 	const double along = holds ? HAWSER__STIFFER_ALONG : 0.0;
 
 	for (int k = 0; k < 9 && touch->give > 0.0; k++)
-		touch->H[k/3][k%3] = -((1.0 - along)*touch->n[k/3]*touch->n[k%3] + along*(k % 4 == 0))/
-		                     (touch->give*touch->r);
+		touch->H[k/3][k%3] -= ((1.0 - along)*touch->n[k/3]*touch->n[k%3] + along*(k % 4 == 0))/
+		                      (touch->give*touch->r);
 }
 
 /* The one obstacle to which a node sticks, if it turns freely; NULL if it does not, or there are

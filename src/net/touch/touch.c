@@ -253,7 +253,7 @@ void hawser__touch_follow(struct hawser__mesh *mesh)
 		struct hawser__touch *touch = &mesh->touch[i];
 
 		if (!hawser_surface_convex(touch->surface))
-			touch->t = fmax(touch->g, TINY*mesh->length0[touch->element]);
+			touch->t = fmax(apart_of(touch), TINY*mesh->length0[touch->element]);
 		dragged(mesh, touch);
 	}
 }

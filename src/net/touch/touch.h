@@ -77,6 +77,10 @@ enum hawser_status hawser__touch_sides(const struct hawser__mesh *mesh, const st
  * about; found its residual. */
 enum hawser_status hawser__touch_lost(struct hawser__equilibrium *found, struct hawser__net_work *work,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Fail for a touch at the place x, beyond the points of its bed; t: s, or NaN. */
+enum hawser_status hawser__touch_beyond(const struct hawser__mesh *mesh,
+                                        const struct hawser__touch *touch, const double x[3], double t,
+                                        struct hawser_report *report) HAWSER_MUST_CHECK;
 /* Coefficient of friction, 0 of a circle that turns freely: it takes no moment. */
 double hawser__touch_friction(const struct hawser__touch *touch);
 /* 1 if friction holds the node where it is; of a node that touches. */

@@ -11,6 +11,7 @@
 #include "config.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -24,6 +25,10 @@ static const double ROUND = 1e-9;
 static const double NEAR = 2.0;
 /* Friction at its bound, as of a surface that moves, has the round-off of a few products. */
 static const double AT_BOUND = 1e-12;
+/* Of an element: depth in a bed between its nodes, which only the rounding of a corner gives, 1/16 at
+ * an angle of a radian; and places where it is looked for. */
+static const double DEEP = 0.1;
+enum { PLACES = 8 };
 /* Of a radius: the end of a segment that is no further from a circle is meant to be on it. */
 static const double CLOSE = 1e-3;
 
@@ -214,6 +219,82 @@ static enum hawser_status cut(const struct hawser__mesh *mesh, const struct haws
 	                    mesh->length0[e]);
 }
 
+enum hawser_status hawser__touch_beyond(const struct hawser__mesh *mesh,
+                                        const struct hawser__touch *touch, const double x[3], double t,
+                                        struct hawser_report *report)
+{
+	const struct hawser_surface *bed = touch->surface;
+	const struct hawser_heights *of = bed->heights;
+	char when[40] = "", across[80] = "";
+
+	if (!isnan(t))
+		snprintf(when, sizeof when, "at %.6g s ", t);
+	if (of->nz > 1)
+		snprintf(across, sizeof across, " and z from %.6g to %.6g m", of->z[0], of->z[of->nz - 1]);
+	return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "net", "%s: %scable %s touches the bed %s at x "
+	                    "= %.6g, z = %.6g m, beyond its points, x from %.6g to %.6g m%s: add points "
+	                    "there, or hold the cable within them", mesh->net->name, when,
+	                    mesh->net->cable[mesh->cable[touch->element]].name, bed->name, x[0], x[2],
+	                    of->x[0], of->x[of->nx - 1], across);
+}
+
+static double depth(const struct hawser_surface *bed, const double x[3])
+{
+	return hawser_heights_at(bed->heights, x[0], x[2]) - x[1];
+}
+
+/* Largest depth of an element in a bed between its ends, beyond that of these, over its length: at
+ * eight places. */
+static double cut_of(double x[3], const struct hawser__mesh *mesh, int e,
+                     const struct hawser_surface *bed)
+{
+	const double *a = mesh->q[mesh->end[e][0]], *b = mesh->q[mesh->end[e][1]];
+	const double ends = fmax(fmax(depth(bed, a), depth(bed, b)), 0.0);
+	double most = 0.0;
+
+	for (int i = 1; i < PLACES; i++) {
+		double at[3], deep;
+
+		for (int k = 0; k < 3; k++)
+			at[k] = a[k] + i*(b[k] - a[k])/PLACES;
+		deep = (depth(bed, at) - ends)/mesh->length0[e];
+		if (!(deep > most))
+			continue;
+		most = deep;
+		memcpy(x, at, sizeof at);
+	}
+	return most;
+}
+
+/* Beds with heights: cables that touch beyond the points, and elements that pass through what rises
+ * between two nodes. */
+static enum hawser_status beds(const struct hawser__mesh *mesh, const struct hawser_net *net,
+                               struct hawser_report *report)
+{
+	double x[3];
+
+	for (int i = 0; i < mesh->touches; i++) {
+		const struct hawser__touch *touch = &mesh->touch[i];
+
+		if (touch->r > 0.0 && hawser_surface_beyond(touch->surface, mesh->q[touch->node]))
+			return hawser__touch_beyond(mesh, touch, mesh->q[touch->node], NAN, report);
+	}
+	for (int i = 0; i < net->surfaces*mesh->elements; i++) {
+		const struct hawser_surface *bed = &net->surface[i/mesh->elements];
+		int e = i % mesh->elements;
+		double deep = bed->heights ? cut_of(x, mesh, e, bed) : 0.0;
+
+		if (deep > DEEP)
+			return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "net", "%s: cable %s passes through "
+			                    "the bed %s at (%.6g, %.6g, %.6g) m, %.3g m below it, between two "
+			                    "nodes: its elements of %.3g m are too long for the bed there: give it "
+			                    "more elements, or the bed points that are further apart", net->name,
+			                    net->cable[mesh->cable[e]].name, bed->name, x[0], x[1], x[2],
+			                    deep*mesh->length0[e], mesh->length0[e]);
+	}
+	return HAWSER_OK;
+}
+
 enum hawser_status hawser__touch_sides(const struct hawser__mesh *mesh, const struct hawser_net *net,
                                        struct hawser_report *report)
 {
@@ -227,7 +308,7 @@ enum hawser_status hawser__touch_sides(const struct hawser__mesh *mesh, const st
 			    cuts(x, mesh, e, &net->surface[s]))
 				return cut(mesh, net, s, e, x, report);
 		}
-	return HAWSER_OK;
+	return beds(mesh, net, report);
 }
 
 /* The end of a segment that is nearest to an element, within NEAR of its length; NULL if none is.

@@ -1,6 +1,7 @@
 /* output/curves/plot_motions.h - curves over time, in panels one below the other.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_OUTPUT_PLOT_MOTIONS_H
+#define HAWSER_OUTPUT_PLOT_MOTIONS_H
 
 #include "output/output.h"
 
@@ -24,3 +25,5 @@ struct hawser__motions {
 };
 enum hawser_status hawser__plot_motions(const char *path, const struct hawser__motions *of,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

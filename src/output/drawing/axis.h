@@ -3,7 +3,8 @@
  * A picture asks here for each of its axes, and for the unit of a number in its texts: this is the one
  * place where titles get their unit and values their factor.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_OUTPUT_AXIS_H
+#define HAWSER_OUTPUT_AXIS_H
 
 #include "output/fields/units.h"
 
@@ -19,3 +20,5 @@ struct hawser__axis {
  * If the user has chosen no unit, forces and what is made of them have the prefix k or M where the
  * `largest` value is 1000 or more. A frequency in Hz loses the symbol of a circular one. */
 struct hawser__axis hawser__axis_of(const char *quantity, const char *si, double largest);
+
+#endif

@@ -8,7 +8,8 @@
  * entry.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_OUTPUT_FIGURE_H
+#define HAWSER_OUTPUT_FIGURE_H
 
 #include "output/drawing/perspective.h"
 #include "output/drawing/style.h"
@@ -121,3 +122,5 @@ void hawser__figure_abort(struct hawser__figure *figure);
 
 /* map_tongues.c: put x and y of both corners of boxes that fill tongues narrower than a pixel. */
 void hawser__map_tongues(struct hawser__figure *figure, const struct hawser__map_picture *map);
+
+#endif

@@ -4,7 +4,8 @@
  * gnuplot knows both after each plot only. So the script asks it to print them, with a word by which
  * they are found among its messages.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_OUTPUT_FRAMES_H
+#define HAWSER_OUTPUT_FRAMES_H
 
 #include <stdio.h>
 
@@ -19,3 +20,5 @@ int hawser__frames_answer(const char *line);
  * panels are separated by ";". `messages` is what gnuplot wrote to standard error, read from its
  * beginning. */
 void hawser__frames_write(FILE *to, FILE *messages, double height);
+
+#endif

@@ -1,7 +1,8 @@
 /* output/drawing/labels.h - numbers beside the points of a panel that overlap neither each other nor a
  * line.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_OUTPUT_LABELS_H
+#define HAWSER_OUTPUT_LABELS_H
 
 #include "output/drawing/figure.h"
 
@@ -26,3 +27,5 @@ void hawser__labels_line(struct hawser__labels *labels, const double from[2], co
 /* Place the number beside the point, in the colour of that line type, if there is space. */
 void hawser__labels_put(struct hawser__labels *labels, struct hawser__picture *picture, double x,
                         double y, int number, int colour);
+
+#endif

@@ -1,6 +1,7 @@
 /* output/drawing/latex.h - pictures for LaTeX: the drawing as PDF, its texts set by LaTeX.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_OUTPUT_LATEX_H
+#define HAWSER_OUTPUT_LATEX_H
 
 #include <stdio.h>
 
@@ -22,3 +23,5 @@ enum hawser_status hawser__latex_begin(struct hawser__latex *latex, FILE *script
 enum hawser_status hawser__latex_write(struct hawser__latex *latex, FILE *to, const char *path,
                                        double size, struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser__latex_clear(struct hawser__latex *latex);
+
+#endif

@@ -5,7 +5,7 @@
 
 #include "output/drawing/outline.h"
 
-enum { ROUND = 96 }; /* sides of a circle */
+enum { ROUND = 96, LINES = 6 }; /* sides of a circle; lines of a bed along x, and along z */
 #define LEAST 0.3 /* of the larger side of the box: a plane is drawn no smaller */
 
 void hawser__pen_put(const struct hawser__pen *pen, const double x[3])
@@ -66,11 +66,35 @@ static void plane_data(const struct hawser__pen *pen, const struct hawser_surfac
 	up(pen);
 }
 
+/* A bed: lines along x and, of a net that is not in a plane, along z. */
+static void bed_data(const struct hawser__pen *pen, const struct hawser_heights *of,
+                     const struct hawser__box *box)
+{
+	int flat = box->low[2] == box->high[2];
+
+	for (int i = 0; i < (flat ? 1 : 2*LINES); i++) {
+		double part = (double)(i % LINES)/(LINES - 1);
+
+		for (int j = 0; j <= ROUND; j++) {
+			double along = (double)j/ROUND, x = i < LINES ? along : part, z = i < LINES ? part : along;
+
+			x = box->low[0] + x*(box->high[0] - box->low[0]);
+			z = box->low[2] + z*(box->high[2] - box->low[2]);
+			corner(pen, x, hawser_heights_at(of, x, z), z);
+		}
+		up(pen);
+	}
+}
+
 void hawser__pen_surface(const struct hawser__pen *pen, const struct hawser_surface *of,
                          const struct hawser__box *box)
 {
 	if (of->kind == HAWSER_SURFACE_PLANE) {
 		plane_data(pen, of, box);
+		return;
+	}
+	if (of->heights) {
+		bed_data(pen, of->heights, box);
 		return;
 	}
 	for (int side = 0; side < (box->low[2] == box->high[2] ? 1 : 2); side++) {

@@ -1,6 +1,7 @@
 /* output/drawing/outline.h - outlines of obstacles, as they are seen.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_OUTPUT_OUTLINE_H
+#define HAWSER_OUTPUT_OUTLINE_H
 
 #include <stdio.h>
 
@@ -20,3 +21,5 @@ void hawser__pen_put(const struct hawser__pen *pen, const double x[3]);
 /* The outline within the box of the net; a line is ended by an empty one. */
 void hawser__pen_surface(const struct hawser__pen *pen, const struct hawser_surface *of,
                          const struct hawser__box *box);
+
+#endif

@@ -1,7 +1,8 @@
 /* output/drawing/panels.h - layout of pictures with one panel per mode, in rows of up to three.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_OUTPUT_PANELS_H
+#define HAWSER_OUTPUT_PANELS_H
 
 #include "output/drawing/figure.h"
 
@@ -23,3 +24,5 @@ void hawser__panels_frequency(FILE *script, int k, double omega, const char *wha
 
 /* Factor, 1, 2 or 5 times a power of ten, that magnifies a component too small to be visible. */
 double hawser__panels_magnify(double mine, double other);
+
+#endif

@@ -2,7 +2,8 @@
  *
  * The eye looks at the middle of a box from above and from one side, from a distance of some times
  * its size. SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_OUTPUT_PERSPECTIVE_H
+#define HAWSER_OUTPUT_PERSPECTIVE_H
 
 #include <stdio.h>
 
@@ -33,3 +34,5 @@ struct hawser__corner {
 };
 /* Short arrows along x, y and z from there, with their names, with the next plot. */
 void hawser__eye_axes(FILE *script, const struct hawser__eye *eye, const struct hawser__corner *at);
+
+#endif

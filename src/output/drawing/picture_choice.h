@@ -1,6 +1,7 @@
 /* output/drawing/picture_choice.h - what the user has chosen of pictures: size, title, ranges.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_OUTPUT_PICTURE_CHOICE_H
+#define HAWSER_OUTPUT_PICTURE_CHOICE_H
 
 #include <stdio.h>
 
@@ -34,3 +35,5 @@ double hawser__picture_below_title(double height);
 void hawser__picture_title(FILE *script);
 /* What is chosen for the axis 0 (x) or 1 (y), or NULL. */
 const struct hawser__picture_range *hawser__picture_range_of(int axis);
+
+#endif

@@ -1,6 +1,7 @@
 /* output/drawing/style.h - appearance common to all pictures: colours of stability, line styles, the
  * legend. SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_OUTPUT_STYLE_H
+#define HAWSER_OUTPUT_STYLE_H
 
 #include <stdio.h>
 
@@ -43,3 +44,5 @@ void hawser__picture_head(FILE *to, FILE *from);
  * at its ends. Images are not smoothed: browsers would interpolate the pixels of a map, also across
  * the stability boundary. */
 void hawser__picture_spaces(FILE *to, FILE *from);
+
+#endif

@@ -17,7 +17,8 @@
  * fills a row structure (struct hawser__list).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_OUTPUT_FIELDS_H
+#define HAWSER_OUTPUT_FIELDS_H
 
 #include <limits.h>
 #include <stddef.h>
@@ -337,3 +338,5 @@ const struct hawser__field *hawser__fields_at(const struct hawser__field *field,
 /* One line per field: name, unit, meaning; `what` is the heading. Inner lists are indented. */
 void hawser__fields_print(FILE *stream, const char *what, const struct hawser__field *field,
                           int json);
+
+#endif

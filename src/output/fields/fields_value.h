@@ -1,6 +1,7 @@
 /* output/fields/fields_value.h - values of the fields of a row, for tables and JSON.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_OUTPUT_FIELDS_VALUE_H
+#define HAWSER_OUTPUT_FIELDS_VALUE_H
 
 #include "output/fields/fields.h"
 
@@ -52,3 +53,5 @@ int hawser__make_row(struct hawser__at *at, union hawser__room *room,
 
 int hawser__is_shown(const struct hawser__field *field, const struct hawser__view *view);
 int hawser__is_end(const struct hawser__field *field);
+
+#endif

@@ -6,7 +6,8 @@
  *
  * The choice belongs to the program: it is made once, before anything is shown.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_OUTPUT_UNITS_H
+#define HAWSER_OUTPUT_UNITS_H
 
 #include <stddef.h>
 
@@ -44,3 +45,5 @@ char *hawser__units_text(const char *text);
 void hawser__units_elsewhere(void);
 /* Add comments: the units chosen, and those that nothing before in this result has. */
 void hawser__units_comments(struct hawser__table *table);
+
+#endif

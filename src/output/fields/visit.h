@@ -1,7 +1,8 @@
 /* output/fields/visit.h - reading a result that would be written: rows of its table, elements of its
  * lists.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_OUTPUT_VISIT_H
+#define HAWSER_OUTPUT_VISIT_H
 
 #include "output/output.h"
 
@@ -17,3 +18,5 @@ int hawser__table_visit(const struct hawser__table *table, struct hawser__visito
 /* The elements of an array of the result, also of one whose elements are generated: these are
  * stored from now on. A failure is recorded. */
 json_t *hawser__json_elements(struct hawser__json *json, json_t *array);
+
+#endif

@@ -4,7 +4,8 @@
  * All texts are escaped. What a computation printed is given as the text of its table (table.c) and of
  * its picture (gnuplot.c). Failures of the stream are left to the caller.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_OUTPUT_HTML_H
+#define HAWSER_OUTPUT_HTML_H
 
 #include <stdio.h>
 
@@ -29,3 +30,5 @@ int hawser__html_rows(FILE *to, const char *tsv, int most, const char *full);
 /* The picture of figure `number`, with a text for those who do not see it. */
 void hawser__html_picture(FILE *to, const char *svg, int number, const char *title,
                           const char *description);
+
+#endif

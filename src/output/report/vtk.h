@@ -1,6 +1,7 @@
 /* output/report/vtk.h - places, lines and what belongs to them as a legacy VTK file (PolyData,
  * ASCII), for programs such as ParaView. SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_OUTPUT_VTK_H
+#define HAWSER_OUTPUT_VTK_H
 
 #include <hawser/status.h>
 
@@ -29,3 +30,5 @@ enum hawser_status hawser__vtk_write(const char *path, const struct hawser__vtk 
 /* STEM.vtk.series: the times [files] of the files STEM-00000.vtk and so on, for ParaView. */
 enum hawser_status hawser__vtk_series(const char *stem, const double *time, int files,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

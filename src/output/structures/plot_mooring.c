@@ -76,6 +76,8 @@ static void draw_levels(struct hawser__figure *figure, const struct frame *frame
 	for (int i = 0; i < frame->net->surfaces; i++) {
 		const struct hawser_surface *of = &frame->net->surface[i];
 
+		if (of->heights)
+			hawser__plot_bed_section(figure, of, frame->st, frame->low, frame->high);
 		for (int end = 0; end < 2; end++) {
 			double x = end ? frame->high[0] : frame->low[0];
 
@@ -168,6 +170,9 @@ static void draw_view(struct hawser__figure *figure, const struct frame *frame, 
 		fputs("unset colorbox\n", figure->out.script);
 	if (k == 1)
 		draw_levels(figure, frame);
+	for (int i = 0; i < frame->net->surfaces && k == 2; i++)
+		if (frame->net->surface[i].heights)
+			hawser__plot_bed_contours(figure, &frame->net->surface[i], frame->low, frame->high);
 	draw_lines(figure, frame, k, 1);
 	draw_lines(figure, frame, k, 0);
 	draw_nodes(figure, frame, k);

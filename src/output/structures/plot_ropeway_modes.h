@@ -2,7 +2,8 @@
  * each: of a ropeway, or of a span over obstacles.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_OUTPUT_PLOT_ROPEWAY_MODES_H
+#define HAWSER_OUTPUT_PLOT_ROPEWAY_MODES_H
 
 #include <hawser/line_modes.h>
 
@@ -23,3 +24,5 @@ struct hawser__ropeway_modes_picture {
 enum hawser_status hawser__plot_ropeway_modes(const char *path,
                                               const struct hawser__ropeway_modes_picture *of,
                                               struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

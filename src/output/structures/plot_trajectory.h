@@ -1,6 +1,7 @@
 /* output/structures/plot_trajectory.h - a path from above, and velocity and acceleration over time.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_OUTPUT_PLOT_TRAJECTORY_H
+#define HAWSER_OUTPUT_PLOT_TRAJECTORY_H
 
 #include "output/output.h"
 
@@ -18,3 +19,5 @@ struct hawser__trajectory_picture {
 enum hawser_status hawser__plot_trajectory(const char *path,
                                            const struct hawser__trajectory_picture *of,
                                            struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

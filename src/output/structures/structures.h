@@ -1,6 +1,7 @@
 /* output/structures/structures.h - pictures of structures; how they look is said in the source of each,
  * plot_NAME.c. SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_OUTPUT_STRUCTURES_H
+#define HAWSER_OUTPUT_STRUCTURES_H
 
 #include <hawser/net_modes.h>
 #include <hawser/obstacles.h>
@@ -19,7 +20,14 @@ enum hawser_status hawser__plot_net(const char *path, const struct hawser_net *n
 enum hawser_status hawser__plot_mooring(const char *path, const struct hawser_net *net,
                                         const struct hawser_net_statics *st,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
-/* Its mode shapes in perspective, one panel a mode. */
+/* plot_bed.c: a bed with heights in its views, of the box from low [3] to high [3]: put below the
+ * cables, y over x; and drawn as contours, z over x. */
+void hawser__plot_bed_section(struct hawser__figure *figure, const struct hawser_surface *bed,
+                              const struct hawser_net_statics *st, const double low[3],
+                              const double high[3]);
+void hawser__plot_bed_contours(struct hawser__figure *figure, const struct hawser_surface *bed,
+                               const double low[3], const double high[3]);
+/* Mode shapes of a net in perspective, one panel a mode. */
 enum hawser_status hawser__plot_net_modes(const char *path, const struct hawser_net_modes *modes,
                                           struct hawser_report *report) HAWSER_MUST_CHECK;
 
@@ -61,3 +69,5 @@ enum hawser_status hawser__plot_tow(const char *path, const struct hawser_tow *t
 /* A towed body in time: its way, tilt and tensions. */
 enum hawser_status hawser__plot_tow_motion(const char *path, const struct hawser_tow_motion *motion,
                                            struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

@@ -1,6 +1,7 @@
 /* response/backbone/backbone.h - the walk along a backbone: where it begins, and its branch points.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_RESPONSE_BACKBONE_H
+#define HAWSER_RESPONSE_BACKBONE_H
 
 #include <hawser/backbone.h>
 
@@ -43,3 +44,5 @@ enum hawser_status hawser__free_signs(struct hawser__free_walk *walk, struct haw
  * points in the step to `next`. *moved 1: the last integration is not that of `next` any more. */
 void hawser__free_events(struct hawser__free_walk *walk, double *event);
 enum hawser_status hawser__free_branches(struct hawser__free_walk *walk, int *moved);
+
+#endif

@@ -1,7 +1,8 @@
 /* response/backbone/modulation.h - internal functions of the modulation equations: complex numbers are
  * stored as pairs of doubles, so that the public header needs no complex type.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_RESPONSE_MODULATION_H
+#define HAWSER_RESPONSE_MODULATION_H
 
 #include <complex.h>
 
@@ -32,3 +33,5 @@ enum hawser_status hawser__modal(const struct hawser_rom *rom, const char *funct
 
 /* Remove monomials that are zero to round-off, and sort the others. */
 void hawser__monomials_tidy(struct hawser_modulation *m);
+
+#endif

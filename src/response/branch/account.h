@@ -7,7 +7,8 @@
  * accurate than the multiplier.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_RESPONSE_ACCOUNT_H
+#define HAWSER_RESPONSE_ACCOUNT_H
 
 #include "response/branch/crossing.h"
 #include "response/branch/station.h"
@@ -66,3 +67,5 @@ enum hawser_status hawser__account_step(struct hawser__account *account, struct 
  * the same direction. */
 int hawser__account_crossings(const struct hawser__station *a, const struct hawser__station *b,
                               int *width, int sure);
+
+#endif

@@ -5,7 +5,8 @@
  * largest sample itself would have an error of up to (pi/steps)^2/2.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_RESPONSE_AMPLITUDE_H
+#define HAWSER_RESPONSE_AMPLITUDE_H
 
 #include <hawser/rom.h>
 
@@ -37,3 +38,5 @@ int hawser__amplitude_tension(struct hawser__amplitude *amplitude, double extrem
  * the model has no sheaves. Returns 0, or 1 when out of memory. */
 int hawser__amplitude_contact(struct hawser__amplitude *amplitude, double *least, int *sheave,
                               const double *samples, int rows);
+
+#endif

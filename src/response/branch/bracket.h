@@ -4,7 +4,8 @@
  *   f    test function, or logarithm of the watched modulus, over its larger end value
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_RESPONSE_BRACKET_H
+#define HAWSER_RESPONSE_BRACKET_H
 
 #include "continuation/false_position.h"
 #include "response/branch/station.h"
@@ -66,3 +67,5 @@ double hawser__bracket_value(const struct hawser__bracket *bracket,
  * corrector fails on both sides. */
 enum hawser_status hawser__bracket_zero(struct hawser__bracket *bracket, double *s, double *f,
                                         double tolerance, struct hawser_report *report);
+
+#endif

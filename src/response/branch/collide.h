@@ -1,6 +1,7 @@
 /* response/branch/collide.h - multipliers that collide, leave the unit circle and return within
  * one step of the continuation. SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_RESPONSE_COLLIDE_H
+#define HAWSER_RESPONSE_COLLIDE_H
 
 #include <complex.h>
 
@@ -12,3 +13,5 @@
  * multipliers cannot have met and left the circle. work is [3 m]. */
 int hawser__collide(int *followed, const struct hawser__station *const station[4], int step, int m,
                     double complex *work);
+
+#endif

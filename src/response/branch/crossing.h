@@ -1,6 +1,7 @@
 /* response/branch/crossing.h - where a multiplier crosses the unit circle within its own error.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_RESPONSE_CROSSING_H
+#define HAWSER_RESPONSE_CROSSING_H
 
 #include "response/branch/station.h"
 
@@ -22,3 +23,5 @@ enum hawser_status hawser__crossing_find(struct hawser__crossing *crossing,
                                          const struct hawser__station *a,
                                          const struct hawser__station *b, double orbit_tolerance,
                                          double tolerance, struct hawser_report *report);
+
+#endif

@@ -1,6 +1,7 @@
 /* response/branch/event_error.h - the estimated error of a located event.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_RESPONSE_EVENT_ERROR_H
+#define HAWSER_RESPONSE_EVENT_ERROR_H
 
 #include "response/branch/bracket.h"
 
@@ -9,3 +10,5 @@
  * HAWSER_ERR_MEMORY, HAWSER_ERR_NAN. */
 enum hawser_status hawser__event_error(double *error, struct hawser__bracket *bracket, double s,
                                        double f, struct hawser_report *report);
+
+#endif

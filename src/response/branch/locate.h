@@ -1,6 +1,7 @@
 /* response/branch/locate.h - the events between two neighbouring stations, by bracketing.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_RESPONSE_LOCATE_H
+#define HAWSER_RESPONSE_LOCATE_H
 
 #include "response/branch/station.h"
 
@@ -17,3 +18,5 @@ enum hawser_status hawser__locate(struct hawser_frf_event *event, int *found,
 
 /* Change of the number of unstable multipliers by one event of this kind. */
 int hawser__event_width(enum hawser_event_kind kind);
+
+#endif

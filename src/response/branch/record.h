@@ -1,6 +1,7 @@
 /* response/branch/record.h - the growing result of a continuation.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_RESPONSE_RECORD_H
+#define HAWSER_RESPONSE_RECORD_H
 
 #include "response/branch/amplitude.h"
 #include "response/branch/station.h"
@@ -23,3 +24,5 @@ void hawser__record_order(struct hawser_frf *frf);
 /* Frequencies of the model become `periods` times as large, and motions are of so many periods.
  * `family`: they belong to a family, whose parameters stay. */
 void hawser__frf_in_loads(struct hawser_frf *frf, int periods, int family);
+
+#endif

@@ -8,7 +8,8 @@
  *             multipliers without those that are 1 along the motion
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_RESPONSE_RETURN_MAP_H
+#define HAWSER_RESPONSE_RETURN_MAP_H
 
 #include <complex.h>
 
@@ -45,3 +46,5 @@ int hawser__apart(const double *rotation, const double *motion, int m);
 enum hawser_status hawser__return_form(struct hawser__return *section, double *c, int which,
                                        enum hawser_event_kind kind, double a,
                                        struct hawser_report *report);
+
+#endif

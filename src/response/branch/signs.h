@@ -1,7 +1,8 @@
 /* response/branch/signs.h - the reflections u_j -> -u_j of some coordinates under which a model
  * stays the same, and those with which its motions reversed in time are motions. See signs.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_RESPONSE_SIGNS_H
+#define HAWSER_RESPONSE_SIGNS_H
 
 #include <hawser/rom.h>
 
@@ -32,3 +33,5 @@ enum hawser_status hawser__signs_flip(const struct hawser__signs *signs, const u
 enum hawser_status hawser__signs_classes(const struct hawser__signs *signs,
                                          const unsigned char *member, int *class_of, int *classes,
                                          struct hawser_report *report);
+
+#endif

@@ -20,7 +20,8 @@
  * stations without undecided multipliers, the test functions themselves are used.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_RESPONSE_STATION_H
+#define HAWSER_RESPONSE_STATION_H
 
 #include <hawser/frf.h>
 
@@ -118,3 +119,5 @@ void hawser__station_between(double *y, double *direction, const struct hawser__
 int hawser__station_inside(struct hawser__station *station, struct hawser__orbit *orbit,
                            const struct hawser__station *a, const struct hawser__station *b, double s,
                            double tolerance);
+
+#endif

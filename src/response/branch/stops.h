@@ -4,7 +4,8 @@
  * corrected at exactly this value, so that nothing is interpolated.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_RESPONSE_STOPS_H
+#define HAWSER_RESPONSE_STOPS_H
 
 #include "response/branch/trace.h"
 
@@ -35,3 +36,5 @@ enum hawser_status hawser__stops_step(void *context, struct hawser__trace *trace
 void hawser__stops_back(void *context);
 /* Frees the arrays, but for `at`. */
 void hawser__stops_clear(struct hawser__stops *stops);
+
+#endif

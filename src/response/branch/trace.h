@@ -7,7 +7,8 @@
  * passes them again.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_RESPONSE_TRACE_H
+#define HAWSER_RESPONSE_TRACE_H
 
 #include <complex.h>
 
@@ -226,3 +227,5 @@ enum hawser_status hawser__frf_check(const struct hawser_rom *rom,
 
 /* step.c: move next to the point at which the branch between here and next has Omega = bound. */
 enum hawser_status hawser__trace_cut(struct hawser__trace *trace, double bound);
+
+#endif

@@ -1,6 +1,7 @@
 /* response/branch/vanish.h - the end of a branch whose motion vanishes.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_RESPONSE_VANISH_H
+#define HAWSER_RESPONSE_VANISH_H
 
 #include <hawser/frf.h>
 
@@ -17,3 +18,5 @@ enum hawser_status hawser__vanish(struct hawser__shrinking *shrinking, int *foun
                                   struct hawser_frf_event *event, const struct hawser_rom *rom,
                                   double size, double omega,
                                   struct hawser_report *report);
+
+#endif

@@ -1,7 +1,8 @@
 /* response/cycle/cycle.h - equilibria and limit cycles of autonomous models, as methods for orbits
  * (response/orbit/method.h) of a family whose frequency is 0.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_RESPONSE_CYCLE_H
+#define HAWSER_RESPONSE_CYCLE_H
 
 #include <hawser/branches.h>
 
@@ -59,3 +60,5 @@ enum hawser_status hawser__branch_period(double *x, double *A, const struct haws
 enum hawser_status hawser__branch_direction(double *v, const struct hawser_rom *rom, const double *x,
                                             double omega, double target,
                                             struct hawser_report *report);
+
+#endif

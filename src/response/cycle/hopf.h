@@ -1,6 +1,7 @@
 /* response/cycle/hopf.h - a Hopf point: eigenvectors and normal form.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_RESPONSE_HOPF_H
+#define HAWSER_RESPONSE_HOPF_H
 
 #include <hawser/frf.h>
 
@@ -23,3 +24,5 @@ enum hawser_status hawser__equilibrium_find(double *u, const struct hawser_rom *
 enum hawser_status hawser__hopf_near(struct hawser_hopf *hopf, double *wave, double *u, double *p,
                                      const struct hawser_rom_family *family, double guess,
                                      double extent, struct hawser_report *report);
+
+#endif

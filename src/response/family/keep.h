@@ -1,6 +1,7 @@
 /* response/family/keep.h - models that take long to make, kept by their parameters, or between others.
  * See keep.c. SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_RESPONSE_KEEP_H
+#define HAWSER_RESPONSE_KEEP_H
 
 #include "response/family/smooth.h"
 
@@ -27,3 +28,5 @@ struct hawser__keep {
 enum hawser_status hawser__keep_model(struct hawser__keep *keep, const struct hawser_rom **rom,
                                       const double p[2], struct hawser_report *report);
 void hawser__keep_clear(struct hawser__keep *keep);
+
+#endif

@@ -1,6 +1,7 @@
 /* response/family/numbers.h - all numbers of a model that depend on a parameter. See numbers.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_RESPONSE_NUMBERS_H
+#define HAWSER_RESPONSE_NUMBERS_H
 
 #include <stddef.h>
 
@@ -32,3 +33,5 @@ int hawser__same_entries(struct hawser_rom *const rom[], int roms);
 void hawser__copy_entries(struct hawser_rom *to, struct hawser_rom *from);
 /* Whether a model that got them has still as many. */
 int hawser__has_entries(struct hawser_rom *rom, struct hawser_rom *from);
+
+#endif

@@ -1,6 +1,7 @@
 /* response/family/smooth.h - models between those at a few values of a parameter. See smooth.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_RESPONSE_SMOOTH_H
+#define HAWSER_RESPONSE_SMOOTH_H
 
 #include <hawser/rom.h>
 
@@ -27,3 +28,5 @@ enum hawser_status hawser__smooth_model(struct hawser__smooth *smooth,
                                         const struct hawser__model_maker *maker, double p,
                                         struct hawser_report *report);
 void hawser__smooth_clear(struct hawser__smooth *smooth);
+
+#endif

@@ -1,6 +1,7 @@
 /* response/floquet/condensation.h - variational equations while their fast coordinates are condensed:
  * see monodromy_condense.c. SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_RESPONSE_CONDENSATION_H
+#define HAWSER_RESPONSE_CONDENSATION_H
 
 #include "response/floquet/monodromy.h"
 
@@ -35,3 +36,5 @@ int hawser__condense_invert(const struct hawser__condensation *work,
 double hawser__condense_settle(const struct hawser__condensation *work,
                                const struct hawser__monodromy *monodromy, double omega,
                                double goal);
+
+#endif

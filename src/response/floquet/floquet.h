@@ -1,6 +1,7 @@
 /* response/floquet/floquet.h - hawser_floquet_product without its allocation and checks.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_RESPONSE_FLOQUET_H
+#define HAWSER_RESPONSE_FLOQUET_H
 
 #include <hawser/orbit.h>
 
@@ -21,3 +22,5 @@ enum hawser_status hawser__floquet(double *log_modulus, double *argument, double
 
 /* Sort [m] by falling modulus; complex pairs stay together. kind [m], or NULL, goes with them. */
 void hawser__floquet_sort(double *log_modulus, double *argument, double *kind, int m);
+
+#endif

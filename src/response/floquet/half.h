@@ -2,7 +2,8 @@
  * reflected, by shooting over half a period (hawser/backbone.h), with the operations of method.h
  * that a correction and a tangent need.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_RESPONSE_HALF_H
+#define HAWSER_RESPONSE_HALF_H
 
 #include "core/hold.h"
 #include "response/time/flow.h"
@@ -62,3 +63,5 @@ double hawser__half_length(const struct hawser__half *half, int j, int other);
 double hawser__half_class_determinant(struct hawser__half *half, int c, int other);
 enum hawser_status hawser__half_class_other(struct hawser__half *half, double *s, int c, int other,
                                             struct hawser_report *report);
+
+#endif

@@ -14,7 +14,8 @@
  * at both it is real.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_RESPONSE_HILL_MATRIX_H
+#define HAWSER_RESPONSE_HILL_MATRIX_H
 
 #include "response/floquet/monodromy.h"
 
@@ -38,3 +39,5 @@ enum hawser_status hawser__hill_determinant(double value[3], int *exponent,
                                             const struct hawser__variational *system,
                                             const double lambda[2], int harmonics,
                                             struct hawser_report *report);
+
+#endif

@@ -1,6 +1,7 @@
 /* response/floquet/linear_margin.h - the margins of a model to a stability boundary: growth that is not
  * counted, and the uncertainty of the count. SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_RESPONSE_LINEAR_MARGIN_H
+#define HAWSER_RESPONSE_LINEAR_MARGIN_H
 
 #include <hawser/linear.h>
 
@@ -44,3 +45,5 @@ void hawser__linear_haste(struct hawser_linear *linear, int on);
 /* Coordinates of the last multipliers. *neglected: estimated change of the logarithms by the
  * others, which respond statically. */
 int hawser__linear_kept(const struct hawser_linear *linear, double *neglected);
+
+#endif

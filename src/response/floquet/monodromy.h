@@ -27,7 +27,8 @@
  * Lubich and Wanner, Geometric Numerical Integration, II.1.3 and VI.4.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_RESPONSE_MONODROMY_H
+#define HAWSER_RESPONSE_MONODROMY_H
 
 #include <hawser/orbit.h>
 
@@ -320,3 +321,5 @@ int hawser__fast_separate(struct hawser__monodromy *monodromy,
  * resolve. */
 double hawser__monodromy_pace(struct hawser__monodromy *monodromy,
                               const struct hawser__variational *system);
+
+#endif

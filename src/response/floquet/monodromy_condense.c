@@ -283,8 +283,8 @@ static enum hawser_status try_condense(struct hawser__condensation *work,
 	return HAWSER_OK;
 }
 
-/* N has infinitely many harmonics. Along a branch few of them beyond those of K are included first; if
- * the last of these is not negligible, as many as for comparison. */
+/* N has infinitely many harmonics. Along a branch and in haste few of them beyond those of K are
+ * included first; if the last of these is not negligible, as many as for comparison. */
 static enum hawser_status try_orders(struct hawser__condensation *work,
                                      struct hawser__monodromy *monodromy,
                                      const struct hawser__variational *system,
@@ -294,7 +294,8 @@ static enum hawser_status try_orders(struct hawser__condensation *work,
 	int most = MORE + order*(monodromy->haste && !monodromy->rough ? 6 : 2);
 	enum hawser_status status;
 
-	work->order = monodromy->finer || monodromy->sharper ? most : MORE + order + order/4;
+	work->order = (monodromy->finer && !monodromy->haste) || monodromy->sharper
+	              ? most : MORE + order + order/4;
 	if (work->order > most)
 		work->order = most;
 	for (;;) {

@@ -11,7 +11,7 @@
 #define TURN 2.6             /* rad of the fastest coordinate per step, from HAWSER__STEP_ERROR and
                               * the goal */
 #define AFFORDABLE 2e8       /* largest number of operations of a strict computation; chosen */
-#define CHEAP 1e7            /* number of operations up to which a hasty computation condenses
+#define CHEAP 1e6            /* number of operations up to which a hasty computation condenses
                               * nothing; chosen */
 #define HASTY_TURN 3.2       /* TURN of a hasty computation: an error of 3e-9 */
 #define HASTY_FOLLOW 4.0     /* least frequency, relative to Omega, of coordinates that it

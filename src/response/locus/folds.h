@@ -14,7 +14,8 @@
  * vanishes, g's equation and the plane determine dOmega, dload and a.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_RESPONSE_FOLDS_H
+#define HAWSER_RESPONSE_FOLDS_H
 
 #include <hawser/folds.h>
 
@@ -88,3 +89,5 @@ void hawser__fold_by_load(struct hawser__fold *fold, double *by_load);
 /* The metric of z: that of the orbit, with the relative change of the load. Valid until the metric
  * of the orbit or L changes. */
 struct hawser__metric hawser__fold_metric(struct hawser__fold *fold);
+
+#endif

@@ -1,6 +1,7 @@
 /* response/locus/folds_known.h - folds on curves that have been traced.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_RESPONSE_FOLDS_KNOWN_H
+#define HAWSER_RESPONSE_FOLDS_KNOWN_H
 
 #include "response/locus/folds_walk.h"
 
@@ -32,3 +33,5 @@ enum hawser_status hawser__known_add(struct hawser__fold_known *known,
                                      struct hawser_report *report);
 /* Whether two states [m] differ by at most this fraction of their size. */
 int hawser__same_state(const double *a, const double *b, int m, double tolerance);
+
+#endif

@@ -1,7 +1,8 @@
 /* response/locus/folds_search.h - the search for fold curves and for the detached response curves that
  * they reveal.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_RESPONSE_FOLDS_SEARCH_H
+#define HAWSER_RESPONSE_FOLDS_SEARCH_H
 
 #include "response/locus/folds_known.h"
 #include "response/locus/folds_walk.h"
@@ -115,3 +116,5 @@ enum hawser_status hawser__fold_lost(struct hawser__fold_search *search, double 
 /* folds.c: options of a response within the range. */
 struct hawser_frf_options hawser__fold_response(struct hawser__fold_search *search,
                                                 struct hawser__fold_watch *watch);
+
+#endif

@@ -17,6 +17,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <cblas.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -45,7 +46,8 @@
 struct hunt {
 	struct hawser__fold_search *search;
 	struct hawser__flow flow;
-	double *s, *x, *before; /* [n], [2n], [2n] */
+	double *s, *x;          /* [n], [2n] */
+	double *start, *before, *now; /* [AT_EACH][2n] settled motions; those of a period ago and now */
 	double *known;          /* [count][n] amplitudes of the orbits known at the present frequency */
 	int count;
 	struct hawser_frf *beside; /* [besides] curves that begin at branch points of known ones */
@@ -173,7 +175,7 @@ static void amplitudes(struct hunt *hunt)
 		hunt->s[j] = fmax(hunt->s[j], LEAST*most);
 }
 
-static void random_state(struct hunt *hunt)
+static void random_state(struct hunt *hunt, double *x)
 {
 	const struct hawser_rom *rom = hunt->search->rom;
 	int n = rom->n;
@@ -182,28 +184,37 @@ static void random_state(struct hunt *hunt)
 	for (int j = 0; j < n; j++) {
 		double b = 2.0*M_PI*hawser__random(&hunt->random), w = sqrt(fmax(rom->K[j*n + j], 0.0));
 
-		hunt->x[j] = r*hunt->s[j]*cos(b);
-		hunt->x[n + j] = -r*hunt->s[j]*w*sin(b);
+		x[j] = r*hunt->s[j]*cos(b);
+		x[n + j] = -r*hunt->s[j]*w*sin(b);
 	}
 }
 
-/* The motion from hunt->x, until it has settled. 1: it grows without bound. */
-static int settle(struct hunt *hunt, double omega)
+/* The motions from AT_EACH pseudo-random states until each has settled: they differ in nothing else, so
+ * that they are integrated side by side. One that grows without bound is not finite at its end. */
+static void settle(struct hunt *hunt, double omega)
 {
-	int m = 2*hunt->search->rom->n;
+	int m = 2*hunt->search->rom->n, moving = AT_EACH;
 	int steps = FINER*hawser__shooting_steps(hunt->search->rom, omega, 1);
-	struct hawser__stretch period = {.h = 2.0*M_PI/steps, .steps = steps, .count = 1};
+	struct hawser__stretch period = {.h = 2.0*M_PI/steps, .steps = steps, .count = AT_EACH};
+	double *now = hunt->now;
+	int settled[AT_EACH] = {0};
 
-	for (int p = 1; p <= PERIODS; p++) {
-		memcpy(hunt->before, hunt->x, (size_t)m*sizeof *hunt->x);
-		hawser__flow_map(&hunt->flow, hunt->x, NULL, &period, omega);
-		for (int i = 0; i < m; i++)
-			if (!isfinite(hunt->x[i]))
-				return 1;
-		if (p % TRY == 0 && hawser__same_state(hunt->before, hunt->x, m, SETTLED))
-			return 0;
+	for (int i = 0; i < AT_EACH; i++)
+		random_state(hunt, now + i*m);
+	for (int p = 1; p <= PERIODS && moving > 0; p++) {
+		memcpy(hunt->before, now, AT_EACH*(size_t)m*sizeof *now);
+		hawser__flow_map(&hunt->flow, now, NULL, &period, omega);
+		for (int i = 0; i < AT_EACH; i++) {
+			double *x = now + i*m;
+
+			if (settled[i])
+				continue;
+			memcpy(hunt->start + i*m, x, (size_t)m*sizeof *x);
+			settled[i] = !isfinite(cblas_dasum(m, x, 1)) ||
+			             (p % TRY == 0 && hawser__same_state(hunt->before + i*m, x, m, SETTLED));
+			moving -= settled[i];
+		}
 	}
-	return 0;
 }
 
 /* --- curves --- */
@@ -280,9 +291,10 @@ static int ended(const struct hunt *hunt)
 static enum hawser_status at_frequency(struct hunt *hunt, double omega)
 {
 	struct hawser_folds *folds = hunt->search->folds;
-	int curves = -1;
+	int curves = -1, m = 2*folds->n;
 	enum hawser_status status = HAWSER_OK;
 
+	settle(hunt, omega);
 	for (int i = 0; !status && i < AT_EACH && !ended(hunt); i++) {
 		if (curves != folds->isolas + hunt->besides) {
 			hunt->count = 0;
@@ -291,8 +303,8 @@ static enum hawser_status at_frequency(struct hunt *hunt, double omega)
 				return status;
 		}
 		folds->starts.starts++;
-		random_state(hunt);
-		if (settle(hunt, omega))
+		memcpy(hunt->x, hunt->start + i*m, (size_t)m*sizeof *hunt->x);
+		if (!isfinite(cblas_dasum(m, hunt->x, 1)))
 			folds->starts.lost++;
 		else
 			status = follow(hunt, omega);
@@ -307,12 +319,14 @@ enum hawser_status hawser__fold_starts(struct hawser__fold_search *search)
 	int n = folds->n, grid = (search->options->starts + AT_EACH - 1)/AT_EACH;
 	enum hawser_status status = hawser__flow_init(&hunt.flow, search->rom, search->report);
 
-	hunt.s = calloc((size_t)n, 5*sizeof *hunt.s);
+	hunt.s = calloc((size_t)n, (3 + 3*2*AT_EACH)*sizeof *hunt.s);
 	if (!status && !hunt.s)
 		status = hawser__no_memory(search->report, "folds");
 	if (!status) {
 		hunt.x = hunt.s + n;
-		hunt.before = hunt.x + 2*n;
+		hunt.start = hunt.x + 2*n;
+		hunt.before = hunt.start + AT_EACH*2*n;
+		hunt.now = hunt.before + AT_EACH*2*n;
 		amplitudes(&hunt);
 	}
 	for (int g = 0; !status && g < grid && !ended(&hunt); g++) {

@@ -4,7 +4,8 @@
  * folds_events.c locates events between two stations, folds_list.c stores the results.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_RESPONSE_FOLDS_WALK_H
+#define HAWSER_RESPONSE_FOLDS_WALK_H
 
 #include "core/progress.h"
 #include "response/branch/amplitude.h"
@@ -153,3 +154,5 @@ enum hawser_status hawser__list_join(struct hawser_folds *folds,
                                      const struct hawser__fold_list *back,
                                      const struct hawser__fold_list *on, const double *range,
                                      struct hawser_report *report);
+
+#endif

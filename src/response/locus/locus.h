@@ -26,7 +26,8 @@
  * Hill's matrix.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_RESPONSE_LOCUS_H
+#define HAWSER_RESPONSE_LOCUS_H
 
 #include <complex.h>
 
@@ -199,3 +200,5 @@ enum hawser_status hawser__locus_multipliers(struct hawser__locus *locus);
 
 /* Of the metric: the orbit relative to its size, the parameters relative to their ranges. */
 void hawser__locus_weights(double *weight, const struct hawser__locus *locus, const double *z);
+
+#endif

@@ -1,6 +1,7 @@
 /* response/locus/locus_own.h - loci of autonomous models. See locus_own.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_RESPONSE_LOCUS_OWN_H
+#define HAWSER_RESPONSE_LOCUS_OWN_H
 
 #include <math.h>
 
@@ -105,3 +106,5 @@ enum hawser_status hawser__own_locus(struct hawser_locus *locus,
 /* locus.c: the curve of part[1], from its end to the start, and part[0], becomes one of *to. */
 enum hawser_status hawser__locus_join(struct hawser_locus *to, const struct hawser__locus_list part[2],
                                       struct hawser_report *report);
+
+#endif

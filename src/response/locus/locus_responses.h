@@ -1,6 +1,7 @@
 /* response/locus/locus_responses.h - the responses at whose bifurcations loci begin.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_RESPONSE_LOCUS_RESPONSES_H
+#define HAWSER_RESPONSE_LOCUS_RESPONSES_H
 
 #include <hawser/cover.h>
 
@@ -26,3 +27,5 @@ static inline struct hawser_frf *hawser__locus_response(const struct hawser__loc
 {
 	return k ? &all->cover.branch[k - 1] : all->first;
 }
+
+#endif

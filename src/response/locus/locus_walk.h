@@ -1,6 +1,7 @@
 /* response/locus/locus_walk.h - continuation of a locus: points, tests, events.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_RESPONSE_LOCUS_WALK_H
+#define HAWSER_RESPONSE_LOCUS_WALK_H
 
 #include "continuation/curve.h"
 #include "core/progress.h"
@@ -104,3 +105,5 @@ void hawser__locus_describe(struct hawser__locus_walk *walk, struct hawser__locu
 /* Angle by which a null vector turns in a step. Borders have length 1, and the right phase. */
 double hawser__locus_turn(const struct hawser__locus_walk *walk, const double complex *from,
                           const double complex *to);
+
+#endif

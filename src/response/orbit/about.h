@@ -1,6 +1,7 @@
 /* response/orbit/about.h - the linear model of small motions about the periodic response of a model.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_RESPONSE_ABOUT_H
+#define HAWSER_RESPONSE_ABOUT_H
 
 #include "response/orbit/start.h"
 
@@ -29,3 +30,5 @@ enum hawser_status hawser__about_way(struct hawser__way *way, const struct hawse
 enum hawser_status hawser__about_response(struct hawser__about *about, const struct hawser_rom *rom,
                                           double omega, struct hawser_report *report);
 void hawser__about_clear(struct hawser__about *about);
+
+#endif

@@ -22,7 +22,8 @@
  * (balance_terms.c).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_RESPONSE_BALANCE_H
+#define HAWSER_RESPONSE_BALANCE_H
 
 #include "core/hold.h"
 #include "response/orbit/balance_blocks.h"
@@ -191,3 +192,5 @@ enum hawser_status hawser__balance_hold(struct hawser__balance *balance, const d
 enum hawser_status hawser__balance_from_state(struct hawser__orbit *orbit, double *y,
                                               const double *x, double omega,
                                               struct hawser_report *report);
+
+#endif

@@ -27,7 +27,8 @@
  * Reference: Hairer and Wanner, Solving Ordinary Differential Equations II, IV.5.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_RESPONSE_BALANCE_BLOCKS_H
+#define HAWSER_RESPONSE_BALANCE_BLOCKS_H
 
 #include "response/orbit/collocation.h"
 
@@ -129,3 +130,5 @@ void hawser__blocks_load_slow(struct hawser__blocks *blocks, float *slow, const 
  * slow coordinates; `column` [8K][f] is the derivative by Omega. */
 void hawser__blocks_follow(struct hawser__blocks *blocks, float *fast, const float *slow,
                            const float *column, double domega);
+
+#endif

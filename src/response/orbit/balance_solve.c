@@ -385,13 +385,13 @@ static void set_right(const struct hawser__balance *balance, double *x, int homo
 	x[P] = last;
 }
 
-/* Replace the factors by better ones: of the present M by blocks, if the old ones were by blocks;
- * or of M itself. Returns 1 if there are none. */
+/* Replace the factors by better ones: those of an earlier M by the same of the present one; blocks by
+ * M itself, and floats by doubles. Returns 1 if there are none. */
 static int renew(struct hawser__balance *balance)
 {
-	if (balance->blockwise && !balance->fresh)
+	if (!balance->fresh)
 		return prepare(balance);
-	return balance->blockwise ? take_matrix(balance, 1) : factorise(balance, 1);
+	return balance->blockwise ? take_matrix(balance, 0) : factorise(balance, 1);
 }
 
 void hawser__balance_invert(struct hawser__balance *balance, double *x, double goal)

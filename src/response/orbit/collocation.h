@@ -3,7 +3,8 @@
  * I_m and J_m are the first and second integrals of P_m(2x - 1) from 0.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_RESPONSE_COLLOCATION_H
+#define HAWSER_RESPONSE_COLLOCATION_H
 
 /* Nodes per step. 8 to 10 need the fewest evaluations for tolerances from 1e-6 to 1e-12 (measured
  * by bench/integrate). */
@@ -35,3 +36,5 @@ void hawser__collocation_integrals(double *once, double *twice, double x);
 
 /* P_0 .. P_{count-1} at z, [count]. */
 void hawser__legendre(double *p, double z, int count);
+
+#endif

@@ -1,7 +1,8 @@
 /* response/orbit/differentiate.h - derivatives of periodic functions that are sampled at
  * equidistant phases, through their Fourier coefficients.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_RESPONSE_DIFFERENTIATE_H
+#define HAWSER_RESPONSE_DIFFERENTIATE_H
 
 struct hawser__differentiate {
 	int rows, width;     /* number of phases and of functions */
@@ -17,3 +18,5 @@ void hawser__differentiate_release(struct hawser__differentiate *rates);
 /* derivative [rows][width], by the phase in rad, times `scale`, of value [rows][width]. */
 void hawser__differentiate(const struct hawser__differentiate *rates, double *derivative,
                            double *value, double scale);
+
+#endif

@@ -1,6 +1,7 @@
 /* response/orbit/load.h - a model whose load is multiplied by a factor.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_RESPONSE_LOAD_H
+#define HAWSER_RESPONSE_LOAD_H
 
 #include <hawser/rom.h>
 
@@ -25,3 +26,5 @@ double hawser__load_share(const struct hawser_harmonic *harmonic, double factor)
 double hawser__load_rate(const struct hawser_harmonic *harmonic, double factor);
 
 void hawser__load_clear(struct hawser__load *load);
+
+#endif

@@ -13,7 +13,8 @@
  * derivatives; factor; solve; then, for an accepted point, multipliers.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_RESPONSE_METHOD_H
+#define HAWSER_RESPONSE_METHOD_H
 
 #include <math.h>
 
@@ -262,3 +263,5 @@ enum hawser_status hawser__orbit_method(const struct hawser__orbit_method **meth
 extern const struct hawser__orbit_method hawser__shooting_method;
 extern const struct hawser__orbit_method hawser__balance_method;
 extern const struct hawser__orbit_method hawser__scales_method;
+
+#endif

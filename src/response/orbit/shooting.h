@@ -11,7 +11,8 @@
  * hundred unknowns.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_RESPONSE_SHOOTING_H
+#define HAWSER_RESPONSE_SHOOTING_H
 
 #include "core/hold.h"
 #include "response/time/flow.h"
@@ -81,3 +82,5 @@ void hawser__shooting_hold(const struct hawser__shooting *shooting, double *dy);
 int hawser__shooting_guess_init(struct hawser__shooting *shooting);
 void hawser__shooting_keep(struct hawser__orbit *orbit, const double *y);
 int hawser__shooting_guess(struct hawser__orbit *orbit, const double *y, const double *row);
+
+#endif

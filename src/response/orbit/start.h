@@ -1,6 +1,7 @@
 /* response/orbit/start.h - the first orbit of a branch.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_RESPONSE_START_H
+#define HAWSER_RESPONSE_START_H
 
 #include "response/orbit/load.h"
 #include "response/orbit/method.h"
@@ -74,3 +75,5 @@ enum hawser_status hawser__start(double *y, struct hawser__orbit *orbit,
                                  struct hawser__correction *correction, const double *start,
                                  double omega, double tolerance, struct hawser__raised *raised,
                                  struct hawser_report *report);
+
+#endif

@@ -25,6 +25,8 @@
 #define STRAY 0.3       /* largest distance of an orbit from the predicted one, relative to the step,
                          * and */
 #define BEND 0.1        /* that for which the next step is meant */
+#define SHIFT 0.02      /* distance, relative to the orbit, by which rough orbits are off the curve
+                         * where it turns sharply, however short the step is */
 #define DIP 0.06        /* a fold after which the load falls by less is passed, relative to the load */
 
 int hawser__way_add(struct hawser__way *way, double load, const double *y, int count)
@@ -213,7 +215,7 @@ static int follow_arc(double *y, struct hawser__climb *climb, struct hawser__orb
 		if (!failed)
 			hawser__orbit_tangent(orbit, climb->guess);
 		failed = 0;
-		if (off > STRAY || (y[count] >= 1.0 && climb->guess[count] < 0.0)) {
+		if ((off > STRAY && off*step > SHIFT) || (y[count] >= 1.0 && climb->guess[count] < 0.0)) {
 			step *= 0.5;
 			continue;
 		}
@@ -227,7 +229,7 @@ static int follow_arc(double *y, struct hawser__climb *climb, struct hawser__orb
 		memcpy(climb->t, climb->guess, (size_t)orbit->size*sizeof *y);
 		failed = hawser__climb_pass(climb, y, y[count], orbit, raised);
 		direct(climb, count);
-		step = fmin(ARC, step*fmin(2.0, sqrt(BEND/fmax(off, DBL_EPSILON))));
+		step = fmin(ARC, step*fmin(2.0, sqrt(BEND/fmax(fmin(off, STRAY), DBL_EPSILON))));
 	}
 	return failed ? failed : 1;
 }

@@ -10,7 +10,8 @@
  * after that is a small part of its displacement.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_RESPONSE_WEIGHTS_H
+#define HAWSER_RESPONSE_WEIGHTS_H
 
 #include "response/time/stepper.h"
 
@@ -30,3 +31,5 @@ void hawser__weights_set(struct hawser__weights *weights, const struct hawser__s
 
 /* The step for which they were set last is accepted. */
 void hawser__weights_keep(struct hawser__weights *weights);
+
+#endif

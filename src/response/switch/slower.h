@@ -1,7 +1,8 @@
 /* response/switch/slower.h - a model, or the models of a family, whose base frequency is a fraction of
  * that of the load, for motions of several of its periods.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_RESPONSE_SLOWER_H
+#define HAWSER_RESPONSE_SLOWER_H
 
 #include <hawser/family.h>
 
@@ -23,3 +24,5 @@ enum hawser_status hawser__slower_open(struct hawser__slower *slower, const stru
                                        const struct hawser_rom_family *family, int b,
                                        struct hawser_report *report);
 void hawser__slower_close(struct hawser__slower *slower);
+
+#endif

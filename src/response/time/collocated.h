@@ -15,7 +15,8 @@
  * after 1e8 periods it would be 1e-7 of a period.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_RESPONSE_COLLOCATED_H
+#define HAWSER_RESPONSE_COLLOCATED_H
 
 #include "core/hold.h"
 #include "response/orbit/collocation.h"
@@ -76,3 +77,5 @@ enum hawser_status hawser__collocated_step(struct hawser__stepper *stepper,
                                            struct hawser_report *report);
 enum hawser_status hawser__collocated_advance(struct hawser__stepper *stepper, double *y, double t,
                                               struct hawser_report *report);
+
+#endif

@@ -18,7 +18,8 @@
  * derivatives are computed from them, segment by segment (variation.c).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_RESPONSE_FLOW_H
+#define HAWSER_RESPONSE_FLOW_H
 
 #include <hawser/rom.h>
 
@@ -102,3 +103,5 @@ void hawser__flow_more(struct hawser__flow *flow, int s, int derive, int live, d
 
 /* variation.c: U and V of a lane over the step whose stages are in `flow`. */
 void hawser__flow_vary(struct hawser__flow *flow, int lane);
+
+#endif

@@ -14,7 +14,8 @@
  * variational equations.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_RESPONSE_NYSTROM_H
+#define HAWSER_RESPONSE_NYSTROM_H
 
 #include "response/time/tableau.h"
 
@@ -37,3 +38,5 @@ struct hawser__nystrom {
 
 /* d times |h|/omega should not be large, since coefficients of both signs grow with its powers. */
 void hawser__nystrom(struct hawser__nystrom *nystrom, double damping, double h, double omega);
+
+#endif

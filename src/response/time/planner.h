@@ -1,7 +1,8 @@
 /* response/time/planner.h - for plans of FFTW: a lock, since the planner, unlike the transforms,
  * must not be called by two threads at once (every plan is made and destroyed under this lock),
  * and lengths. SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_RESPONSE_PLANNER_H
+#define HAWSER_RESPONSE_PLANNER_H
 
 #include <stddef.h>
 
@@ -17,3 +18,5 @@ void hawser__planner_unlock(void);
 /* Smallest number of samples, at least `least`, of which transforms are fast: without prime factors
  * above 5. */
 int hawser__planner_rows(int least);
+
+#endif

@@ -5,7 +5,8 @@
  * begins with a struct hawser__stepper.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_RESPONSE_STEPPER_H
+#define HAWSER_RESPONSE_STEPPER_H
 
 #include <hawser/integrate.h>
 
@@ -89,3 +90,5 @@ enum hawser_status hawser__stepper_escaped(const struct hawser__stepper *stepper
                                            double t, double step, struct hawser_report *report);
 enum hawser_status hawser__stepper_too_long(const struct hawser__stepper *stepper, double t,
                                             struct hawser_report *report);
+
+#endif

@@ -1,6 +1,7 @@
 /* response/time/surge_parts.h - responses from rest to a change of the travel speed, for surge.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_RESPONSE_SURGE_PARTS_H
+#define HAWSER_RESPONSE_SURGE_PARTS_H
 
 #include <complex.h>
 
@@ -42,3 +43,5 @@ int hawser__lone_modes_make(struct hawser__lone_modes *lone, const struct hawser
                             double omega);
 void hawser__lone_modes_at(struct hawser__lone_modes *lone, double t, double omega);
 void hawser__lone_modes_clear(struct hawser__lone_modes *lone);
+
+#endif

@@ -7,7 +7,8 @@
  * stages for its order. A test of the order of convergence checks the coefficients.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_RESPONSE_TABLEAU_H
+#define HAWSER_RESPONSE_TABLEAU_H
 
 #define HAWSER_RK_STAGES 12 /* of DOP853 */
 
@@ -18,3 +19,5 @@ struct hawser__tableau {
 };
 
 extern const struct hawser__tableau hawser__dop853;
+
+#endif

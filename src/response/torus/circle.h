@@ -12,7 +12,8 @@
  * are Hamiltonian, so that an error of the orbit does not move a multiplier off the circle.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_RESPONSE_CIRCLE_H
+#define HAWSER_RESPONSE_CIRCLE_H
 
 struct hawser__circle {
 	int unstable;  /* multipliers outside */
@@ -25,3 +26,5 @@ struct hawser__circle {
  * the logarithms. */
 struct hawser__circle hawser__circle_count(double *bound, const double *log_modulus,
                                            const double *argument, int m, double loss, double beside);
+
+#endif

@@ -18,7 +18,8 @@
  * Dyn. Syst. 4 (2005) 459.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_RESPONSE_TORUS_H
+#define HAWSER_RESPONSE_TORUS_H
 
 #include <hawser/torus.h>
 
@@ -104,3 +105,5 @@ int hawser__tori_room(struct hawser_tori *list, const struct hawser_rom *rom);
 enum hawser_status hawser__tori_check(const struct hawser_rom *rom, const struct hawser_frf *frf,
                                       int event, const struct hawser_tori_options *options,
                                       struct hawser_report *report);
+
+#endif

@@ -1,6 +1,7 @@
 /* rom/build/build.h - the parts that every model of a cable has, whatever its energy.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROM_BUILD_H
+#define HAWSER_ROM_BUILD_H
 
 #include <hawser/rom.h>
 
@@ -51,3 +52,5 @@ int hawser__rom_stroke_point(const struct hawser_statics *statics, int p);
 enum hawser_status hawser__rom_finish(struct hawser_rom *rom, const struct hawser_modes *modes,
                                       const struct hawser_scene *scene,
                                       struct hawser_report *report);
+
+#endif

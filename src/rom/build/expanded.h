@@ -7,7 +7,8 @@
  * the static response to the load of the modes that are not kept.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROM_EXPANDED_H
+#define HAWSER_ROM_EXPANDED_H
 
 #include <hawser/rom.h>
 
@@ -74,3 +75,5 @@ enum hawser_status hawser__expanded_lift(struct hawser_rom *rom, const struct ha
 enum hawser_status hawser__expanded_fields(struct hawser_rom *rom, const struct hawser__expanded *e,
                                            const struct hawser__answers *answers,
                                            struct hawser_report *report);
+
+#endif

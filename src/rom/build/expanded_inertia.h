@@ -1,6 +1,7 @@
 /* rom/build/expanded_inertia.h - second-order shapes as coordinates behind the modes of a model from an
  * expanded energy: see expanded_inertia.c. SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROM_EXPANDED_INERTIA_H
+#define HAWSER_ROM_EXPANDED_INERTIA_H
 
 #include <hawser/rom.h>
 
@@ -47,3 +48,5 @@ enum hawser_status hawser__inertia_make(struct hawser__inertia *of, struct hawse
 /* Their forces and those on the modes. */
 enum hawser_status hawser__inertia_quads(struct hawser_rom *rom, const struct hawser__inertia *of,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

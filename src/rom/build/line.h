@@ -1,6 +1,7 @@
 /* rom/build/line.h - the loads of a model of a rope over sheaves.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROM_LINE_H
+#define HAWSER_ROM_LINE_H
 
 #include <hawser/line_rom.h>
 
@@ -68,3 +69,5 @@ int hawser__line_run(const struct hawser__lmode *rope, int run, double *s0, doub
 /* rom->contacts: the arcs on which the rope lies. line_lift.c. */
 enum hawser_status hawser__line_contacts(struct hawser_rom *rom, const struct hawser_line_modes *modes,
                                          struct hawser_report *report);
+
+#endif

@@ -1,6 +1,7 @@
 /* rom/build/model.h - allocation and release of models, for the files that fill them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROM_MODEL_H
+#define HAWSER_ROM_MODEL_H
 
 #include <hawser/rom.h>
 
@@ -28,3 +29,5 @@ struct hawser_harmonic *hawser__rom_harmonic(struct hawser_rom *rom, int k, enum
 /* xyz [3], in global axes, of a displacement local [3] along e, n, z at shape point p. */
 void hawser__shapes_global(double *xyz, const struct hawser_rom_shapes *shapes, int p,
                            const double local[3]);
+
+#endif

@@ -1,6 +1,7 @@
 /* rom/build/net.h - the parts of a model of a net: see net.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROM_NET_H
+#define HAWSER_ROM_NET_H
 
 #include <hawser/net_rom.h>
 
@@ -137,3 +138,5 @@ enum hawser_status hawser__net_places(struct hawser__net_source *source, char **
 struct hawser__expanded hawser__net_expanded(const struct hawser__net_source *source);
 /* Stretch of a place, of a cable of the model's EA. */
 double hawser__net_place_stretch(const struct hawser__net_source *source, int place);
+
+#endif

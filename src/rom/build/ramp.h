@@ -1,6 +1,7 @@
 /* rom/build/ramp.h - the forces of a model's ramp (struct hawser_ramp), for the integrators. In
  * forced.c. SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROM_RAMP_H
+#define HAWSER_ROM_RAMP_H
 
 #include <hawser/rom.h>
 
@@ -11,3 +12,5 @@ void hawser__rom_ramp(const struct hawser_rom *rom, double *acceleration, double
 
 /* The contribution of its conservative terms, in s and s^2, to the energy at u. */
 double hawser__rom_ramp_energy(const struct hawser_rom *rom, const double *u, double t);
+
+#endif

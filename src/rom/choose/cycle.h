@@ -1,7 +1,8 @@
 /* rom/choose/cycle.h - a forced periodic orbit as a Fourier series, to start a continuation by another
  * program.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROM_CYCLE_H
+#define HAWSER_ROM_CYCLE_H
 
 #include <hawser/rom.h>
 
@@ -17,3 +18,5 @@ struct hawser__cycle {
 enum hawser_status hawser__cycle_find(struct hawser__cycle *cycle, const struct hawser_rom *rom,
                                       double omega, struct hawser_report *report);
 void hawser__cycle_clear(struct hawser__cycle *cycle);
+
+#endif

@@ -1,6 +1,7 @@
 /* rom/choose/drive.h - excitation of the modes of a model. See drive.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROM_DRIVE_H
+#define HAWSER_ROM_DRIVE_H
 
 #include <complex.h>
 
@@ -28,3 +29,5 @@ void hawser__vary(const struct hawser_rom *rom, double *R, double *J, const doub
  * omega_s + omega_p = m Omega, as amplitude of the stiffness with the same effect:
  * V |G_sp| |omega_s - omega_p|. */
 double hawser__sway(const struct hawser_rom *rom, int s, int p, int m);
+
+#endif

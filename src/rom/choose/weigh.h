@@ -1,6 +1,7 @@
 /* rom/choose/weigh.h - the dynamic part of each mode in a motion. See weigh.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROM_WEIGH_H
+#define HAWSER_ROM_WEIGH_H
 
 #include <hawser/choose.h>
 
@@ -66,3 +67,5 @@ enum hawser_status hawser__choice_weigh(struct hawser_choice *choice, const doub
                                         int rows, double omega, int whole, unsigned counted,
                                         unsigned peaks, const struct hawser__orbit_of *orbit,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

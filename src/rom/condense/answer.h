@@ -1,7 +1,8 @@
 /* rom/condense/answer.h - response of the condensed modes to the forces of a model, at the shape
  * points and along the line, for displacement and tension. See answer_make.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROM_ANSWER_H
+#define HAWSER_ROM_ANSWER_H
 
 #include <hawser/rom.h>
 
@@ -30,3 +31,5 @@ void hawser__rom_frozen_release(struct hawser__frozen *frozen);
  * powers of Omega. `modes` are all that move. */
 enum hawser_status hawser__rom_travel_lag(struct hawser_rom *rom, const struct hawser_modes *modes,
                                           struct hawser_report *report);
+
+#endif

@@ -8,7 +8,8 @@
  * b and c (bend.h).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROM_BASIS_H
+#define HAWSER_ROM_BASIS_H
 
 #include "rom/condense/follow.h"
 
@@ -44,3 +45,5 @@ enum hawser_status hawser__basis_products(double *mass, double *stiffness,
 /* A row becomes mode k of `with`. */
 void hawser__basis_take(struct hawser_modes *with, int k, const struct hawser__basis *m,
                           const double *row, double omega);
+
+#endif

@@ -1,6 +1,7 @@
 /* rom/condense/bend.h - the static answer of a cable with bending stiffness to forces against
  * its slopes, and its energy. SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROM_BEND_H
+#define HAWSER_ROM_BEND_H
 
 #include <hawser/modes.h>
 #include "core/hold.h"
@@ -47,3 +48,5 @@ static inline int hawser__bend_width(const struct hawser__bend *bend)
 {
 	return bend ? 2*bend->points + 4 : 0;
 }
+
+#endif

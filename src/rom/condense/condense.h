@@ -7,7 +7,8 @@
  * displacements that are K-orthogonal to the kept modes. See condense.c and doc/theory-rom.md.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROM_CONDENSE_H
+#define HAWSER_ROM_CONDENSE_H
 
 #include <hawser/rom.h>
 #include "modes/grid.h"
@@ -57,3 +58,5 @@ struct hawser__place {
 	                            * across the chord and z */
 };
 struct hawser__place hawser__place_at(const struct hawser_modes *modes, double s, double weight);
+
+#endif

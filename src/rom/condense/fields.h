@@ -5,7 +5,8 @@
  * the phase as its value. In the equation of coordinate u_j the terms of degree 3 in the energy then
  * give f (s s) and K (s u), those of degree 4 f (s s s), K (s s u) and Q (s u u).
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROM_FIELDS_H
+#define HAWSER_ROM_FIELDS_H
 
 #include <hawser/rom.h>
 
@@ -51,3 +52,5 @@ enum hawser_status hawser__fields_give(struct hawser_rom *rom, struct hawser__fi
                                        const int *number,
                                        struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser__fields_clear(struct hawser__fields *fields);
+
+#endif

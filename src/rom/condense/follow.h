@@ -11,7 +11,8 @@
  * work of p on w_jk (Betti's reciprocal theorem). One z serves all pairs.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROM_FOLLOW_H
+#define HAWSER_ROM_FOLLOW_H
 
 #include "core/hold.h"
 #include "rom/condense/condense.h"
@@ -61,3 +62,5 @@ void hawser__follow(struct hawser__stations *stations);
 /* T [n][n], n = modes->n: zero beyond the kept modes. Entries that vanish by symmetry but for
  * round-off are set to zero. Returns whether an entry is not zero. */
 int hawser__follow_stiffness(double *T, const struct hawser__stations *stations);
+
+#endif

@@ -1,6 +1,7 @@
 /* rom/condense/inertia.h - inertia of the condensed modes.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROM_INERTIA_H
+#define HAWSER_ROM_INERTIA_H
 
 #include <hawser/rom.h>
 
@@ -30,3 +31,5 @@ double hawser__inertia_amplitude(const struct hawser_modes *modes, int j, double
 /* Largest relative error of resonance frequencies by the neglected inertia of condensed modes: a
  * small part of the accuracy; chosen. inertia_amplitude.c. */
 double hawser__inertia_allowed(const struct hawser_scene *scene);
+
+#endif

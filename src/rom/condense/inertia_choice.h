@@ -1,6 +1,7 @@
 /* rom/condense/inertia_choice.h - which second-order shapes become coordinates: see inertia.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROM_INERTIA_CHOICE_H
+#define HAWSER_ROM_INERTIA_CHOICE_H
 
 #include <hawser/rom.h>
 
@@ -22,3 +23,5 @@ enum hawser_status hawser__inertia_choose(struct hawser_rom_inertia *inertia, do
                                           const double *mass, const double *stiffness, int count,
                                           double allowed,
                                           struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

@@ -1,6 +1,7 @@
 /* rom/condense/known.h - the condensed modes whose frequencies and shapes are known. See known.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROM_KNOWN_H
+#define HAWSER_ROM_KNOWN_H
 
 #include <complex.h>
 
@@ -19,3 +20,5 @@ int hawser__rom_answers_load(const struct hawser_rom *rom);
 
 /* Release rom->known and the harmonics' forces on it. */
 void hawser__rom_known_clear(struct hawser_rom *rom);
+
+#endif

@@ -1,6 +1,7 @@
 /* rom/condense/load_fields.h - the static response of the condensed modes to the load, as fields
  * of the energy: see load_fields.c. SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROM_LOAD_FIELDS_H
+#define HAWSER_ROM_LOAD_FIELDS_H
 
 #include <hawser/rom.h>
 
@@ -23,3 +24,5 @@ enum hawser_status hawser__rom_vary(struct hawser_rom *rom, struct hawser__load_
                                     const struct hawser_scene *scene,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser__load_fields_clear(struct hawser__load_fields *fields);
+
+#endif

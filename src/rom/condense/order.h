@@ -1,6 +1,7 @@
 /* rom/condense/order.h - the force on its modes that a condensed model omits: see order.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROM_ORDER_H
+#define HAWSER_ROM_ORDER_H
 
 #include <hawser/choose.h>
 
@@ -48,3 +49,5 @@ void hawser__omitted_displace(double *xyz, const struct hawser_rom *rom, const d
  * candidates, [1] by the energy alone, [2] with those of all relaxed coordinates. order_effect.c. */
 enum hawser_status hawser__omitted_effect(double omitted[HAWSER__OMITTED], struct hawser__omitted *w,
                                        unsigned peaks, struct hawser_report *report);
+
+#endif

@@ -1,6 +1,7 @@
 /* rom/condense/support.h - terms of the model of a cable whose supports move. See support.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROM_SUPPORT_H
+#define HAWSER_ROM_SUPPORT_H
 
 #include <hawser/rom.h>
 
@@ -72,3 +73,5 @@ enum hawser_status hawser__rom_answer_field(struct hawser_rom *rom, int harmonic
                                             const double *field, const double *point,
                                             const double *stroke,
                                             struct hawser_report *report);
+
+#endif

@@ -1,6 +1,7 @@
 /* rom/energy/effort.h - which of the two forms of the energy is evaluated: tensors or functions.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROM_EFFORT_H
+#define HAWSER_ROM_EFFORT_H
 
 #include <hawser/rom.h>
 
@@ -32,3 +33,5 @@ void hawser__effort(struct hawser__effort *effort, const struct hawser__size *si
 
 /* Additions and multiplications of a force, or of force and tangent, by functions. */
 double hawser__function_flops(const struct hawser__size *size, int tangent);
+
+#endif

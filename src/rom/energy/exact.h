@@ -1,6 +1,7 @@
 /* rom/energy/exact.h - a model with the exact strain energy, without expansion: see exact.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROM_EXACT_H
+#define HAWSER_ROM_EXACT_H
 
 #include <stddef.h>
 
@@ -85,3 +86,5 @@ void hawser__exact_strain(const struct hawser_rom_exact *exact, double *strain, 
 /* At point p, for local strains (a, b, c), without the factor of the quadrature weight. */
 struct hawser__stress hawser__exact_stress(const struct hawser_rom_exact *exact, int p, double a,
                                            double b, double c);
+
+#endif

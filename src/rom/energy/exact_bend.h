@@ -1,6 +1,7 @@
 /* rom/energy/exact_bend.h - bending stiffness in a model with the exact energy: see exact_bend.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROM_EXACT_BEND_H
+#define HAWSER_ROM_EXACT_BEND_H
 
 #include "rom/condense/bend.h"
 #include "rom/energy/exact.h"
@@ -16,3 +17,5 @@ enum hawser_status hawser__exact_bend(double *matrix, const struct hawser_rom_ex
 enum hawser_status hawser__exact_bend_pull(double *pull, const struct hawser_rom_exact *exact,
                                            const struct hawser_modes *modes, const double *strain,
                                            const double *at, struct hawser_report *report);
+
+#endif

@@ -17,7 +17,8 @@
  * so that a product u_l u_m is loaded once for them all.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROM_KERNEL_H
+#define HAWSER_ROM_KERNEL_H
 
 #include <stddef.h>
 
@@ -174,3 +175,5 @@ enum hawser_status hawser__rom_compile_cable(struct hawser_rom *rom,
                                              struct hawser_report *report);
 
 void hawser__kernel_free(struct hawser_rom_kernel *kernel);
+
+#endif

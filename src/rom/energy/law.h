@@ -1,6 +1,7 @@
 /* rom/energy/law.h - a coordinate held in a model and in the cable, all others in equilibrium. law.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROM_LAW_H
+#define HAWSER_ROM_LAW_H
 
 #include <hawser/law.h>
 
@@ -55,3 +56,5 @@ extern const char *const hawser__range_ends[];
 /* rom->range of a model of `modes`, without amplitudes. HAWSER_ERR_MEMORY. */
 enum hawser_status hawser__range_make(struct hawser_rom *rom, const struct hawser_modes *modes,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

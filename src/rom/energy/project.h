@@ -1,6 +1,7 @@
 /* rom/energy/project.h - the tensors of a reduced model from the modes.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROM_PROJECT_H
+#define HAWSER_ROM_PROJECT_H
 
 #include <hawser/rom.h>
 
@@ -23,3 +24,5 @@ enum hawser_status hawser__rom_pairing(double *pairing, const struct hawser_mode
  * antisymmetric about mid-span, 0 for symmetric ones. Returns 0, with all entries 0, for an
  * inclined span or if a mode has no definite symmetry. */
 int hawser__rom_mirror(int *parity, const struct hawser_modes *modes);
+
+#endif

@@ -1,7 +1,8 @@
 /* rom/energy/quartic.h - the expanded strain energy of a cable as a function: forces and
  * tangents from the strains at the points of a grid, without tensors. See quartic.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROM_QUARTIC_H
+#define HAWSER_ROM_QUARTIC_H
 
 #include <stddef.h>
 
@@ -93,3 +94,5 @@ int hawser__quartic_pull(struct hawser__quartic *quartic);
 
 /* Potential at u [n], 0 at rest. */
 double hawser__quartic_potential(const struct hawser__quartic *quartic, const double *u);
+
+#endif

@@ -1,6 +1,7 @@
 /* rom/energy/relax.h - some coordinates of a model held, all others at the minimum of its
  * energy. relax.c. SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROM_RELAX_H
+#define HAWSER_ROM_RELAX_H
 
 #include <hawser/rom.h>
 
@@ -34,3 +35,5 @@ void hawser__relax_along(struct hawser__relax *relax, int held, double du);
 /* The relaxed coordinates to second order in the held ones, which relax->y has: those that balance the
  * quadratic part of the force, each with its own stiffness (K is diagonal). */
 void hawser__relax_place(struct hawser__relax *relax);
+
+#endif

@@ -1,6 +1,7 @@
 /* rom/file/auto.h - models as AUTO-07p equations and constants. See auto.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROM_AUTO_H
+#define HAWSER_ROM_AUTO_H
 
 #include "rom/choose/cycle.h"
 #include "rom/file/rows.h"
@@ -28,3 +29,5 @@ enum hawser_status hawser__auto_write(const struct hawser__auto *of, const char 
 enum hawser_status hawser__auto_check(const struct hawser_rom *rom, const char *stem,
                                       struct hawser_auto_options *options,
                                       struct hawser_report *report);
+
+#endif

@@ -1,6 +1,7 @@
 /* rom/file/entries.h - see entries.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROM_ENTRIES_H
+#define HAWSER_ROM_ENTRIES_H
 
 #include <hawser/rom.h>
 
@@ -17,3 +18,5 @@ enum hawser_status hawser__numbers_check(const struct hawser_rom *rom, enum haws
 
 /* Sort, sum repeats and drop zeros, in place. HAWSER_ERR_ARGUMENT: repeats whose sum overflows. */
 enum hawser_status hawser__entries_merge(struct hawser_rom *rom, struct hawser_report *report);
+
+#endif

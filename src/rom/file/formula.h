@@ -1,6 +1,7 @@
 /* rom/file/formula.h - numbers that a model file gives as texts with named parameters. See formula.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROM_FORMULA_H
+#define HAWSER_ROM_FORMULA_H
 
 #include <stddef.h>
 
@@ -13,3 +14,5 @@ int hawser__formula(double *value, const char *text, const struct hawser_paramet
 
 /* 1: the text can be the name of a parameter. */
 int hawser__formula_name(const char *name);
+
+#endif

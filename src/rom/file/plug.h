@@ -1,6 +1,7 @@
 /* rom/file/plug.h - a model whose forces are a function (hawser/plugin.h). See plug.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROM_PLUG_H
+#define HAWSER_ROM_PLUG_H
 
 #include <hawser/rom_source.h>
 
@@ -30,3 +31,5 @@ void hawser__plug_free(struct hawser_rom_plug *plug);
 /* What the function has beyond the linear part and the harmonics of the model. */
 void hawser__plug_add(const struct hawser_rom *rom, const struct hawser__more *to, const double *u,
                       const double *v, const double *tau, double omega);
+
+#endif

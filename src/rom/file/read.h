@@ -1,7 +1,8 @@
 /* rom/file/read.h - checked reading of JSON values; `where` is the position of the value in the file,
  * "K[1][0]".
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROM_READ_H
+#define HAWSER_ROM_READ_H
 
 #include <jansson.h>
 
@@ -97,3 +98,5 @@ enum hawser_status hawser__rom_divide(struct hawser_rom *rom, const double *inve
 enum hawser_status hawser__quads_to_terms(struct hawser_harmonic *h, struct hawser_report *report);
 enum hawser_status hawser__cubics_to_terms(struct hawser_harmonic *h, const struct hawser_cubic *C,
                                            int cubics, struct hawser_report *report);
+
+#endif

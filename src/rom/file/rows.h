@@ -1,6 +1,7 @@
 /* rom/file/rows.h - the forces of a model as one list of products, for exports. See rows.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROM_ROWS_H
+#define HAWSER_ROM_ROWS_H
 
 #include <hawser/rom.h>
 
@@ -14,3 +15,5 @@ struct hawser__row {
 
 /* *row [*rows] of a model, to be freed; NULL: memory is short. */
 void hawser__rows(struct hawser__row **row, int *rows, const struct hawser_rom *rom);
+
+#endif

@@ -1,6 +1,7 @@
 /* rom/file/writer.h - JSON written to a stream as it is generated, in the layouts of
  * reduced-model files. SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROM_WRITER_H
+#define HAWSER_ROM_WRITER_H
 
 #include <stddef.h>
 #include <stdio.h>
@@ -45,3 +46,5 @@ void hawser__write_numbers(struct hawser__writer *to, const double *value, const
                            int rank);
 /* The list [index[0], ..., index[count - 1], value], count at most 4. */
 void hawser__write_entry(struct hawser__writer *to, const int *index, int count, double value);
+
+#endif

@@ -1,6 +1,7 @@
 /* rom/terms/absorbers.h - absorbers of attachments in a reduced model: see absorbers.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROM_ABSORBERS_H
+#define HAWSER_ROM_ABSORBERS_H
 
 #include <hawser/rom.h>
 
@@ -37,3 +38,5 @@ void hawser__cubics_add(double *restoring, double *tangent, const double *u, int
                         const double *cubic, const double *stroke, int absorbers);
 double hawser__cubics_energy(const double *u, int n, const double *cubic, const double *stroke,
                              int absorbers);
+
+#endif

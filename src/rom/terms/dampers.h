@@ -1,6 +1,7 @@
 /* rom/terms/dampers.h - attachments in a reduced model: damping, and shapes of dampers as coordinates.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROM_DAMPERS_H
+#define HAWSER_ROM_DAMPERS_H
 
 #include <hawser/rom.h>
 
@@ -15,3 +16,5 @@ void hawser__dampers_add(double *D, const struct hawser_modes *modes, double alp
 
 /* Stiffness [n][n] of the springs in these modes. */
 void hawser__springs_add(double *K, const struct hawser_modes *modes);
+
+#endif

@@ -1,6 +1,7 @@
 /* rom/terms/drag.h - quadratic drag of air at rest, and the exact force of a wind. See drag.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROM_DRAG_H
+#define HAWSER_ROM_DRAG_H
 
 #include <complex.h>
 
@@ -49,3 +50,5 @@ double hawser__drag_equal(const struct hawser_modes *modes, const struct hawser_
 /* HAWSER_ERR_ARGUMENT if the model has drag (rom NULL: it has), which `what` does not take. */
 enum hawser_status hawser__drag_refuse(const struct hawser_rom *rom, const char *what,
                                        struct hawser_report *report);
+
+#endif

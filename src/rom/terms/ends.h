@@ -1,6 +1,7 @@
 /* rom/terms/ends.h - displacement and strain by given motions of the ends, to second order. See ends.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROM_ENDS_H
+#define HAWSER_ROM_ENDS_H
 
 #include <hawser/rom.h>
 
@@ -65,3 +66,5 @@ void hawser__ends_second(const struct hawser_rom_ends *ends, double out[3], cons
 void hawser__ends_second_rate(const struct hawser_rom_ends *ends, double out[3], const double *field,
                               int points, int p, const double *u, const double *s, const double *v,
                               const double *rate);
+
+#endif

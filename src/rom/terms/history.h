@@ -1,6 +1,7 @@
 /* rom/terms/history.h - the forces of a model's history (struct hawser_rom_history). See history.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROM_HISTORY_H
+#define HAWSER_ROM_HISTORY_H
 
 #include <hawser/rom.h>
 
@@ -54,3 +55,5 @@ void hawser__history_cut(struct hawser_rom_history *history, int terms, int sign
 /* Free what a term owns, and the whole history. */
 void hawser__rom_term_clear(struct hawser_ramp_term *term);
 void hawser__rom_history_clear(struct hawser_rom *rom);
+
+#endif

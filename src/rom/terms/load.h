@@ -1,6 +1,7 @@
 /* rom/terms/load.h - the varying load of a scene as forces on modes: see load.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROM_LOAD_H
+#define HAWSER_ROM_LOAD_H
 
 #include <hawser/rom.h>
 #include "statics/load.h"
@@ -15,3 +16,5 @@ enum hawser_status hawser__loads_work(double *work, const struct hawser__loads *
 enum hawser_status hawser__loads_most(double *most, const struct hawser__loads *loads,
                                       const struct hawser_modes *modes,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

@@ -1,6 +1,7 @@
 /* rom/terms/rates.h - terms of second and third order in velocities alone, such as those of a wind. See
  * rates.c. SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROM_RATES_H
+#define HAWSER_ROM_RATES_H
 
 #include "rom/terms/terms.h"
 
@@ -18,3 +19,5 @@ void hawser__rates_free(struct hawser__rates *rates);
  * HAWSER_LANES states of that stride (count 1). */
 void hawser__rates_add(const struct hawser__rates *rates, const struct hawser__more *to,
                        const double *v, int count);
+
+#endif

@@ -1,6 +1,7 @@
 /* rom/terms/terms.h - forces that are products of any coordinates and velocities. See terms.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROM_TERMS_H
+#define HAWSER_ROM_TERMS_H
 
 #include <stddef.h>
 
@@ -44,3 +45,5 @@ enum hawser_status hawser__periods_refuse(const struct hawser_rom *rom, const ch
 
 /* Indices and values of all terms: HAWSER_ERR_ARGUMENT. */
 enum hawser_status hawser__terms_check(const struct hawser_rom *rom, struct hawser_report *report);
+
+#endif

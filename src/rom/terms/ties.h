@@ -1,7 +1,8 @@
 /* rom/terms/ties.h - the static response of a cable whose ends are held, with the springs of
  * attachments and of elastic supports: see ties.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROM_TIES_H
+#define HAWSER_ROM_TIES_H
 
 #include "rom/condense/bend.h"
 #include "rom/condense/condense.h"
@@ -48,3 +49,5 @@ void hawser__ties_settle(struct hawser__ties *ties, double *x);
 double hawser__ties_stretch(const struct hawser__ties *ties, int m);
 /* Displacement of end A along the axes of the cable, of all stretches: those of its joints. */
 void hawser__ties_start(double u[3], const struct hawser__ties *ties, const double *stretch);
+
+#endif

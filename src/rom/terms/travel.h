@@ -1,6 +1,7 @@
 /* rom/terms/travel.h - terms of the model of a cable that travels along its length. See travel.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROM_TRAVEL_H
+#define HAWSER_ROM_TRAVEL_H
 
 #include <hawser/rom.h>
 
@@ -27,3 +28,5 @@ enum hawser_status hawser__travel_modes(struct hawser_modes *with, double **turn
 
 /* Change of the scaled speed by braking. */
 double hawser__travel_change(const struct hawser_modes *modes, const struct hawser_scene *scene);
+
+#endif

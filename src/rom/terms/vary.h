@@ -3,7 +3,8 @@
  * do not know the phase, and a caller adds these terms to their results.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROM_VARY_H
+#define HAWSER_ROM_VARY_H
 
 #include <hawser/rom.h>
 
@@ -26,3 +27,5 @@ void hawser__rom_vary_all(const struct hawser_rom *rom, double *restoring, doubl
                           const double *u, int count);
 void hawser__rom_vary_eight(const struct hawser_rom *rom, double *restoring, double *tangent,
                             const double *u, int first, int count);
+
+#endif

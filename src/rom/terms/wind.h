@@ -1,6 +1,7 @@
 /* rom/terms/wind.h - the force of a wind on a moving cable, as terms of a model. See wind.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROM_WIND_H
+#define HAWSER_ROM_WIND_H
 
 #include <hawser/modes.h>
 #include <hawser/rom.h>
@@ -15,3 +16,5 @@ enum hawser_status hawser__wind_add(struct hawser_rom *rom, const struct hawser_
 struct hawser__flow_points;
 enum hawser_status hawser__wind_take(struct hawser_rom *rom, struct hawser__flow_points *flow,
                                      int whole, struct hawser_report *report);
+
+#endif

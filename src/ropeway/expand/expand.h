@@ -1,7 +1,8 @@
 /* ropeway/expand/expand.h - the energy of a rope over sheaves to fourth order in given shapes, the rest
  * of the rope following statically (doc/theory-ropeway-response.md).
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROPEWAY_EXPAND_H
+#define HAWSER_ROPEWAY_EXPAND_H
 
 #include "core/hold.h"
 #include "modes/pairing.h"
@@ -113,3 +114,5 @@ double hawser__lexpand_push(const struct hawser__lexpand *t, const struct hawser
                             int j, int k);
 /* expand_follow.c: second, pairing. */
 enum hawser_status hawser__lexpand_follow(struct hawser__lexpand *t, struct hawser_report *report);
+
+#endif

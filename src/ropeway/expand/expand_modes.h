@@ -1,6 +1,7 @@
 /* ropeway/expand/expand_modes.h - modes as the shapes of an expansion.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROPEWAY_EXPAND_MODES_H
+#define HAWSER_ROPEWAY_EXPAND_MODES_H
 
 #include "modes/driven.h"
 #include "ropeway/expand/expand.h"
@@ -66,3 +67,5 @@ enum hawser_status hawser__lexpand_answer(struct hawser__driven *answer, double 
                                           const struct hawser__lexpand_modes *t,
                                           const struct hawser__lexpand_force *force,
                                           struct hawser_report *report);
+
+#endif

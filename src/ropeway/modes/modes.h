@@ -3,7 +3,8 @@
  * All is scaled: lengths by `length`, forces by `force`, times by length*sqrt(rho/force).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROPEWAY_SPAN_MODES_H
+#define HAWSER_ROPEWAY_SPAN_MODES_H
 
 #include <hawser/line_modes.h>
 
@@ -258,3 +259,5 @@ enum hawser_status hawser__lmode_fill(struct hawser_line_modes *modes, const str
                                       const struct hawser__lmode_running *running,
                                       const struct hawser__lmode_choice *choice, int n, double omega,
                                       struct hawser_report *report);
+
+#endif

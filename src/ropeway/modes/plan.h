@@ -1,6 +1,7 @@
 /* ropeway/modes/plan.h - what moves in a rope over sheaves, before it is divided into systems.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROPEWAY_PLAN_H
+#define HAWSER_ROPEWAY_PLAN_H
 
 #include "ropeway/modes/modes.h"
 
@@ -21,3 +22,5 @@ struct hawser__lmode_draft {
 /* modes_systems.c: add the systems of the draft to its rope. */
 enum hawser_status hawser__lmode_divide(struct hawser__lmode_draft *draft,
                                         struct hawser_report *report);
+
+#endif

@@ -1,6 +1,7 @@
 /* ropeway/modes/running.h - complex modes of a rope that runs over its sheaves.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROPEWAY_RUNNING_H
+#define HAWSER_ROPEWAY_RUNNING_H
 
 #include "ropeway/modes/modes.h"
 
@@ -23,3 +24,5 @@ enum hawser_status hawser__lmode_running_refine(struct hawser__lmode_running *pa
                                                 const struct hawser__lmode *rope, double omega,
                                                 struct hawser_report *report);
 void hawser__lmode_running_clear(struct hawser__lmode_running *pairs);
+
+#endif

@@ -1,6 +1,7 @@
 /* ropeway/modes/segment.h - force, strain and displacement along one piece of rope.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROPEWAY_SEGMENT_H
+#define HAWSER_ROPEWAY_SEGMENT_H
 
 #include "ropeway/modes/modes.h"
 
@@ -45,3 +46,5 @@ double hawser__lmode_pull(const struct hawser__lmode_system *t, int b, const dou
 /* modes_static.c: the motion of the held loop by a force along v, and its inertia; -1 without
  * memory. */
 int hawser__lmode_circulation(struct hawser__lmode_system *t, const double *v);
+
+#endif

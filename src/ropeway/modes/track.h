@@ -1,6 +1,7 @@
 /* ropeway/modes/track.h - following the frequencies of a ropeway along a sweep.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROPEWAY_TRACK_H
+#define HAWSER_ROPEWAY_TRACK_H
 
 #include <hawser/ropeway_modes.h>
 
@@ -68,3 +69,5 @@ int hawser__track_place(const struct hawser__track_sample *a, int k);
 enum hawser_status hawser__track_crossover(struct hawser__track *t,
                                            const struct hawser_ropeway_track_crossover *at,
                                            struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

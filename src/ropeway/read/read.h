@@ -1,6 +1,7 @@
 /* ropeway/read/read.h - reading a scene of kind `ropeway`: its parts.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROPEWAY_READ_H
+#define HAWSER_ROPEWAY_READ_H
 
 #include <hawser/obstacles.h>
 #include <hawser/ropeway.h>
@@ -18,3 +19,5 @@ struct hawser__round {
 /* towers.c: the list of towers; the stations are known. */
 enum hawser_status hawser__ropeway_towers(struct hawser__reader *reader, struct hawser_ropeway *rw,
                                           const struct hawser__tree *tree) HAWSER_MUST_CHECK;
+
+#endif

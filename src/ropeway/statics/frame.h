@@ -2,7 +2,8 @@
  * inclinations of its batteries, and the length of its rope.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROPEWAY_FRAME_H
+#define HAWSER_ROPEWAY_FRAME_H
 
 #include <hawser/ropeway.h>
 
@@ -66,3 +67,5 @@ enum hawser_status hawser__ropeway_state(struct hawser_ropeway_statics *st,
 /* state.c: set the reference. */
 enum hawser_status hawser__frame_refer(struct hawser__frame *frame,
                                        struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

@@ -1,6 +1,7 @@
 /* ropeway/statics/history.h - friction that follows from the order in which a rope is paid in and out.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROPEWAY_HISTORY_H
+#define HAWSER_ROPEWAY_HISTORY_H
 
 #include <hawser/obstacles.h>
 
@@ -10,3 +11,5 @@
 enum hawser_status hawser__obstacles_history(struct hawser_obstacles_statics *st,
                                              const struct hawser_obstacles *obstacles,
                                              struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

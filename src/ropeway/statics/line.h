@@ -1,6 +1,7 @@
 /* ropeway/statics/line.h - internal: parts of hawser_line_solve().
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROPEWAY_LINE_H
+#define HAWSER_ROPEWAY_LINE_H
 
 #include "ropeway/statics/march.h"
 
@@ -21,3 +22,5 @@ struct hawser__arc hawser__line_arc(const struct hawser_line *line,
                                     const struct hawser_line_piece *piece, double T0);
 /* The rope at rest that has the shape of the line's; without masses. */
 struct hawser__rope hawser__line_rope(const struct hawser_line *line);
+
+#endif

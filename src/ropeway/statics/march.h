@@ -1,6 +1,7 @@
 /* ropeway/statics/march.h - internal: the rope laid from end A over its sheaves to end B.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROPEWAY_MARCH_H
+#define HAWSER_ROPEWAY_MARCH_H
 
 #include "core/hold.h"
 #include "ropeway/statics/rope.h"
@@ -46,3 +47,5 @@ int hawser__march_clearances(struct hawser__march *march);
 /* The sheaves that the rope presses, by looking ahead from each. Slower than hawser__march, and
  * sure. Sets `off`. */
 int hawser__march_ahead(struct hawser__march *march, double P);
+
+#endif

@@ -8,7 +8,8 @@
  *   w      rho*g/stretch, N/m
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROPEWAY_ROPE_H
+#define HAWSER_ROPEWAY_ROPE_H
 
 #include <hawser/line.h>
 
@@ -144,3 +145,5 @@ enum hawser__search hawser__path_find(struct hawser__path *path, double *q, stru
                                       struct hawser__rope_trace *trace,
                                       const struct hawser__target *target,
                                       int slack);
+
+#endif

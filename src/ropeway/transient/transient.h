@@ -5,7 +5,8 @@
  * rope, > 0 in the direction of running: up on lane up, down on lane down.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_ROPEWAY_TRANSIENT_H
+#define HAWSER_ROPEWAY_TRANSIENT_H
 
 #include <hawser/transient.h>
 
@@ -133,3 +134,5 @@ enum hawser_status hawser__transient_judge(struct hawser_transient *run,
                                            const struct hawser__chain *chain,
                                            const struct hawser_transient_row *row,
                                            struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

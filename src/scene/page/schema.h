@@ -1,7 +1,8 @@
 /* scene/page/schema.h - parts of the JSON Schema of scenes. Objects are NULL where memory is
  * short; a NULL that is put into an object fails the whole.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_SCENE_SCHEMA_H
+#define HAWSER_SCENE_SCHEMA_H
 
 #include <jansson.h>
 
@@ -45,3 +46,5 @@ void hawser__schema_together(struct hawser__schema *schema, json_t *mapping, jso
 json_t *hawser__schema_of(struct hawser__schema *schema, const char *path);
 /* schema_span.c: a cable, or a beam. */
 json_t *hawser__schema_span(struct hawser__schema *schema, int beam);
+
+#endif

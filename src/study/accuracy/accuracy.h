@@ -1,6 +1,7 @@
 /* study/accuracy/accuracy.h - parts of the search for a model of a requested accuracy: see accuracy.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_STUDY_ACCURACY_H
+#define HAWSER_STUDY_ACCURACY_H
 
 #include <hawser/accuracy.h>
 
@@ -76,3 +77,5 @@ enum hawser_status hawser__accuracy_full(struct hawser_accuracy *a, struct hawse
                                          const struct hawser_scene *scene,
                                          const struct hawser_accuracy_options *options,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

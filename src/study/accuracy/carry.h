@@ -1,6 +1,7 @@
 /* study/accuracy/carry.h - orbits of a curve as those of another model: see carry.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_STUDY_CARRY_H
+#define HAWSER_STUDY_CARRY_H
 
 #include <hawser/frf.h>
 
@@ -15,3 +16,5 @@ enum hawser_status hawser__carry(struct hawser_frf *frf, int *lost, const struct
                                  const struct hawser__orbits *orbits, const int *which, int count,
                                  const double *map, const struct hawser_frf_options *options,
                                  struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

@@ -1,6 +1,7 @@
 /* study/accuracy/certificate.h - the meshes in which the model of a net is corrected.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_STUDY_CERTIFICATE_H
+#define HAWSER_STUDY_CERTIFICATE_H
 
 #include "net/balance/balance.h"
 #include "rom/build/net.h"
@@ -126,3 +127,5 @@ void hawser__certifying_others(struct hawser__certifying *w, const struct hawser
                                double omega, double size, int point);
 int hawser__certifying_order(const struct hawser__certifying *w);
 void hawser__certifying_start(double *y, const struct hawser__certifying *w, double omega);
+
+#endif

@@ -1,7 +1,8 @@
 /* study/accuracy/certify.h - a fold or a peak on a curve of periodic motions, whatever their equations
  * are: those of a mesh, or of the exact energy of a span.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_STUDY_CERTIFY_H
+#define HAWSER_STUDY_CERTIFY_H
 
 #include <hawser/certificate.h>
 
@@ -37,3 +38,5 @@ enum hawser_status hawser__certify_near(struct hawser_certified *item, double *y
 enum hawser_status hawser__certify_from(struct hawser_certified *item, double *y, double *along,
                                         double *bend, const struct hawser__corrector *corrector,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

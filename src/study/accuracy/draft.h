@@ -1,6 +1,7 @@
 /* study/accuracy/draft.h - the curves of full-order models by which a basis is chosen: see
  * accuracy_full.c. SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_STUDY_DRAFT_H
+#define HAWSER_STUDY_DRAFT_H
 
 #include "study/accuracy/accuracy.h"
 #include "study/accuracy/carry.h"
@@ -83,3 +84,5 @@ enum hawser_status hawser__draft_draw(struct hawser__draft *next, double *moved,
                                       const struct hawser_accuracy_options *options,
                                       const struct hawser_frf_options *settled, double before,
                                       struct hawser_report *report);
+
+#endif

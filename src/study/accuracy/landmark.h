@@ -1,6 +1,7 @@
 /* study/accuracy/landmark.h - peaks on pieces of the branch that were traced again in shorter steps.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_STUDY_LANDMARK_H
+#define HAWSER_STUDY_LANDMARK_H
 
 #include <hawser/study.h>
 
@@ -57,3 +58,5 @@ enum hawser_status hawser__study_sharpen(struct hawser_study_curve *curve,
                                          const struct hawser_frf_options *options,
                                          const struct hawser__sharpening *how,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

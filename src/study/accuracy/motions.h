@@ -1,6 +1,7 @@
 /* study/accuracy/motions.h - the motions of a response, by which modes are weighed.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_STUDY_MOTIONS_H
+#define HAWSER_STUDY_MOTIONS_H
 
 #include <hawser/accuracy.h>
 #include <hawser/frf.h>
@@ -40,3 +41,5 @@ enum hawser_status hawser__weigh_response(struct hawser_choice *choice, const st
                                           const struct hawser_frf *frf,
                                           const struct hawser__marks *marks, int between,
                                           struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

@@ -1,6 +1,7 @@
 /* study/accuracy/respond.h - the functions that compute the responses of the fidelities.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_STUDY_RESPOND_H
+#define HAWSER_STUDY_RESPOND_H
 
 #include <hawser/accuracy.h>
 #include <hawser/study.h>
@@ -43,3 +44,5 @@ enum hawser_status hawser__study_scales(struct hawser_study_curve *curve,
                                         const struct hawser_scene *scene,
                                         const struct hawser_frf_options *options,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

@@ -1,7 +1,8 @@
 /* study/accuracy/scales.h - the primary resonance of one mode by the method of multiple scales:
  * effective cubic coefficients of a model, and closed forms of folds and peak.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_STUDY_SCALES_H
+#define HAWSER_STUDY_SCALES_H
 
 #include <hawser/rom.h>
 
@@ -28,3 +29,5 @@ struct hawser__scales {
 	double fold_omega[2], fold[2];   /* the fold with the larger amplitude first */
 };
 struct hawser__scales hawser__scales_solve(const struct hawser__resonance *resonance);
+
+#endif

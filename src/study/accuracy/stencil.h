@@ -1,6 +1,7 @@
 /* study/accuracy/stencil.h - the maximum of a function that is known at a few points, with its
  * error: see stencil.c. SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_STUDY_STENCIL_H
+#define HAWSER_STUDY_STENCIL_H
 
 enum { HAWSER__STENCIL = 5 }; /* points of a polynomial */
 enum { HAWSER__REACH = 4 };   /* number of points on either side of the middle one that the error
@@ -23,3 +24,5 @@ int hawser__stencil_top(struct hawser__stencils *at);
 
 /* Change of z at the maximum by an error of y, in the unit of y. */
 double hawser__stencil_moved(const struct hawser__stencils *at, double error);
+
+#endif

@@ -1,7 +1,8 @@
 /* study/accuracy/survey.h - the data for estimates: the lowest modes of a scene, their tensors without
  * condensation, and a condensed model.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_STUDY_SURVEY_H
+#define HAWSER_STUDY_SURVEY_H
 
 #include <hawser/accuracy.h>
 #include <hawser/law.h>
@@ -88,3 +89,5 @@ enum hawser_status hawser__estimate_own(struct hawser_plan_row *row, struct haws
 /* Which effects are modelled. */
 enum hawser_status hawser__decide(struct hawser_plan *plan, const struct hawser_survey *survey,
                                   struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

@@ -7,7 +7,8 @@
  *    q        largest factor by which M contracts it: 1 - min z'Wz/z'Vz
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_STUDY_BASIN_H
+#define HAWSER_STUDY_BASIN_H
 
 #include <hawser/basin.h>
 
@@ -76,3 +77,5 @@ void hawser__attractor_clear(struct hawser__attractor *attractor);
  * to the limit. */
 int hawser__attractor_has(const struct hawser__attractor *attractor, const double *x, int m,
                           double *form);
+
+#endif

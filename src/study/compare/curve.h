@@ -1,6 +1,7 @@
 /* study/compare/curve.h - the distance of two frequency responses as curves: see curve.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_STUDY_CURVE_H
+#define HAWSER_STUDY_CURVE_H
 
 #include <hawser/frf.h>
 
@@ -41,3 +42,5 @@ enum hawser_status hawser__curve_points_distance(double *distance,
  * each other whose amplitudes are not small. */
 enum hawser_status hawser__curve_marks(int *at, int *count, const struct hawser__drawn_curve *curve,
                                        struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

@@ -1,6 +1,7 @@
 /* study/compare/distance.h - the features of a response to which an accuracy refers: see distance.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_STUDY_DISTANCE_H
+#define HAWSER_STUDY_DISTANCE_H
 
 #include <hawser/study.h>
 
@@ -33,3 +34,5 @@ void hawser__marks_clear(struct hawser__marks *marks);
 enum hawser_status hawser__marks_distance(double *distance, const struct hawser__marks *a,
                                           const struct hawser__marks *b,
                                           struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

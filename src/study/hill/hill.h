@@ -2,7 +2,8 @@
  * multipliers (hill_test.c) and of a boundary (hill_track.c), steps (hill.c), starting points
  * (hill_seed.c), search lines (hill_lines.c).
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_STUDY_HILL_H
+#define HAWSER_STUDY_HILL_H
 
 #include <hawser/hill.h>
 
@@ -170,3 +171,5 @@ void hawser__hill_between(struct hawser__hill *hill, int kind, const struct haws
 
 /* Find the tongues on a line that its samples do not show, and follow their boundaries. */
 void hawser__hill_ridges(struct hawser__hill *hill, const struct hawser__hill_line *line);
+
+#endif

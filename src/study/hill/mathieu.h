@@ -6,7 +6,8 @@
  *         and has an upper boundary only
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_STUDY_MATHIEU_H
+#define HAWSER_STUDY_MATHIEU_H
 
 #include <hawser/hill.h>
 
@@ -31,3 +32,5 @@ int hawser__mathieu_highest(int r, double epsilon);
  * HAWSER_ERR_MEMORY. */
 enum hawser_status hawser__mathieu_eigenvalue(double *delta, int r, int odd, double epsilon, int top,
                                               struct hawser_report *report);
+
+#endif

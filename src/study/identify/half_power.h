@@ -1,7 +1,8 @@
 /* study/identify/half_power.h - what half_power.c and the fits of half_power_one.c and
  * half_power_pair.c share; its glossary is in half_power.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_STUDY_HALF_POWER_H
+#define HAWSER_STUDY_HALF_POWER_H
 
 #include <complex.h>
 
@@ -93,3 +94,5 @@ int hawser__half_quotient(double q[HAWSER__HALF_SHAPES], const struct hawser__ha
 /* The sum of two modes at w, relative to the largest amplitude, and its derivatives by q. */
 double complex hawser__half_pair_at(double complex by[HAWSER__HALF_SHAPES],
                                     const struct hawser__half_pair_of *pair, const double *q, double w);
+
+#endif

@@ -1,6 +1,7 @@
 /* study/identify/identify.h - the fit of measured frequencies, between its files.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_STUDY_IDENTIFY_H
+#define HAWSER_STUDY_IDENTIFY_H
 
 #include <hawser/identify.h>
 
@@ -69,3 +70,5 @@ int hawser__fit_given(const struct hawser_measured *measured);
 enum hawser_status hawser__fit_finish(struct hawser_identified *identified, struct hawser__fit *fit,
                                       const struct hawser__identify_end *best, double confidence,
                                       struct hawser_report *report);
+
+#endif

@@ -1,6 +1,7 @@
 /* study/identify/least_squares.h - nonlinear least squares by Levenberg and Marquardt's method.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_STUDY_LEAST_SQUARES_H
+#define HAWSER_STUDY_LEAST_SQUARES_H
 
 #include <hawser/status.h>
 
@@ -19,3 +20,5 @@ struct hawser__least_squares {
  * the derivatives, or HAWSER_ERR_MEMORY. */
 enum hawser_status hawser__least_squares(double *x, double *sum, int *steps,
                                          const struct hawser__least_squares *problem);
+
+#endif

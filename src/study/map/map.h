@@ -6,7 +6,8 @@
  *    probe   a point between two nodes of a line of the grid
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_STUDY_MAP_H
+#define HAWSER_STUDY_MAP_H
 
 #include <hawser/map.h>
 
@@ -214,3 +215,5 @@ void hawser__map_doubt(const struct hawser__mapper *mapper, struct hawser__map_b
 enum hawser_status hawser__map_lines(struct hawser_map *map, const struct hawser__mapper *mapper,
                                      const struct hawser__map_brackets *list,
                                      struct hawser_report *report);
+
+#endif

@@ -85,6 +85,11 @@ const struct hawser__way *hawser__map_guide(const struct hawser__map_cable *cabl
 	return is_plain(&cable->guides->way[place]) ? NULL : &cable->guides->way[place];
 }
 
+int hawser__map_guided(const struct hawser__map_cable *cable, double x, double y)
+{
+	return !cable->guides || cable->guides->known[place_of(cable, x, y)];
+}
+
 /* List the places that the points need and that are not known. */
 static int want(int *place, struct hawser__map_cable *cable, const double *x, const double *y,
                 int count)

@@ -322,7 +322,7 @@ enum hawser_status hawser__map_worker_model(void *context, const struct hawser_r
 	const double at[2] = {x, y};
 
 	worker->about.tolerance = 0.0;
-	worker->about.guide = NULL;
+	worker->about.guide = hawser__map_guide(worker->cable, x, y);
 	return model_at(rom, omega, steady, worker, at, report);
 }
 
@@ -345,7 +345,7 @@ int hawser__map_worker_prepared(void *context, double x, double y)
 	const double at[2] = {x, y};
 	int varies = worker->cable->varies;
 
-	return varies != 0 && varies != 1 ? 1
+	return varies != 0 && varies != 1 ? hawser__map_guided(worker->cable, x, y)
 	       : hawser__structure_find(worker->cable, at[varies]) != NULL;
 }
 

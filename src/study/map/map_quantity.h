@@ -1,6 +1,7 @@
 /* study/map/map_quantity.h - the quantity of a map of a cable at a point: a row of a table.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_STUDY_MAP_QUANTITY_H
+#define HAWSER_STUDY_MAP_QUANTITY_H
 
 #include <hawser/linear.h>
 #include <hawser/map.h>
@@ -30,3 +31,5 @@ struct hawser__map_quantity {
 	               * Omega */
 };
 const struct hawser__map_quantity *hawser__map_quantity(const char *name);
+
+#endif

@@ -9,7 +9,8 @@
  *    along    the coordinate that is followed: 0: x, 1: y
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_STUDY_MAP_ROWS_H
+#define HAWSER_STUDY_MAP_ROWS_H
 
 #include <hawser/frf.h>
 #include <hawser/map.h>
@@ -99,3 +100,5 @@ enum hawser_status hawser__map_rows(struct hawser_map *map, const struct hawser_
 /* map_rows_lines.c: boundaries and segments from the rows [rows], which are at `fixed` [rows]. */
 enum hawser_status hawser__map_rows_lines(struct hawser_map *map, const struct hawser__map_row *row,
                                           int rows, int along, struct hawser_report *report);
+
+#endif

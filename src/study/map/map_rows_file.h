@@ -1,6 +1,7 @@
 /* study/map/map_rows_file.h - the rows of a map in its checkpoint.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_STUDY_MAP_ROWS_FILE_H
+#define HAWSER_STUDY_MAP_ROWS_FILE_H
 
 #include "study/map/map.h"
 #include "study/map/map_rows.h"
@@ -23,3 +24,5 @@ enum hawser_status hawser__map_rows_file_open(struct hawser__map_rows_file *file
 enum hawser_status hawser__map_rows_file_add(struct hawser__map_rows_file *file,
                                              const struct hawser__map_row *row,
                                              struct hawser_report *report);
+
+#endif

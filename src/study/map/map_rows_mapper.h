@@ -1,7 +1,8 @@
 /* study/map/map_rows_mapper.h - what a map by rows is computed with: map_rows.c, and its tasks,
  * map_rows_ranks.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_STUDY_MAP_ROWS_MAPPER_H
+#define HAWSER_STUDY_MAP_ROWS_MAPPER_H
 
 #include <stdatomic.h>
 
@@ -37,3 +38,5 @@ enum hawser_status hawser__rows_across(struct hawser__rows_mapper *mapper,
  * compute for rank 0 until it ends. */
 enum hawser_status hawser__rows_compute(struct hawser__rows_mapper *mapper, const char *settings,
                                         struct hawser_report *report);
+
+#endif

@@ -25,7 +25,8 @@
  * Reference: Yakubovich and Starzhinskii, Linear Differential Equations with Periodic Coefficients.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#pragma once
+#ifndef HAWSER_STUDY_RIDGE_H
+#define HAWSER_STUDY_RIDGE_H
 
 #include <hawser/map.h>
 
@@ -105,3 +106,5 @@ enum hawser_status hawser__ridge_note(struct hawser__ridge_log *log,
                                       const double at[2], struct hawser_report *report);
 /* Move the resonances that were not found to *to, whose array the caller frees. Clears the log. */
 void hawser__ridge_unresolved(struct hawser_tongues *to, struct hawser__ridge_log *log);
+
+#endif
