@@ -20,7 +20,6 @@ import math
 import os
 import shutil
 import sys
-import tempfile
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 SPEC = importlib.util.spec_from_file_location("locus_auto", os.path.join(HERE, "locus-auto.py"))
@@ -223,19 +222,7 @@ def main():
     args.hawser = os.path.abspath(args.hawser) if os.sep in args.hawser else args.hawser
     print("%-16s %-16s %8s %4s %6s %6s  %8s %8s %8s %7s" % (
         "model", "begin at", "branches", "miss", "points", "AUTO's", "differ", "cpu s", "AUTO s", "ratio"))
-    status = 0
-    for number, case in enumerate(CASES, 1):
-        if args.case and number != args.case:
-            continue
-        try:
-            with tempfile.TemporaryDirectory() as directory:
-                if args.keep:
-                    os.makedirs(args.keep, exist_ok=True)
-                status |= bench(args, case, args.keep or directory)
-        except Failed as error:
-            print("branches-auto: %s" % error, file=sys.stderr)
-            return 2
-    return status
+    return locus_auto.run_cases(args, CASES, bench, "branches-auto")
 
 
 if __name__ == "__main__":

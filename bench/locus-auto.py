@@ -156,6 +156,24 @@ def bench(args, case, directory):
     return missed > 0 or worst > args.agree or len(theirs) == early
 
 
+def run_cases(args, cases, one, name):
+    """Exit status of one(args, case, directory) for all cases, or for that of --case, in a folder that
+    goes, or in --keep."""
+    status = 0
+    for number, case in enumerate(cases, 1):
+        if args.case and number != args.case:
+            continue
+        try:
+            with tempfile.TemporaryDirectory() as directory:
+                if args.keep:
+                    os.makedirs(args.keep, exist_ok=True)
+                status |= one(args, case, args.keep or directory)
+        except Failed as error:
+            print("%s: %s" % (name, error), file=sys.stderr)
+            return 2
+    return status
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
     parser.add_argument("--hawser", default="hawser", help="the program (hawser)")
@@ -172,19 +190,7 @@ def main():
     args.hawser = os.path.abspath(args.hawser) if os.sep in args.hawser else args.hawser
     print("%-20s %-16s %-15s %s %s %s %s  %8s %8s %8s %7s" % (
         "model", "kind", "over", "end", "miss", "points", "AUTO's", "differ", "cpu s", "AUTO s", "ratio"))
-    status = 0
-    for number, case in enumerate(CASES, 1):
-        if args.case and number != args.case:
-            continue
-        try:
-            with tempfile.TemporaryDirectory() as directory:
-                if args.keep:
-                    os.makedirs(args.keep, exist_ok=True)
-                status |= bench(args, case, args.keep or directory)
-        except Failed as error:
-            print("locus-auto: %s" % error, file=sys.stderr)
-            return 2
-    return status
+    return run_cases(args, CASES, bench, "locus-auto")
 
 
 if __name__ == "__main__":

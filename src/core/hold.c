@@ -3,7 +3,6 @@
 #include "config.h"
 
 #include <stdint.h>
-#include <stdlib.h>
 
 #include "core/hold.h"
 

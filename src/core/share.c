@@ -12,7 +12,6 @@
 #include "config.h"
 
 #include <limits.h>
-#include <pthread.h>
 #include <sched.h>
 #include <signal.h>
 #include <stdatomic.h>

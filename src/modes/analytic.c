@@ -31,7 +31,6 @@
 
 #include "core/report.h"
 #include "modes/analytic.h"
-#include "modes/cable.h"
 #include "modes/label.h"
 #include "modes/spectral.h"
 

@@ -37,16 +37,11 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/structures/plot_bed.c \
 	%D%/structures/plot_mooring.c \
 	%D%/structures/plot_net.c \
-	%D%/structures/plot_net.h \
 	%D%/structures/plot_net_modes.c \
-	%D%/structures/plot_net_modes.h \
 	%D%/structures/plot_rod.c \
-	%D%/structures/plot_rod.h \
 	%D%/structures/plot_rod_motion.c \
 	%D%/structures/plot_obstacles.c \
-	%D%/structures/plot_obstacles.h \
 	%D%/structures/plot_ropeway.c \
-	%D%/structures/plot_ropeway.h \
 	%D%/structures/plot_ropeway_modes.c \
 	%D%/structures/plot_ropeway_modes.h \
 	%D%/curves/plot_map.c \
@@ -56,15 +51,13 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/cable/plot_precision.c \
 	%D%/cable/plot_statics.c \
 	%D%/structures/plot_tow.c \
-	%D%/structures/plot_tow.h \
 	%D%/structures/plot_tow_motion.c \
-	%D%/structures/plot_tow_motion.h \
 	%D%/structures/plot_trajectory.c \
 	%D%/structures/plot_trajectory.h \
 	%D%/report/sha256.c \
 	%D%/report/sha256.h \
 	%D%/structures/plot_transient.c \
-	%D%/structures/plot_transient.h \
+	%D%/structures/structures.h \
 	%D%/drawing/style.c \
 	%D%/drawing/style.h \
 	%D%/fields/table.c \

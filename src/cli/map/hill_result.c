@@ -6,7 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/model/axis.h"
 #include "cli/model/condensed.h"
 #include "cli/model/exact.h"
 #include "cli/map/hill_result.h"

@@ -7,7 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/frame/cli.h"
 #include "cli/model/state.h"
 #include "core/report.h"
 

@@ -7,7 +7,6 @@
 
 #include "cli/modes/campbell_result.h"
 #include "cli/modes/track_ropeway.h"
-#include "cli/frame/view.h"
 
 
 double cli_campbell_in_unit(const struct cli_campbell_result *result, double omega)

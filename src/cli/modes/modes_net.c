@@ -11,7 +11,7 @@
 #include "cli/modes/modes_net.h"
 #include "cli/frame/view.h"
 #include "core/report.h"
-#include "output/structures/plot_net_modes.h"
+#include "output/structures/structures.h"
 #include "output/report/vtk.h"
 
 struct result {

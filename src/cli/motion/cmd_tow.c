@@ -9,7 +9,7 @@
 #include "cli/frame/view.h"
 #include "core/report.h"
 #include "output/drawing/animate.h"
-#include "output/structures/plot_tow_motion.h"
+#include "output/structures/structures.h"
 #include "output/report/vtk.h"
 
 enum { PATH = 4096 }; /* bytes: the longest path that Linux opens */

@@ -5,7 +5,7 @@
 #include <math.h>
 
 #include "cli/frame/view.h"
-#include "output/structures/plot_tow.h"
+#include "output/structures/structures.h"
 
 static const struct cli_option options[] = {
 	CLI_NO_OPTION,

@@ -9,7 +9,7 @@
 
 #include "cli/motion/transient_ropeway.h"
 #include "core/report.h"
-#include "output/structures/plot_transient.h"
+#include "output/structures/structures.h"
 
 struct settings {
 	struct cli_common common;

@@ -14,7 +14,6 @@
 #include "cli/model/exact.h"
 #include "cli/motion/integrate_result.h"
 #include "cli/model/load_history.h"
-#include "cli/frame/view.h"
 #include "core/report.h"
 
 enum { fewest_rows = 16 };

@@ -10,7 +10,7 @@
 #include "cli/motion/integrate_net.h"
 #include "cli/frame/progress.h"
 #include "core/report.h"
-#include "output/structures/plot_rod.h"
+#include "output/structures/structures.h"
 #include "output/drawing/animate.h"
 #include "output/report/vtk.h"
 

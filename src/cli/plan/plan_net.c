@@ -8,11 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include <hawser/net_plan.h>
-
 #include "cli/frame/mesh_net.h"
 #include "cli/plan/plan_net.h"
-#include "cli/plan/plan_result.h"
 #include "cli/frame/view.h"
 #include "core/report.h"
 

@@ -14,7 +14,7 @@
 #include "cli/statics/stiffness_net.h"
 #include "core/append.h"
 #include "core/report.h"
-#include "output/structures/plot_net.h"
+#include "output/structures/structures.h"
 
 enum { SHOWN = 40 }; /* names and places in the comments */
 

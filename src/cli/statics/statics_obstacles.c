@@ -9,7 +9,7 @@
 
 #include "cli/statics/statics_obstacles.h"
 #include "core/report.h"
-#include "output/structures/plot_obstacles.h"
+#include "output/structures/structures.h"
 
 static struct cli_head head(const void *of)
 {

@@ -9,7 +9,7 @@
 #include "cli/statics/rod_result.h"
 #include "core/file.h"
 #include "core/report.h"
-#include "output/structures/plot_rod.h"
+#include "output/structures/structures.h"
 #include "output/report/vtk.h"
 
 #define STRAINED 0.05 /* strain beyond which forces that are linear in it are doubtful */

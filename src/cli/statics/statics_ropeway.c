@@ -8,7 +8,7 @@
 
 #include "cli/statics/statics_ropeway.h"
 #include "core/report.h"
-#include "output/structures/plot_ropeway.h"
+#include "output/structures/structures.h"
 
 static struct cli_head head(const void *of)
 {

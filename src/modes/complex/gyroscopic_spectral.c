@@ -46,6 +46,7 @@ struct side {
 	double *G;                /* [n] columns of n, 2 nu times G */
 	double *gyroscopic;       /* [count] frequencies of the complex modes, ascending */
 	double complex *q;        /* [count] columns of n, descending omega */
+	struct hawser__hold hold;
 };
 
 struct attempt {
@@ -54,22 +55,11 @@ struct attempt {
 	double nu;
 };
 
-static void side_clear(struct side *side)
-{
-	free(side->omega);
-	free(side->field);
-	free(side->gradient);
-	free(side->G);
-	free(side->gyroscopic);
-	free(side->q);
-	*side = (struct side){0};
-}
-
 static void attempt_clear(struct attempt *t)
 {
 	hawser__cable_clear(&t->cable);
 	for (int q = 0; q < HAWSER__PLANES; q++)
-		side_clear(&t->side[q]);
+		hawser__hold_clear(&t->side[q].hold);
 	*t = (struct attempt){0};
 }
 
@@ -129,21 +119,17 @@ static enum hawser_status side_init(struct side *side, const struct hawser_modes
 	side->n = (int)n;
 	side->count = wanted < side->n ? wanted : side->n;
 	rows *= (size_t)side->D;
-	side->omega = hawser__numbers(n, 1);
-	side->field = hawser__numbers(n, rows);
-	side->gradient = hawser__numbers(n, rows);
-	side->G = hawser__numbers(n, n);
-	side->gyroscopic = hawser__numbers((size_t)side->count, 1);
-	side->q = calloc((size_t)side->count*n + 1, sizeof *side->q);
-	work = hawser__numbers(n, rows);
-	if (!side->omega || !side->field || !side->gradient || !side->G || !side->gyroscopic || !side->q ||
-	    !work) {
-		free(work);
+	side->omega = hawser__hold(&side->hold, n, sizeof *side->omega);
+	side->field = hawser__hold(&side->hold, n*rows, sizeof *side->field);
+	side->gradient = hawser__hold(&side->hold, n*rows, sizeof *side->gradient);
+	side->G = hawser__hold(&side->hold, n*n, sizeof *side->G);
+	side->gyroscopic = hawser__hold(&side->hold, (size_t)side->count, sizeof *side->gyroscopic);
+	side->q = hawser__hold(&side->hold, (size_t)side->count*n, sizeof *side->q);
+	work = hawser__hold(&side->hold, n*rows, sizeof *work);
+	if (side->hold.short_of_memory)
 		return hawser__no_memory(report, "modes");
-	}
 	gather(side, basis);
 	convect(side, work, &basis->grid, nu);
-	free(work);
 	return HAWSER_OK;
 }
 

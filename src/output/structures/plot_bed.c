@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#include "output/structures/plot_net.h"
+#include "output/structures/structures.h"
 
 enum { ACROSS = 120, LEVELS = 8 }; /* cells along a view; most contours */
 

@@ -5,8 +5,7 @@
 
 #include <math.h>
 
-#include "output/drawing/figure.h"
-#include "output/structures/plot_net.h"
+#include "output/structures/structures.h"
 
 #define WIDTH 17.0   /* cm */
 #define MOST 9.0     /* cm, height of a view */

@@ -1,11 +1,11 @@
-/* output/structures/plot_net.c - see plot_net.h. A plane net is seen from the front.
+/* output/structures/plot_net.c - see structures.h. A plane net is seen from the front.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <math.h>
 
 #include "output/drawing/outline.h"
-#include "output/structures/plot_net.h"
+#include "output/structures/structures.h"
 
 #define WIDTH 16.0 /* cm */
 #define HEIGHT 9.5 /* cm, at most */

@@ -1,4 +1,4 @@
-/* output/structures/plot_net_modes.c - see plot_net_modes.h. Each panel has the equilibrium in
+/* output/structures/plot_net_modes.c - see structures.h. Each panel has the equilibrium in
  * grey and the net displaced, in the same perspective and scale. A plane net is seen aslant, so
  * that motion in its plane and across it are both visible.
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -8,7 +8,7 @@
 
 #include "output/drawing/panels.h"
 #include "output/drawing/perspective.h"
-#include "output/structures/plot_net_modes.h"
+#include "output/structures/structures.h"
 
 #define LARGEST 0.12 /* of the size of the net: largest displacement drawn */
 #define WIDTH 17.0   /* cm */

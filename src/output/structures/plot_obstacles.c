@@ -1,4 +1,4 @@
-/* output/structures/plot_obstacles.c - see plot_obstacles.h. Heights are magnified against
+/* output/structures/plot_obstacles.c - see structures.h. Heights are magnified against
  * distances, so that circles are ellipses on the page.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -6,8 +6,7 @@
 
 #include <math.h>
 
-#include "output/structures/plot_obstacles.h"
-#include "output/drawing/figure.h"
+#include "output/structures/structures.h"
 
 #define WIDTH 16.0   /* cm */
 #define HEIGHT 13.2  /* cm */

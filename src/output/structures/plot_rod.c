@@ -1,11 +1,11 @@
-/* output/structures/plot_rod.c - see plot_rod.h. A rod in a plane z = constant is seen from the front.
+/* output/structures/plot_rod.c - see structures.h. A rod in a plane z = constant is seen from the
+ * front.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <math.h>
 
-#include "output/drawing/figure.h"
-#include "output/structures/plot_rod.h"
+#include "output/structures/structures.h"
 
 #define WIDTH 16.0  /* cm */
 #define HEIGHT 17.0 /* cm */

@@ -4,8 +4,7 @@
 
 #include <math.h>
 
-#include "output/drawing/figure.h"
-#include "output/structures/plot_rod.h"
+#include "output/structures/structures.h"
 
 #define WIDTH 16.0  /* cm */
 #define HEIGHT 20.1 /* cm */

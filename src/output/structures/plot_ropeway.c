@@ -1,13 +1,11 @@
-/* output/structures/plot_ropeway.c - see plot_ropeway.h. The arrows of the reactions have their
+/* output/structures/plot_ropeway.c - see structures.h. The arrows of the reactions have their
  * true direction on the page, and lengths in proportion to their force.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <math.h>
 
-#include "output/structures/plot_obstacles.h"
-#include "output/structures/plot_ropeway.h"
-#include "output/drawing/figure.h"
+#include "output/structures/structures.h"
 
 #define WIDTH 22.0        /* cm */
 #define LEFT 0.118        /* of the panels, as a part of the width */

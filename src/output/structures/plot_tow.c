@@ -1,4 +1,4 @@
-/* output/structures/plot_tow.c - see plot_tow.h.
+/* output/structures/plot_tow.c - see structures.h.
  *
  * Seen along z (y over x) and from above (z over x, z downwards), both with equal scales, and the
  * tension over the length. A ring is drawn with the links from the end of the cable to four of its
@@ -9,8 +9,7 @@
 
 #include <math.h>
 
-#include "output/structures/plot_tow.h"
-#include "output/drawing/figure.h"
+#include "output/structures/structures.h"
 
 #define WIDTH 17.0   /* cm */
 #define SIDE 8.5     /* cm, height of the view along z */

@@ -1,4 +1,4 @@
-/* output/structures/plot_tow_motion.c - see plot_tow_motion.h.
+/* output/structures/plot_tow_motion.c - see structures.h.
  *
  * The ways of towing point and body from above, with equal scales; tilt and tension at the towing point
  * over the time; and the range of the tension along the cable: least, mean and most.
@@ -8,8 +8,7 @@
 
 #include <math.h>
 
-#include "output/structures/plot_tow_motion.h"
-#include "output/drawing/figure.h"
+#include "output/structures/structures.h"
 
 #define WIDTH 17.0 /* cm */
 #define ABOVE 6.0  /* cm, height of the view from above */

@@ -1,12 +1,11 @@
-/* output/structures/plot_transient.c - see plot_transient.h. Panels over time, below one another.
+/* output/structures/plot_transient.c - see structures.h. Panels over time, below one another.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <math.h>
 
-#include "output/drawing/figure.h"
-#include "output/structures/plot_transient.h"
+#include "output/structures/structures.h"
 
 #define WIDTH 17.0 /* cm */
 #define TALL 3.2   /* cm, height of a panel */

@@ -27,7 +27,6 @@
 #include "modes/label.h"
 #include "rom/terms/absorbers.h"
 #include "rom/condense/follow.h"
-#include "rom/terms/ties.h"
 
 /* Largest entry, relative to the sum of the magnitudes of its terms, that counts as zero by
  * symmetry. */

@@ -10,7 +10,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/hold.h"
 #include "core/hot.h"
 #include "rom/energy/exact.h"
 #include "rom/energy/kernel.h"

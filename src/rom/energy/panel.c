@@ -16,6 +16,7 @@ struct lists {
 	int *a, *b;    /* [rows + 1] positions at which the entries of row r in A and B begin; b[r] ends
 	                * A, a[r + 1] ends B */
 	int *taken;    /* [rows] 1: already in a panel */
+	struct hawser__hold hold;
 };
 
 static int take(struct lists *lists, int next, const struct hawser_rom_kernel *kernel, int begin,
@@ -93,12 +94,14 @@ static void fill(struct hawser__kernel_panels *panels, int *next, struct lists *
 
 static int list_new(struct lists *lists, const struct hawser_rom_kernel *kernel)
 {
-	size_t entries = (size_t)kernel->values + 1, rows = (size_t)kernel->rows + 1;
+	size_t entries = (size_t)kernel->values, rows = (size_t)kernel->rows + 1;
 
-	*lists = (struct lists){malloc(entries*sizeof *lists->column),
-		malloc(entries*sizeof *lists->from), malloc(rows*sizeof(int)),
-		malloc(rows*sizeof(int)), calloc(rows, sizeof(int))};
-	return lists->column && lists->from && lists->a && lists->b && lists->taken;
+	lists->column = hawser__hold(&lists->hold, entries, sizeof *lists->column);
+	lists->from = hawser__hold(&lists->hold, entries, sizeof *lists->from);
+	lists->a = hawser__hold(&lists->hold, rows, sizeof *lists->a);
+	lists->b = hawser__hold(&lists->hold, rows, sizeof *lists->b);
+	lists->taken = hawser__hold(&lists->hold, rows, sizeof *lists->taken);
+	return !lists->hold.short_of_memory;
 }
 
 int hawser__panels_room(struct hawser__kernel_panels *panels, int rows, int columns)
@@ -141,11 +144,7 @@ struct hawser__kernel_panels *hawser__panels_new(const struct hawser_rom_kernel 
 	hawser__panels_fill(panels, kernel);
 	good = 1;
 done:
-	free(lists.column);
-	free(lists.from);
-	free(lists.a);
-	free(lists.b);
-	free(lists.taken);
+	hawser__hold_clear(&lists.hold);
 	if (good)
 		return panels;
 	hawser__panels_free(panels);

@@ -35,7 +35,6 @@
 #include <string.h>
 
 #include "core/hot.h"
-#include "rom/energy/kernel.h"
 #include "rom/energy/quartic.h"
 
 enum { BLOCK = HAWSER_BLOCK };

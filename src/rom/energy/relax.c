@@ -15,7 +15,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/hold.h"
 #include "rom/energy/relax.h"
 
 enum { STEPS = 40, HALVINGS = 12 }; /* most Newton steps; halvings of a step that does not reduce

@@ -25,7 +25,6 @@
 #include "config.h"
 
 #include <cblas.h>
-#include <complex.h>
 #include <math.h>
 #include <stdlib.h>
 

@@ -38,6 +38,7 @@ struct work {
 	double *source, *load; /* of a system */
 	double (*lift)[HAWSER__ENDS][2];
 	double *off;
+	struct hawser__hold hold;
 };
 
 /* Entries of a system in a row: a strain each, and two of each value of the state. */
@@ -249,11 +250,9 @@ static enum hawser_status allocate(struct work *w, struct hawser_report *report)
 {
 	struct hawser__lexpand *t = w->t;
 	size_t most = 0, segments = 0, pairs = (size_t)t->pairs;
-	int starved;
 
 	t->width = hawser__lexpand_width(t->rope);
 	t->second = hawser__numbers(pairs, t->width);
-	starved = !t->second;
 	w->width = FIELDS*(size_t)t->points + (size_t)t->n;
 	for (int i = 0; i < t->rope->systems; i++) {
 		const struct hawser__lmode_system *system = &t->rope->system[i];
@@ -262,16 +261,13 @@ static enum hawser_status allocate(struct work *w, struct hawser_report *report)
 		most = most > width_of(system) ? most : width_of(system);
 		segments = segments > (size_t)system->segments ? segments : (size_t)system->segments;
 	}
-	if (!starved) {
-		w->left = hawser__numbers(pairs*w->width, 1);
-		w->right = hawser__numbers(pairs*w->width, 1);
-		w->source = hawser__numbers(most, 1);
-		w->load = hawser__numbers(most, 1);
-		w->off = hawser__numbers(most, 1);
-		w->lift = calloc(segments + 1, sizeof *w->lift);
-		starved = !w->left || !w->right || !w->source || !w->load || !w->lift || !w->off;
-	}
-	return starved ? hawser__no_memory(report, "line rom") : HAWSER_OK;
+	w->left = hawser__hold(&w->hold, pairs*w->width, sizeof *w->left);
+	w->right = hawser__hold(&w->hold, pairs*w->width, sizeof *w->right);
+	w->source = hawser__hold(&w->hold, most, sizeof *w->source);
+	w->load = hawser__hold(&w->hold, most, sizeof *w->load);
+	w->off = hawser__hold(&w->hold, most, sizeof *w->off);
+	w->lift = hawser__hold(&w->hold, segments, sizeof *w->lift);
+	return t->second && !w->hold.short_of_memory ? HAWSER_OK : hawser__no_memory(report, "line rom");
 }
 
 enum hawser_status hawser__lexpand_follow(struct hawser__lexpand *t, struct hawser_report *report)
@@ -293,11 +289,6 @@ enum hawser_status hawser__lexpand_follow(struct hawser__lexpand *t, struct haws
 	if (!status)
 		cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, t->pairs, t->pairs, (int)w.width, 1.0,
 		            w.left, (int)w.width, w.right, (int)w.width, 0.0, t->pairing, t->pairs);
-	free(w.left);
-	free(w.right);
-	free(w.source);
-	free(w.load);
-	free(w.off);
-	free(w.lift);
+	hawser__hold_clear(&w.hold);
 	return status;
 }

@@ -8,6 +8,7 @@
 
 #include <hawser/line_modes.h>
 
+#include "core/hold.h"
 #include "modes/grid.h"
 
 enum { HAWSER__ENDS = 2, HAWSER__ORDER_MOST = 200 };
@@ -94,6 +95,7 @@ struct hawser__lmode_system {
 	                       * strains, and its inertia; or NULL */
 	double *work;
 	int work_size;
+	struct hawser__hold parts, arrays; /* parts: segment to border, and those of the segments */
 };
 
 struct hawser__lmode {

@@ -155,29 +155,20 @@ static enum hawser_status arrange(struct hawser__lmode_system *t, struct hawser_
 		t->pendulum[i].at = t->size++;
 	for (int i = 0; i < t->borders; i++)
 		t->border[i].at = t->size++;
-	free(t->weight);
-	free(t->band);
-	free(t->pivot);
-	free(t->response);
-	free(t->schur);
-	free(t->schur_pivot);
-	free(t->work);
-	free(t->null);
-	free(t->null_strain);
-	free(t->null_load);
+	hawser__hold_clear(&t->arrays);
 	t->null = t->null_strain = t->null_load = NULL;
 	t->circulates = 0;
 	t->work_size = HAWSER__SEGMENT_FIELDS*2*largest;
-	t->weight = hawser__numbers((size_t)t->size, 1);
-	t->band = hawser__numbers((size_t)t->rows*HAWSER__FACTOR_ROWS, 1);
-	t->pivot = calloc((size_t)t->rows + 1, sizeof *t->pivot);
-	t->response = hawser__numbers(borders*(size_t)t->rows, 1);
-	t->schur = hawser__numbers(borders*borders, 1);
-	t->schur_pivot = calloc(borders + 1, sizeof *t->schur_pivot);
-	t->work = hawser__numbers((size_t)t->work_size + (size_t)t->strains +
-	                          2*((size_t)t->rows + borders) + 4*(size_t)t->segments +
-	                          2*(size_t)t->size, 1);
-	if (!t->weight || !t->band || !t->pivot || !t->response || !t->schur || !t->schur_pivot || !t->work)
+	t->weight = hawser__hold(&t->arrays, (size_t)t->size, sizeof *t->weight);
+	t->band = hawser__hold(&t->arrays, (size_t)t->rows*HAWSER__FACTOR_ROWS, sizeof *t->band);
+	t->pivot = hawser__hold(&t->arrays, (size_t)t->rows, sizeof *t->pivot);
+	t->response = hawser__hold(&t->arrays, borders*(size_t)t->rows, sizeof *t->response);
+	t->schur = hawser__hold(&t->arrays, borders*borders, sizeof *t->schur);
+	t->schur_pivot = hawser__hold(&t->arrays, borders, sizeof *t->schur_pivot);
+	t->work = hawser__hold(&t->arrays, (size_t)t->work_size + (size_t)t->strains +
+	                       2*((size_t)t->rows + borders) + 4*(size_t)t->segments +
+	                       2*(size_t)t->size, sizeof *t->work);
+	if (t->arrays.short_of_memory)
 		return hawser__no_memory(report, "line modes");
 	for (int i = 0; i < t->segments; i++)
 		for (int k = 0; k < t->segment[i].D*t->segment[i].grid.points; k++)

@@ -223,10 +223,10 @@ int hawser__lmode_circulation(struct hawser__lmode_system *t, const double *v)
 {
 	double norm;
 
-	t->null = hawser__numbers((size_t)t->size, 1);
-	t->null_strain = hawser__numbers((size_t)t->strains, 1);
-	t->null_load = hawser__numbers((size_t)t->size, 1);
-	if (!t->null || !t->null_strain || !t->null_load)
+	t->null = hawser__hold(&t->arrays, (size_t)t->size, sizeof *t->null);
+	t->null_strain = hawser__hold(&t->arrays, (size_t)t->strains, sizeof *t->null_strain);
+	t->null_load = hawser__hold(&t->arrays, (size_t)t->size, sizeof *t->null_load);
+	if (t->arrays.short_of_memory)
 		return -1;
 	for (int b = 0; b < t->borders; b++)
 		t->null_load[t->border[b].at] = v[b];

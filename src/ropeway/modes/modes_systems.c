@@ -50,11 +50,11 @@ static enum hawser_status divide(struct hawser__lmode_system *to, struct hawser_
                                  int *border_number, struct hawser_report *report)
 {
 	*to = (struct hawser__lmode_system){.plane = t->plane};
-	to->segment = calloc((size_t)t->segments + 1, sizeof *to->segment);
-	to->node = calloc((size_t)t->nodes + 1, sizeof *to->node);
-	to->pendulum = calloc((size_t)t->pendulums + 1, sizeof *to->pendulum);
-	to->border = calloc((size_t)t->borders + 1, sizeof *to->border);
-	if (!to->segment || !to->node || !to->pendulum || !to->border)
+	to->segment = hawser__hold(&to->parts, (size_t)t->segments, sizeof *to->segment);
+	to->node = hawser__hold(&to->parts, (size_t)t->nodes, sizeof *to->node);
+	to->pendulum = hawser__hold(&to->parts, (size_t)t->pendulums, sizeof *to->pendulum);
+	to->border = hawser__hold(&to->parts, (size_t)t->borders, sizeof *to->border);
+	if (to->parts.short_of_memory)
 		return hawser__no_memory(report, "line modes");
 	for (int i = 0; i < t->nodes; i++)
 		if (root_of(t, t->node_chain[i]) == root) {
@@ -78,7 +78,7 @@ static enum hawser_status divide(struct hawser__lmode_system *to, struct hawser_
 		for (int end = 0; end < HAWSER__ENDS; end++)
 			if (s->node[end] >= 0)
 				s->node[end] = number[s->node[end]];
-		s->border = calloc((size_t)(4*to->borders + 1), sizeof *s->border);
+		s->border = hawser__hold(&to->parts, 4*(size_t)to->borders, sizeof *s->border);
 		if (!s->border)
 			return hawser__no_memory(report, "line modes");
 		for (int k = 0; k < 4; k++)
@@ -127,23 +127,9 @@ enum hawser_status hawser__lmode_divide(struct hawser__lmode_draft *t, struct ha
 
 void hawser__lmode_system_clear(struct hawser__lmode_system *system)
 {
-	for (int i = 0; i < system->segments; i++) {
+	for (int i = 0; i < system->segments; i++)
 		hawser__lmode_grid_clear(&system->segment[i]);
-		free(system->segment[i].border);
-	}
-	free(system->segment);
-	free(system->node);
-	free(system->pendulum);
-	free(system->border);
-	free(system->weight);
-	free(system->band);
-	free(system->pivot);
-	free(system->response);
-	free(system->schur);
-	free(system->schur_pivot);
-	free(system->work);
-	free(system->null);
-	free(system->null_strain);
-	free(system->null_load);
+	hawser__hold_clear(&system->parts);
+	hawser__hold_clear(&system->arrays);
 	*system = (struct hawser__lmode_system){0};
 }
