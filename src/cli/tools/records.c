@@ -29,7 +29,8 @@
 static void net_facts(char *text, int *forced, const struct hawser_net *net)
 {
 	const char *unknown = net->bodies ? "rigid bodies" : net->surfaces ? "obstacles"
-	                      : net->water.density > 0.0 && !net->winds ? "water" : NULL;
+	                      : net->water.waves.count > 1 ? "seas" : net->water.file
+	                      ? "currents over time" : NULL;
 	long elements = 0;
 	int supports = 0;
 

@@ -30,6 +30,7 @@ struct hawser__mesh_water {
 	int follows;            /* 1: mesh->force follows mesh->q (net/water/water-statics.c) */
 	double part;            /* of the current: 1, or less on the way to it */
 	double least;           /* m: least height over which a line or a buoy comes out of the water */
+	int multiple;           /* of the frequency of a model: that of the waves; 0: none */
 	double band;            /* m: height over which a line and a buoy come out of the water, if that is
 	                         * more than a hundredth of a line's diameter, and the diameter of a buoy */
 };
@@ -47,7 +48,7 @@ struct hawser__water_end {
 	double by_r[3][3];       /* by the relative velocity */
 	double by_d[3][3];       /* by the vector along the element */
 	double by_y[2][3];       /* by the heights of both ends */
-	double wet;              /* m, unstretched length in the water */
+	double wet;              /* m, unstretched length in the water; m^3 of a buoy */
 	double spring[2];        /* N/m: of that what is buoyancy, of the force upwards */
 };
 /* d: vector along element e. With slopes = 0, by_r and by_d of what is wet are left as they were. */
