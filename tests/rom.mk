@@ -10,6 +10,7 @@ tests_rom_SOURCES = tests/cases.c \
 	tests/property/test-line-carriers.c \
 	tests/property/test-net-show.c \
 	tests/property/test-net-span.c \
+	tests/property/test-net-water-rom.c \
 	tests/property/test-rom-absorber.c \
 	tests/property/test-rom-answer.c \
 	tests/property/test-rom-attached.c \

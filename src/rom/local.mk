@@ -37,6 +37,8 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/terms/rates.c \
 	%D%/terms/rates.h \
 	%D%/terms/terms.c \
+	%D%/terms/morison.c \
+	%D%/terms/morison.h \
 	%D%/terms/wake.c \
 	%D%/terms/wake.h \
 	%D%/terms/wind.c \
@@ -113,6 +115,7 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/build/net_lift.c \
 	%D%/build/net_load.c \
 	%D%/build/net_place.c \
+	%D%/build/net_water.c \
 	%D%/build/net_wind.c \
 	%D%/file/open.c \
 	%D%/condense/order.c \

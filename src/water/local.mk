@@ -9,6 +9,8 @@ noinst_LTLIBRARIES += %D%/libwater.la
 	%D%/near.c \
 	%D%/near.h \
 	%D%/profile.h \
+	%D%/regular.c \
+	%D%/regular.h \
 	%D%/sea.c \
 	%D%/water.c \
 	%D%/water.h \

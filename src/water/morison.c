@@ -135,6 +135,7 @@ void hawser__morison_buoy(struct hawser__water_end *end, const struct hawser_wat
 
 	memset(end, 0, sizeof *end);
 	end->spring[0] = by*density*g;
+	end->wet = wet;
 	hawser_drag_body(end->drag, end->by_r, 0.5*density*buoy->CdA, past->r);
 	for (int k = 0; k < 3; k++) {
 		double inertia = density*((1.0 + buoy->added)*past->du[k] - buoy->added*past->a[k]) +

@@ -21,7 +21,7 @@ struct hawser__water_end {
 	double by_r[3][3];       /* by the relative velocity */
 	double by_d[3][3];       /* by the vector along the element */
 	double by_y[2][3];       /* by the heights of both ends */
-	double wet;              /* m, unstretched length in the water */
+	double wet;              /* m, unstretched length in the water; m^3 of a buoy */
 	double spring[2];        /* N/m: of that what is buoyancy, of the force upwards */
 };
 /* An element of a line in water. */

@@ -9,6 +9,7 @@
 #include <hawser/waves.h>
 
 #include "water/near.h"
+#include "water/regular.h"
 
 #include "tests/tap.h"
 
@@ -46,6 +47,30 @@ static void dispersion(void)
 		}
 	ok(worst < 1e-15, "dispersion: against bisection within %.1e", worst);
 	ok(hawser_wave_number(2.385, INFINITY, 9.71) == 2.385*2.385/9.71, "deep water: omega^2/g");
+}
+
+/* A regular wave at its phase, against the flow at a time: all stretchings, shallow and deep water. */
+static void phases(void)
+{
+	double worst = 0.0;
+
+	for (int i = 0; i < 8*30; i++) {
+		struct hawser_waves waves = make(&(struct hawser_waves_given){
+			.height = 3.0, .period = 8.0, .depth = i%8 < 4 ? 23.0 : INFINITY, .heading = 0.7,
+			.phase = 0.3, .surface = 1.5, .stretching = i%4});
+		const struct hawser__regular wave = hawser__regular_wave(&waves, waves.wave->omega, 9.81);
+		const double x[3] = {2.385*(i/8), 3.0 - 0.9*(i/8), -1.3*(i/8)}, t = 0.77*i;
+		struct hawser__regular_flow at;
+		struct hawser_wave_flow flow;
+
+		hawser__regular_at(&at, &wave, x, waves.wave->omega*t);
+		hawser_waves_at(&flow, &waves, x, t);
+		worst = fmax(worst, fabs(at.elevation - flow.elevation));
+		for (int k = 0; k < 3; k++)
+			worst = fmax(worst, fmax(fabs(at.u[k] - flow.u[k]), fabs(at.du[k] - flow.du[k])));
+		hawser_waves_clear(&waves);
+	}
+	ok(worst < 1e-12, "a wave at its phase: as at a time within %.1e", worst);
 }
 
 /* W10 */
@@ -250,6 +275,7 @@ static void refused(void)
 CASE(unit_waves)
 {
 	dispersion();
+	phases();
 	regular();
 	differences();
 	spectrum();

@@ -32,7 +32,7 @@ struct settings {
 	const char *over, *omega, *label, *switched, *certificate;
 	double tolerance, step;
 	int n, points, segments, unstable, sweep_points, multipliers, partial, backbone, energy, tori;
-	int peaks;
+	int peaks, nonlinear;
 	int branches, period, label_every;
 };
 static const struct settings defaults = {
@@ -78,6 +78,8 @@ static const struct cli_option options[] = {
 	 .needs = "backbone"},
 	CLI_HEADING("Model, steps and ends"),
 	CLI_LIBRARY_OPTION,
+	{"nonlinear", 0, "", "nets in regular waves: the response of a model to them, not the linear one",
+	 CLI_FLAG_FOR(nonlinear, CLI_NET)},
 	{"certificate", 0, "WHICH", "nets, spans: correct folds and peaks in the mesh: auto (if it takes "
 	 "some seconds; spans: see the manual), yes or no (auto)",
 	 CLI_TEXT_FOR(certificate, CLI_NET | CLI_CABLE),
@@ -475,7 +477,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 {
 	const struct settings *settings = context;
 
-	return cli_waves_in(&settings->common)
+	return !settings->nonlinear && cli_waves_in(&settings->common)
 		? cli_waves_response(&settings->common, settings->from, settings->to, settings->points, report)
 		: curves(settings, report);
 }

@@ -178,6 +178,9 @@ static void comments(struct hawser__table *table, const void *of)
 	hawser__table_comment(table, "per metre of the amplitude of a wave; linear drag for %s = %g m, "
 	                      "to %.1e in %d iterations", waves->spectrum ? "Hs" : "waves of height",
 	                      waves->height, waves->change, waves->iterations);
+	if (!waves->spectrum)
+		hawser__table_comment(table, "--nonlinear: the response of a model with the whole force of the "
+		                      "water");
 	if (waves->touching)
 		hawser__table_comment(table, "%d nodes touch obstacles, and go on touching them",
 		                      waves->touching);
@@ -322,7 +325,7 @@ static enum hawser_status check(const struct cli_common *common, struct hawser_r
 			if (!strcmp(common->given[i]->name, curve[k]))
 				return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf", "--%s is for curves, and the "
 				                    "response to the waves of %s is linear: give --from, --to and "
-				                    "--max-points", curve[k], cli_input_name(common));
+				                    "--max-points, or --nonlinear", curve[k], cli_input_name(common));
 	return cli_outputs_check(common, report);
 }
 

@@ -13,7 +13,6 @@
 static const double bearable = 10.0; /* s of processor time that nobody asked for; chosen */
 static const double large = 0.05; /* error beyond which starts are too far; chosen */
 
-/* What a mesh does not have is a warning: the response is there. */
 static enum hawser_status certify_span(struct cli_certificate *certificate,
                                        const struct cli_frf_result *result, int asked,
                                        struct hawser_report *report)
@@ -24,10 +23,18 @@ static enum hawser_status certify_span(struct cli_certificate *certificate,
 		hawser_span_certify(&certificate->own, &model->scene, model->automatic ? &none : &model->modes,
 		                    certificate->rom, result->frf, result->peak, result->peaks,
 		                    asked ? 0.0 : bearable, report);
-	char text[CLI_WARNING_SIZE];
 
 	for (int k = 0; k < certificate->own.count; k++)
 		certificate->cable[k] = "A-B";
+	return status;
+}
+
+/* What a mesh does not have is a warning: the response is there. */
+static enum hawser_status soften(enum hawser_status status, const struct cli_frf_result *result,
+                                 int asked, const struct hawser_report *report)
+{
+	char text[CLI_WARNING_SIZE];
+
 	if (status != HAWSER_ERR_SCENE && status != HAWSER_ERR_ARGUMENT)
 		return status;
 	snprintf(text, sizeof text, "folds and peaks are not corrected in a mesh: %.400s",
@@ -68,12 +75,14 @@ enum hawser_status cli_certify(struct cli_frf_result *result, struct hawser_repo
 	own = *shown;
 	own.rom = &result->model->rom;
 	status = made ? made->by->certify(&own, result, asked ? 0.0 : bearable, report)
-	         : certify_span(&own, result, asked, report);
+	              : certify_span(&own, result, asked, report);
+	if (status)
+		return soften(status, result, asked, report);
 	if (result->common->reproducible)
 		own.own.seconds = NAN;
 	if (result->frf->branch <= 1 || shown->own.count == 0)
 		*shown = own;
-	if (status || !isfinite(own.own.distance) ||
+	if (!isfinite(own.own.distance) ||
 	    (own.own.refused > 0 && !isfinite(error->fixed.estimated)))
 		return status;
 	error->corrected = 1;

@@ -362,6 +362,11 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		           "integrate and hawser frf compute it from the scene"
 		         : "damping.drag is no part of these entries: hawser integrate and hawser frf compute "
 		           "its force from the scene");
+	if (!status && settings->common.json && model.rom.plug) /* refused before anything is said */
+		status = hawser_rom_write_members(&model.rom, NULL, report);
+	if (!status && model.made && model.rom.plug)
+		cli_warn("the force of the water is no part of these entries, but for its damping and loads at "
+		         "rest: hawser frf and hawser integrate -n compute it from the scene");
 	if (!status)
 		cli_made_warn(&model);
 	if (!status)

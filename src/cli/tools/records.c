@@ -35,7 +35,8 @@ static void water_facts(char *text, const struct hawser_water *water)
 static void net_facts(char *text, int *forced, const struct hawser_net *net)
 {
 	const char *unknown = net->bodies ? "rigid bodies" : net->surfaces ? "obstacles"
-	                      : net->water.density > 0.0 && !net->winds ? "water" : NULL;
+	                      : net->water.waves.count > 1 ? "seas" : net->water.file
+	                      ? "currents over time" : NULL;
 	long elements = 0;
 	int supports = 0;
 

@@ -440,7 +440,7 @@ static enum hawser_status trace_own(struct hawser_frf *frf, const struct hawser_
 	int jumped = 0;
 
 	*frf = (struct hawser_frf){.n = rom->n, .probes = rom->shapes.points};
-	if (rom->drag && !hawser__drag_smooth(rom->drag))
+	if (hawser__drag_rough(rom))
 		hawser__settle(&settled.tolerance, HAWSER__DRAG_TOLERANCE);
 	hawser_frf_settle(&settled);
 	hawser__settle(&settled.event_tolerance, hawser__is_large(rom) ? LOCATED_LARGE : LOCATED);

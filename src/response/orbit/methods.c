@@ -7,6 +7,7 @@
 
 #include "core/report.h"
 #include "response/orbit/method.h"
+#include "rom/file/plug.h"
 #include "rom/terms/drag.h"
 #include "rom/terms/terms.h"
 
@@ -25,17 +26,17 @@ enum hawser_status hawser__orbit_method(const struct hawser__orbit_method **meth
                                         struct hawser_report *report)
 {
 	const char *name = options->method;
-	int rough = rom->drag && !hawser__drag_smooth(rom->drag);
+	int rough = rom->drag && hawser__drag_rough(rom), plug = rom->plug && !rom->plug->water;
 
 	if (name && strcmp(name, "auto") == 0)
 		name = NULL;
 	if (rough && name && strcmp(name, "shooting") != 0)
 		return hawser__drag_refuse(rom, "this method for orbits", report);
 	if (hawser__rom_more(rom) && name && strcmp(name, "shooting") != 0 &&
-	    (rom->plug || strcmp(name, "balance") != 0))
+	    (plug || strcmp(name, "balance") != 0))
 		return hawser__more_refuse(rom, "this method for orbits", report);
 	/* equations of first order are stiff by their relaxation only, which shooting resolves */
-	if (rough || rom->plug || (hawser__rom_more(rom) && rom->first && !name))
+	if (rough || plug || (hawser__rom_more(rom) && rom->first && !name))
 		name = "shooting";
 
 	for (int i = 0; i < ROWS; i++)

@@ -40,7 +40,9 @@ static enum hawser_status check(const struct hawser_net *net, const struct hawse
 			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net rom", "%s: node %s moves by a table, "
 			                    "and the response is to harmonic motions: give supports.%s.motion",
 			                    net->name, net->node[i].name, net->node[i].name);
-	return net->water.air && !net->surfaces ? HAWSER_OK : hawser__touch_none(net, "rom", report);
+	if (net->surfaces || !(net->water.density > 0.0))
+		return hawser__touch_none(net, "rom", report);
+	return hawser__net_water_check(net, report);
 }
 
 /* --- the modes --- */
@@ -437,6 +439,8 @@ enum hawser_status hawser__net_rom_like(struct hawser_rom *rom, struct hawser_mo
 		status = extrapolate(rom, &source, net, options, report);
 	if (!status)
 		status = take_modes(modes, rom, &source, report);
+	if (!status)
+		status = hawser__net_water_fill(rom, &source, options->linear, report);
 	if (!status && !options->linear)
 		status = hawser_rom_compile(rom, report);
 	hawser__answers_clear(&answers);

@@ -65,6 +65,14 @@ enum hawser_status hawser__net_wind_fill(struct hawser_rom *rom,
                                          const struct hawser__net_source *source, int whole,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
 
+/* net_water.c: whether models take the water of the net; and its force, to a model that is complete but
+ * not compiled. linear: to K and D, of small motions without waves. */
+enum hawser_status hawser__net_water_check(const struct hawser_net *net,
+                                           struct hawser_report *report) HAWSER_MUST_CHECK;
+enum hawser_status hawser__net_water_fill(struct hawser_rom *rom,
+                                          const struct hawser__net_source *source, int linear,
+                                          struct hawser_report *report) HAWSER_MUST_CHECK;
+
 /* net.c: what a model with these options is made of, but its tensors, and the mesh `fine`, whose cables
  * are to be freed; the source must not be moved. Clear it and the answers, on failure too. */
 enum hawser_status hawser__net_source_open(struct hawser__net_source *source, struct hawser_net *fine,

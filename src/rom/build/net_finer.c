@@ -17,6 +17,7 @@
 
 #include "core/report.h"
 #include "core/vec3.h"
+#include "net/water/water.h"
 #include "rom/build/net.h"
 #include "rom/terms/ends.h"
 
@@ -51,6 +52,18 @@ enum hawser_status hawser__net_finer(struct hawser_net *to, const struct hawser_
 
 /* --- modes --- */
 
+/* x'M y of the added mass that both elements have at node i of a cable of `count` elements. */
+static double carried(const struct hawser__mesh *mesh, int first, int i, int count, const double x[3],
+                      const double y[3])
+{
+	double sum = 0.0;
+
+	for (int side = 0; side < 2 && mesh->water; side++)
+		for (int k = 0; k < 3 && i - side >= 0 && i - side < count; k++)
+			sum += x[k]*hawser__dot(mesh->water->mass[first + i - side][side][k], y);
+	return sum;
+}
+
 /* Products [coarse n][fine n], of lumped masses, over the nodes that both meshes have. */
 static void overlap(double *product, const struct hawser__net_source *coarse, int n,
                     const struct hawser__net_source *fine)
@@ -74,9 +87,19 @@ static void overlap(double *product, const struct hawser__net_source *coarse, in
 
 					hawser__eigen_place(x, coarse->modal.eigen.x + (size_t)k*unknowns, mesh, at);
 					hawser__eigen_place(y, fine->mode + (size_t)j*others, other, from);
-					product[k*fine->n + j] += mass*(x[0]*y[0] + x[1]*y[1] + x[2]*y[2]);
+					product[k*fine->n + j] += mass*hawser__dot(x, y) +
+					                          carried(mesh, mesh->first[c], i, count, x, y);
 				}
 		}
+	}
+	for (int i = 0; i < (mesh->water ? mesh->water->buoys : 0)*n*fine->n; i++) {
+		const struct hawser__mesh_buoy *buoy = &mesh->water->buoy[i/(n*fine->n)];
+		double x[3], y[3];
+
+		hawser__eigen_place(x, coarse->modal.eigen.x + (size_t)(i/fine->n%n)*unknowns, mesh,
+		                    buoy->node);
+		hawser__eigen_place(y, fine->mode + (size_t)(i%fine->n)*others, other, buoy->node);
+		product[i%(n*fine->n)] += buoy->mass[0][0]*hawser__dot(x, y);
 	}
 	for (int i = 0; i < mesh->absorbers*n*fine->n; i++) {
 		const struct hawser__mesh_absorber *of = &mesh->absorber[i/(n*fine->n)];

@@ -15,7 +15,10 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "core/vec3.h"
+#include "net/water/water.h"
 #include "rom/build/net.h"
+#include "rom/file/plug.h"
 
 enum { SAME = HAWSER__SUPPORT_TOP }; /* highest multiple */
 static const double equal = 1e-9;    /* of a frequency and a multiple; round-off of decimal numbers */
@@ -65,6 +68,18 @@ static void add_mass(double *row, const struct hawser__mesh *mesh, double factor
 		if (mesh->unknown[pair.node][pair.axis] >= 0)
 			row[mesh->unknown[pair.node][pair.axis]] +=
 				factor*pair.mass*x[pair.other][pair.other_axis];
+}
+
+/* The same of the added mass. */
+static void add_carried(double *row, const struct hawser__mesh *mesh, double factor,
+                        const double (*x)[3])
+{
+	struct hawser__water_mass at;
+
+	for (int j = 0; hawser__water_mass(&at, mesh, j); j++)
+		for (int i = 0; i < 3; i++)
+			if (mesh->unknown[at.node][i] >= 0)
+				row[mesh->unknown[at.node][i]] += factor*hawser__dot(at.mass[i], x[at.node]);
 }
 
 /* The force of an element by its strains, EA a and T/g (b, c), N. */
@@ -121,7 +136,8 @@ enum hawser_status hawser__net_multiples(struct hawser__mesh *mesh, const char *
                                          struct hawser_report *report)
 {
 	int all = mesh->waves + mesh->motions;
-	double base = INFINITY;
+	const struct hawser_water *water = mesh->water ? mesh->water->of : NULL;
+	double swell = water && water->waves.count ? water->waves.wave->omega : INFINITY, base = swell;
 
 	for (int i = 0; i < all; i++) {
 		struct hawser__mesh_wave *wave = i < mesh->waves ? &mesh->wave[i]
@@ -142,6 +158,16 @@ enum hawser_status hawser__net_multiples(struct hawser__mesh *mesh, const char *
 			                    "response is periodic in that alone: give other frequencies, or "
 			                    "harmonic.multiple", name, wave->Omega, (int)SAME, base);
 	}
+	if (isinf(swell))
+		return HAWSER_OK;
+	mesh->water->multiple = (int)round(fmin(swell/base, SAME));
+	if (fabs(swell/base - mesh->water->multiple) > equal*swell/base ||
+	    mesh->water->multiple >= HAWSER_PLUG_WAVES)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net rom", "%s: water.waves: their "
+		                    "frequency of %.9g rad/s is no multiple up to %d of the lowest "
+		                    "harmonic's, %.9g rad/s, and the response is periodic in that alone: give "
+		                    "other frequencies, or harmonic.multiple", name, swell,
+		                    HAWSER_PLUG_WAVES - 1, base);
 	return HAWSER_OK;
 }
 
@@ -234,6 +260,7 @@ static enum hawser_status take_motion(struct hawser__net_source *source, int k, 
 	status = lift_rest(source, lift->shape, report);
 	shape = (const double (*)[3])lift->shape;
 	add_mass(inertia, mesh, (double)k*k, shape);
+	add_carried(inertia, mesh, (double)k*k, shape);
 	add_damping(damping, source, sine ? -k : k, shape);
 	return status;
 }

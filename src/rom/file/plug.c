@@ -1,4 +1,5 @@
-/* rom/file/plug.c - a model whose forces are a function of a shared library (hawser/plugin.h).
+/* rom/file/plug.c - a model whose forces are a function: of a shared library (hawser/plugin.h), or that
+ * of the water on a net (rom/terms/morison.h).
  *
  *    a(u, v, tau, Omega)    acceleration
  *    K, D      minus its mean derivatives by u and v over a period, at rest and at Omega = 1
@@ -12,6 +13,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <cblas.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -37,6 +39,7 @@ struct at {
 	double tau, omega;
 	double *u, *v; /* [n] */
 	double relaxation;
+	const struct hawser__morison *water;
 };
 
 /* The same of equations of first order. */
@@ -68,8 +71,13 @@ static int call_rate(const struct at *at, double *a, double *by_u, double *by_v)
 
 static int call(const struct at *at, double *a, double *by_u, double *by_v, double *by_omega)
 {
-	size_t n = (size_t)at->of->n;
+	size_t n;
 
+	if (at->water) {
+		hawser__morison_at(at->water, a, by_u, by_v, by_omega, at->u, at->v, at->tau, at->omega, 0);
+		return 0;
+	}
+	n = (size_t)at->of->n;
 	memset(a, 0, n*sizeof *a);
 	if (by_u) {
 		memset(by_u, 0, n*n*sizeof *by_u);
@@ -89,7 +97,7 @@ static void add_lane(const struct hawser_rom *rom, const struct hawser__more *to
 	double own_u[MOST], own_v[MOST], a[MOST], by_omega[MOST], by_u[MOST*MOST], by_v[MOST*MOST];
 	int n = rom->n, base = rom->base > 1 ? rom->base : 1, derive = to->by_u != NULL;
 	const struct at at = {plug->of, plug->parameter, base*tau, base*omega, own_u, own_v,
-		plug->relaxation};
+		plug->relaxation, plug->water};
 
 	for (int j = 0; j < n; j++) {
 		own_u[j] = u[j*to->stride];
@@ -136,6 +144,7 @@ void hawser__plug_free(struct hawser_rom_plug *plug)
 	free(plug->K);
 	free(plug->D);
 	free(plug->wave);
+	hawser__morison_free(plug->water);
 	free(plug);
 }
 
@@ -241,12 +250,13 @@ static enum hawser_status examine(struct hawser_rom_plug *plug, const char *name
 
 /* --- the model --- */
 
-/* K, D and the waves, from a period at rest; work [2 n^2 + 4 n]. Returns 1 if a value is missing. */
-static int linearise(struct hawser_rom_plug *plug, int n, double *work)
+/* K, D and the waves, from a period at rest at a frequency; work [2 n^2 + 4 n]. Returns 1 if a value is
+ * missing. */
+static int linearise(struct hawser_rom_plug *plug, int n, double omega, double *work)
 {
 	double *rest = work, *a = work + 2*n, *by_omega = a + n, *by_u = by_omega + n, *by_v = by_u + n*n;
-	struct at at = {.of = plug->of, .parameter = plug->parameter, .omega = 1.0, .u = rest,
-		.v = rest + n, .relaxation = plug->relaxation};
+	struct at at = {.of = plug->of, .parameter = plug->parameter, .omega = omega, .u = rest,
+		.v = rest + n, .relaxation = plug->relaxation, .water = plug->water};
 
 	memset(rest, 0, 2*(size_t)n*sizeof *rest);
 	for (int i = 0; i < PHASES; i++) {
@@ -266,16 +276,16 @@ static int linearise(struct hawser_rom_plug *plug, int n, double *work)
 	return 0;
 }
 
-static enum hawser_status fill(struct hawser_rom *rom, const struct hawser_rom_plug *plug,
-                               struct hawser_report *report)
+/* The forces at rest as harmonics, behind those that the model has. */
+static enum hawser_status add_waves(struct hawser_rom *rom, const struct hawser_rom_plug *plug,
+                                    struct hawser_report *report)
 {
-	size_t n = (size_t)rom->n;
+	size_t n = (size_t)rom->n, room = (size_t)rom->harmonics + 2*HAWSER_PLUG_WAVES;
+	void *list = realloc(rom->harmonic, room*sizeof *rom->harmonic);
 
-	memcpy(rom->K, plug->K, n*n*sizeof *rom->K);
-	memcpy(rom->D, plug->D, n*n*sizeof *rom->D);
-	rom->harmonic = calloc(2*HAWSER_PLUG_WAVES, sizeof *rom->harmonic);
-	if (!rom->harmonic)
+	if (!list)
 		return hawser__no_memory(report, "rom");
+	rom->harmonic = list;
 	for (int i = 0; i < 2*HAWSER_PLUG_WAVES; i++) {
 		struct hawser_harmonic *harmonic = &rom->harmonic[rom->harmonics];
 
@@ -288,7 +298,18 @@ static enum hawser_status fill(struct hawser_rom *rom, const struct hawser_rom_p
 			return hawser__no_memory(report, "rom");
 		memcpy(harmonic->f, plug->wave + (size_t)i*n, n*sizeof *harmonic->f);
 	}
-	return hawser_rom_compile(rom, report);
+	return HAWSER_OK;
+}
+
+static enum hawser_status fill(struct hawser_rom *rom, const struct hawser_rom_plug *plug,
+                               struct hawser_report *report)
+{
+	size_t n = (size_t)rom->n;
+	enum hawser_status status = add_waves(rom, plug, report);
+
+	memcpy(rom->K, plug->K, n*n*sizeof *rom->K);
+	memcpy(rom->D, plug->D, n*n*sizeof *rom->D);
+	return status ? status : hawser_rom_compile(rom, report);
 }
 
 /* 1 if all of the model at rest are numbers. */
@@ -301,6 +322,42 @@ static int is_finite(const struct hawser_rom_plug *plug, size_t n)
 	for (size_t i = 0; i < 2*HAWSER_PLUG_WAVES*n; i++)
 		sum += 0.0*plug->wave[i];
 	return sum == 0.0;
+}
+
+static int set_room(struct hawser_rom_plug *plug, size_t n)
+{
+	plug->K = calloc(n*n, sizeof *plug->K);
+	plug->D = calloc(n*n, sizeof *plug->D);
+	plug->wave = calloc(2*HAWSER_PLUG_WAVES*n, sizeof *plug->wave);
+	return plug->K && plug->D && plug->wave;
+}
+
+enum hawser_status hawser__plug_join(struct hawser_rom *rom, struct hawser__morison *water,
+                                     double omega, struct hawser_report *report)
+{
+	size_t n = (size_t)rom->n;
+	double *work = calloc(2*n*n + 4*n, sizeof *work);
+	struct hawser_rom_plug *plug = rom->plug = calloc(1, sizeof *plug);
+	enum hawser_status status = HAWSER_OK;
+
+	if (!plug) {
+		hawser__morison_free(water);
+		free(work);
+		return hawser__no_memory(report, "rom");
+	}
+	plug->water = water;
+	plug->still = !water->multiple && water->columns == water->n;
+	if (!work || !set_room(plug, n))
+		status = hawser__no_memory(report, "rom");
+	else if (linearise(plug, rom->n, omega, work) || !is_finite(plug, n))
+		status = hawser__fail(report, HAWSER_ERR_NAN, "rom", "the force of the water has no value at "
+		                      "rest");
+	free(work);
+	if (status)
+		return status;
+	memset(plug->K, 0, n*n*sizeof *plug->K);
+	cblas_daxpy((int)(n*n), 1.0, plug->D, 1, rom->D, 1);
+	return plug->still ? HAWSER_OK : add_waves(rom, plug, report);
 }
 
 static enum hawser_status make_plug(struct hawser_rom *rom, const struct hawser_rom_source *source,
@@ -318,17 +375,14 @@ static enum hawser_status make_plug(struct hawser_rom *rom, const struct hawser_
 		plug->of = of;
 		plug->relaxation = relaxation;
 		plug->parameter = calloc(count + 1, sizeof *plug->parameter);
-		plug->K = calloc(n*n, sizeof *plug->K);
-		plug->D = calloc(n*n, sizeof *plug->D);
-		plug->wave = calloc(2*HAWSER_PLUG_WAVES*n, sizeof *plug->wave);
 	}
-	if (!plug || !plug->parameter || !plug->K || !plug->D || !plug->wave || !work)
+	if (!plug || !set_room(plug, n) || !plug->parameter || !work)
 		status = hawser__no_memory(report, "rom");
 	for (size_t i = 0; !status && i < count; i++)
 		plug->parameter[i] = source->parameter[i].value;
 	if (!status)
 		status = examine(plug, source->name, work, report);
-	if (!status && (linearise(plug, of->n, work) || !is_finite(plug, n)))
+	if (!status && (linearise(plug, of->n, 1.0, work) || !is_finite(plug, n)))
 		status = hawser__fail(report, HAWSER_ERR_NAN, "rom",
 		                      "%s: its function has no value at rest", source->name);
 	if (!status)

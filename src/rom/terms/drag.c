@@ -29,6 +29,7 @@
 #include <stdlib.h>
 
 #include "core/report.h"
+#include "rom/file/plug.h"
 #include "rom/terms/drag.h"
 #include "rom/condense/support.h"
 #include "rom/energy/kernel.h"
@@ -158,6 +159,11 @@ int hawser__drag_smooth(const struct hawser_rom_drag *drag)
 	while (i < drag->flow.points && drag->flow.speed[i] > 0.0)
 		i++;
 	return i == drag->flow.points;
+}
+
+int hawser__drag_rough(const struct hawser_rom *rom)
+{
+	return rom->drag ? !hawser__drag_smooth(rom->drag) : rom->plug && rom->plug->water;
 }
 
 /* Of the points from `first` on, at states. */

@@ -37,6 +37,8 @@ void hawser__drag_form(const struct hawser_rom_drag *drag, double complex *out,
                        const double complex *const v[], int count);
 /* 1: that of a wind at all points, which is smooth unlike |v| v. */
 int hawser__drag_smooth(const struct hawser_rom_drag *drag);
+/* 1: the model has drag that is not smooth, of air at rest or of water. */
+int hawser__drag_rough(const struct hawser_rom *rom);
 
 /* 1 if the scene has drag and no other damping of high modes, but for that of attachments. */
 int hawser__drag_alone(const struct hawser_scene *scene);

@@ -465,5 +465,11 @@ enum hawser_status hawser_net_certify(struct hawser_certificate *certificate,
 {
 	const struct hawser__certified_by by = {.net = net, .options = options};
 
+	if (net->water.density > 0.0) {
+		memset(certificate, 0, sizeof *certificate);
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "certificate", "%s: the mesh in which folds "
+		                    "and peaks are corrected has no force of the %s", net->name,
+		                    net->winds ? "wind" : "water");
+	}
 	return hawser__certified(certificate, &by, rom, frf, peak, peaks, bearable, report);
 }
