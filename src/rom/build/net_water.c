@@ -28,7 +28,7 @@ enum hawser_status hawser__net_water_check(const struct hawser_net *net, struct 
 }
 
 /* What the motion of the mesh does to the water: its lines and buoys. */
-static int open_water(struct hawser__morison *of, const struct hawser__net_source *source)
+static int open_water(struct hawser__rom_morison *of, const struct hawser__net_source *source)
 {
 	const struct hawser__mesh *mesh = &source->modal.mesh;
 	const struct hawser_water *water = &source->net->water;
@@ -85,7 +85,7 @@ static void list_points(int *node, const struct hawser__mesh *mesh)
 }
 
 /* What the springs of the buoyancy do to the coordinates where unknowns move as in column j. */
-static void add_springs(struct hawser__morison *of, const struct hawser__net_source *source, int j,
+static void add_springs(struct hawser__rom_morison *of, const struct hawser__net_source *source, int j,
                         const double (*x)[3], double (*work)[3])
 {
 	const struct hawser__mesh *mesh = &source->modal.mesh;
@@ -101,7 +101,7 @@ static void add_springs(struct hawser__morison *of, const struct hawser__net_sou
 	}
 }
 
-static int set_shapes(struct hawser__morison *of, const struct hawser__net_source *source)
+static int set_shapes(struct hawser__rom_morison *of, const struct hawser__net_source *source)
 {
 	const struct hawser__mesh *mesh = &source->modal.mesh;
 	int points = 2*of->elements + of->buoys, *node = of->node;
@@ -133,7 +133,7 @@ static int set_shapes(struct hawser__morison *of, const struct hawser__net_sourc
 }
 
 /* At rest in the current: what statics has; and K and D beyond those of the model, unless NULL. */
-static int set_still(struct hawser__morison *of, double *K, double *D)
+static int set_still(struct hawser__rom_morison *of, double *K, double *D)
 {
 	int n = of->n;
 	double *rest = hawser__numbers((size_t)n, 2*(size_t)n + 3), *a = rest + n, *omega = a + n;
@@ -141,7 +141,7 @@ static int set_still(struct hawser__morison *of, double *K, double *D)
 
 	if (!rest)
 		return 0;
-	hawser__morison_at(of, a, by_u, by_v, omega, rest, rest, 0.0, 1.0, 1);
+	hawser__rom_morison_at(of, a, by_u, by_v, omega, rest, rest, 0.0, 1.0, 1);
 	for (int j = 0; j < n; j++)
 		of->still[j] = of->unit*a[j];
 	for (int i = 0; i < n*n && K; i++) {
@@ -157,7 +157,7 @@ enum hawser_status hawser__net_water_fill(struct hawser_rom *rom,
                                           struct hawser_report *report)
 {
 	const struct hawser__mesh_water *water = source->modal.mesh.water;
-	struct hawser__morison *of;
+	struct hawser__rom_morison *of;
 	double wave = 0.0;
 
 	_Static_assert(HAWSER_NET_ROM_MODES + HAWSER__INERTIA_MOST + 2*HAWSER__SUPPORT_TOP <=
@@ -175,11 +175,11 @@ enum hawser_status hawser__net_water_fill(struct hawser_rom *rom,
 	of->multiple = linear ? 0 : water->multiple;
 	if (!open_water(of, source) || !set_shapes(of, source) ||
 	    !set_still(of, linear ? rom->K : NULL, rom->D)) {
-		hawser__morison_free(of);
+		hawser__rom_morison_free(of);
 		return hawser__no_memory(report, "net rom");
 	}
 	if (linear) {
-		hawser__morison_free(of);
+		hawser__rom_morison_free(of);
 		return HAWSER_OK;
 	}
 	if (of->multiple)

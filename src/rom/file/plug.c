@@ -39,7 +39,7 @@ struct at {
 	double tau, omega;
 	double *u, *v; /* [n] */
 	double relaxation;
-	const struct hawser__morison *water;
+	const struct hawser__rom_morison *water;
 };
 
 /* The same of equations of first order. */
@@ -74,7 +74,7 @@ static int call(const struct at *at, double *a, double *by_u, double *by_v, doub
 	size_t n;
 
 	if (at->water) {
-		hawser__morison_at(at->water, a, by_u, by_v, by_omega, at->u, at->v, at->tau, at->omega, 0);
+		hawser__rom_morison_at(at->water, a, by_u, by_v, by_omega, at->u, at->v, at->tau, at->omega, 0);
 		return 0;
 	}
 	n = (size_t)at->of->n;
@@ -144,7 +144,7 @@ void hawser__plug_free(struct hawser_rom_plug *plug)
 	free(plug->K);
 	free(plug->D);
 	free(plug->wave);
-	hawser__morison_free(plug->water);
+	hawser__rom_morison_free(plug->water);
 	free(plug);
 }
 
@@ -332,7 +332,7 @@ static int set_room(struct hawser_rom_plug *plug, size_t n)
 	return plug->K && plug->D && plug->wave;
 }
 
-enum hawser_status hawser__plug_join(struct hawser_rom *rom, struct hawser__morison *water,
+enum hawser_status hawser__plug_join(struct hawser_rom *rom, struct hawser__rom_morison *water,
                                      double omega, struct hawser_report *report)
 {
 	size_t n = (size_t)rom->n;
@@ -341,7 +341,7 @@ enum hawser_status hawser__plug_join(struct hawser_rom *rom, struct hawser__mori
 	enum hawser_status status = HAWSER_OK;
 
 	if (!plug) {
-		hawser__morison_free(water);
+		hawser__rom_morison_free(water);
 		free(work);
 		return hawser__no_memory(report, "rom");
 	}

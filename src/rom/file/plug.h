@@ -21,7 +21,7 @@ struct hawser_rom_plug {
 	double relaxation; /* of equations of first order; HAWSER__RATES_ALONE: see below */
 	int still;         /* 1: the function does not depend on phase and frequency */
 	double *wave;      /* [HAWSER_PLUG_WAVES][2][n] cos and sin of the forces that its harmonics have */
-	struct hawser__morison *water; /* in place of `of`: the force of the water on a net */
+	struct hawser__rom_morison *water; /* in place of `of`: the force of the water on a net */
 };
 
 /* The model of `of` with the values of parameter [of->parameters]. HAWSER_ERR_ARGUMENT (a wrong
@@ -31,7 +31,7 @@ enum hawser_status hawser__plug_make(struct hawser_rom *rom, const struct hawser
 /* Give a model, not yet compiled, the force of `water`, which it takes over, on failure too. Its mean
  * damping and its harmonics at rest, at this frequency, become those of the model, and K stays.
  * HAWSER_ERR_NAN, HAWSER_ERR_MEMORY. */
-enum hawser_status hawser__plug_join(struct hawser_rom *rom, struct hawser__morison *water,
+enum hawser_status hawser__plug_join(struct hawser_rom *rom, struct hawser__rom_morison *water,
                                      double omega, struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser__plug_free(struct hawser_rom_plug *plug);
 

@@ -44,7 +44,7 @@ struct rows {
 	double force[ROWS], by_omega[ROWS], by_u[ROWS*MOST], by_v[ROWS*MOST];
 };
 
-static void set_columns(struct columns *to, const struct hawser__morison *of, const double *u,
+static void set_columns(struct columns *to, const struct hawser__rom_morison *of, const double *u,
                         const double *v, double tau, double omega, int still)
 {
 	memset(to, 0, sizeof *to);
@@ -72,7 +72,7 @@ HAWSER_PART void add_columns(double x[3], const double *shape, const double *c, 
 	}
 }
 
-HAWSER_PART void add_wave(struct point *to, const struct hawser__morison *of,
+HAWSER_PART void add_wave(struct point *to, const struct hawser__rom_morison *of,
                      const struct hawser__regular *wave, double tau)
 {
 	struct hawser__regular_flow flow;
@@ -92,7 +92,7 @@ HAWSER_PART void add_wave(struct point *to, const struct hawser__morison *of,
 		to->height_by[i] -= flow.elevation_by[i];
 }
 
-HAWSER_PART void look(struct point *to, const struct hawser__morison *of, int p,
+HAWSER_PART void look(struct point *to, const struct hawser__rom_morison *of, int p,
                       const struct columns *c, const struct hawser__regular *wave, double tau)
 {
 	const double *shape = of->shape + (size_t)p*3*(size_t)of->width;
@@ -130,7 +130,7 @@ HAWSER_PART void set_row(double *y, const double *block, int blocks, const doubl
 
 /* The force on point `own` of `points` that begin with `first`, an element (two) or a buoy, and its
  * derivatives. inertia: of the load, by the acceleration of the water. */
-HAWSER_PART void put(struct rows *to, const struct hawser__morison *of,
+HAWSER_PART void put(struct rows *to, const struct hawser__rom_morison *of,
                      const struct hawser__water_end *end, double inertia, const struct point *point,
                      int points, int own, int first)
 {
@@ -164,7 +164,7 @@ HAWSER_PART void put(struct rows *to, const struct hawser__morison *of,
 }
 
 /* point [1]: that of the element before, whose second end may be the first one here. */
-HAWSER_PART void add_element(struct rows *to, struct point point[2], const struct hawser__morison *of,
+HAWSER_PART void add_element(struct rows *to, struct point point[2], const struct hawser__rom_morison *of,
                              int e, const struct columns *c, const struct hawser__regular *wave,
                              double tau)
 {
@@ -188,7 +188,7 @@ HAWSER_PART void add_element(struct rows *to, struct point point[2], const struc
 	put(to, of, &end[1], m*end[1].wet, point, 2, 1, 2*e);
 }
 
-HAWSER_PART void add_buoy(struct rows *to, const struct hawser__morison *of, int i,
+HAWSER_PART void add_buoy(struct rows *to, const struct hawser__rom_morison *of, int i,
                           const struct columns *c, const struct hawser__regular *wave, double tau)
 {
 	struct hawser__water_end end;
@@ -202,7 +202,7 @@ HAWSER_PART void add_buoy(struct rows *to, const struct hawser__morison *of, int
 
 /* The rows of the points from `first` on, to the coordinates. */
 static void gather(double *a, double *by_u, double *by_v, double *by_omega,
-                   const struct hawser__morison *of, const struct rows *rows, int first)
+                   const struct hawser__rom_morison *of, const struct rows *rows, int first)
 {
 	const double *shape = of->shape + (size_t)first*3*(size_t)of->width, scale = 1.0/of->unit;
 	int n = of->n;
@@ -220,7 +220,7 @@ static void gather(double *a, double *by_u, double *by_v, double *by_omega,
 }
 
 HAWSER_HOT
-void hawser__morison_at(const struct hawser__morison *of, double *a, double *by_u, double *by_v,
+void hawser__rom_morison_at(const struct hawser__rom_morison *of, double *a, double *by_u, double *by_v,
                         double *by_omega, const double *u, const double *v, double tau, double omega,
                         int still)
 {
@@ -258,7 +258,7 @@ void hawser__morison_at(const struct hawser__morison *of, double *a, double *by_
 	}
 }
 
-void hawser__morison_free(struct hawser__morison *of)
+void hawser__rom_morison_free(struct hawser__rom_morison *of)
 {
 	if (!of)
 		return;

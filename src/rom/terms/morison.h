@@ -8,7 +8,7 @@
 
 enum { HAWSER__MORISON_MOST = 128 }; /* columns: coordinates and motions of supports */
 
-struct hawser__morison {
+struct hawser__rom_morison {
 	struct hawser__mesh mesh; /* lengths, gravity and water alone, as hawser__water_ends reads them */
 	struct hawser__mesh_water wet;
 	struct hawser_water water;
@@ -29,9 +29,9 @@ struct hawser__morison {
 /* a [n] = the acceleration by the water beyond statics, stiffness and added mass; and, unless NULL,
  * its derivatives by_u and by_v [n][n], and by_omega [n] with tau held. `still`: without waves, and
  * with supports at rest. */
-void hawser__morison_at(const struct hawser__morison *of, double *a, double *by_u, double *by_v,
+void hawser__rom_morison_at(const struct hawser__rom_morison *of, double *a, double *by_u, double *by_v,
                         double *by_omega, const double *u, const double *v, double tau, double omega,
                         int still);
-void hawser__morison_free(struct hawser__morison *of);
+void hawser__rom_morison_free(struct hawser__rom_morison *of);
 
 #endif
