@@ -164,9 +164,9 @@ HAWSER_PART void put(struct rows *to, const struct hawser__rom_morison *of,
 }
 
 /* point [1]: that of the element before, whose second end may be the first one here. */
-HAWSER_PART void add_element(struct rows *to, struct point point[2], const struct hawser__rom_morison *of,
-                             int e, const struct columns *c, const struct hawser__regular *wave,
-                             double tau)
+HAWSER_PART void add_element(struct rows *to, struct point point[2],
+                             const struct hawser__rom_morison *of, int e, const struct columns *c,
+                             const struct hawser__regular *wave, double tau)
 {
 	const struct hawser_water_line *line = of->wet.line[e];
 	const double m = of->water.density*M_PI*line->diameter*line->diameter/4.0;
