@@ -6,9 +6,10 @@
  * `answer` and `known` of its harmonics (doc/theory-rom.md, "Nets"). A model is that of a net that
  * stays taut, without obstacles. In water it has the whole force of a current and of a regular wave of
  * its frequency Omega, as a function (doc/waves.md). What is left of the error by the length of the
- * elements is of fourth order: models of the mesh, with a multiple of 8 elements a cable, and of one with
- * half as many are extrapolated. Where the modes of the two meshes are not alike, which takes a cable of
- * few elements for its modes, the model is of the first mesh alone, and that error is of second order.
+ * elements is of fourth order: models of the mesh, with a multiple of 8 elements a cable, and of one
+ * with half as many are extrapolated. Where the modes of the two meshes are not alike, which takes a
+ * cable of few elements for its modes, the model is of the first mesh alone, and that error is of
+ * second order.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_NET_ROM_H
