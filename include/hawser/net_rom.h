@@ -4,10 +4,12 @@
  * The strain energy of all elements to fourth order, and the static response of the modes that are not
  * kept, are in the tensors Q and C; what the load makes of these modes is in the energy too, and in
  * `answer` and `known` of its harmonics (doc/theory-rom.md, "Nets"). A model is that of a net that
- * stays taut, without obstacles. What is left of the error by the length of the elements is of fourth
- * order: models of the mesh, with a multiple of 8 elements a cable, and of one with half as many are
- * extrapolated. Where the modes of the two meshes are not alike, which takes a cable of few elements
- * for its modes, the model is of the first mesh alone, and that error is of second order.
+ * stays taut, without obstacles. In water it has the whole force of a current and of a regular wave of
+ * its frequency Omega, as a function (doc/waves.md). What is left of the error by the length of the
+ * elements is of fourth order: models of the mesh, with a multiple of 8 elements a cable, and of one
+ * with half as many are extrapolated. Where the modes of the two meshes are not alike, which takes a
+ * cable of few elements for its modes, the model is of the first mesh alone, and that error is of
+ * second order.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_NET_ROM_H
@@ -45,13 +47,14 @@ struct hawser_net_rom_options {
  * cable "NAME_mid" and, of at most two cables, "NAME_quarter" and "NAME_three_quarter"; displacements
  * are along x, y, z. Both are overwritten; release them with hawser_rom_clear and hawser_modes_clear.
  * Statuses of hawser_net_modes_solve; HAWSER_ERR_ARGUMENT also for obstacles, frequencies that are not
- * multiples of one, and motions by tables. */
+ * multiples of one (of the waves, if there are), motions by tables, seas and currents over time. */
 enum hawser_status hawser_net_rom_build(struct hawser_rom *rom, struct hawser_modes *modes,
                                         const struct hawser_net *net,
                                         const struct hawser_net_rom_options *options,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* Damped modes of the net about its equilibrium, in the wind too; release with hawser_damped_clear.
+/* Damped modes of the net about its equilibrium, in the wind or a current too; release with
+ * hawser_damped_clear.
  * `basis` is the number of modes without damping that they are sums of. Statuses of
  * hawser_net_rom_build, HAWSER_ERR_CONVERGENCE. */
 enum hawser_status hawser_net_damped_solve(struct hawser_damped *damped, const struct hawser_net *net,
