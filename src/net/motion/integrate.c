@@ -87,7 +87,8 @@ static double transit(const struct run *run)
 	return least;
 }
 
-static double longest(const struct hawser__mesh *mesh)
+/* The longest cable; of a net without one, its extent. */
+static double longest(const struct hawser__mesh *mesh, const struct hawser_net *net)
 {
 	double most = 0.0;
 
@@ -98,7 +99,7 @@ static double longest(const struct hawser__mesh *mesh)
 			sum += mesh->length0[e];
 		most = fmax(most, sum);
 	}
-	return most;
+	return most > 0.0 ? most : hawser__net_extent(net);
 }
 
 /* What nothing moves is not built. */
@@ -259,7 +260,7 @@ static enum hawser_status prepare(struct run *run, struct hawser_report *report)
 	if (status)
 		return status;
 	run->tolerance = (options->tolerance > 0.0 ? options->tolerance : hawser__motion_tolerance)*
-	                 longest(&run->mesh);
+	                 longest(&run->mesh, run->net);
 	run->x = calloc((size_t)run->mesh.nodes, sizeof *run->x);
 	run->T = calloc((size_t)run->mesh.elements, sizeof *run->T);
 	if (!run->x || !run->T)
