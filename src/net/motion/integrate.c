@@ -38,6 +38,7 @@ struct run {
 	int tables;
 	double began, asked;     /* s, clock */
 	int still[3];            /* 1: nothing moves along this axis */
+	int settled;             /* 0: no equilibrium of the motion on soft beds was found */
 	double from;             /* s, of the motion, at the beginning */
 	int rows;                /* so far */
 };
@@ -208,7 +209,7 @@ static enum hawser_status still(struct run *run, struct hawser_report *report)
 		status = hawser__bodies_land(&run->mesh, run->net, report);
 	run->mesh.surfaces_rest = 0;
 	if (!status)
-		status = hawser__motion_settle(&run->mesh, report);
+		status = hawser__motion_settle(&run->mesh, &run->settled, report);
 	return status ? status : hawser__touch_sides(&run->mesh, run->net, report);
 }
 
@@ -399,6 +400,7 @@ static enum hawser_status rows(struct hawser_net_motion *to, struct run *run,
 
 	to->probes = run->options->probes;
 	to->start_kinetic = run->motion.energy.kinetic;
+	to->unbalanced = !run->settled && !run->state;
 	if (status)
 		return status;
 	run->began = hawser__wall_seconds(); /* asked at once: the caller learns that steps begin */

@@ -153,7 +153,7 @@ static enum hawser_status forces_of(double *F, double *K, double *rest, struct s
 	struct hawser__mesh mesh;
 	enum hawser_status status = hawser__mesh_build(&mesh, net, report);
 	double *T = status ? NULL : calloc((size_t)mesh.elements + 1, sizeof *T);
-	int all = M*seat->bodies, row = 0;
+	int all = M*seat->bodies, row = 0, found;
 
 	if (status)
 		return status;
@@ -167,7 +167,7 @@ static enum hawser_status forces_of(double *F, double *K, double *rest, struct s
 	if (!status)
 		status = hawser__bodies_land(&mesh, net, report);
 	if (!status && seat->moves)
-		status = hawser__motion_settle(&mesh, report);
+		status = hawser__motion_settle(&mesh, &found, report);
 	survey(seat, net);
 	if (!status)
 		status = hawser__bodies_tangent(seat->all, seat->forces, seat->scale, &mesh, T, net,
