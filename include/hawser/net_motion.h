@@ -121,6 +121,8 @@ struct hawser_net_motion {
 	                                                     * Newton's method failed */
 	double *state;       /* [states] for hawser_net_state_write */
 	int states;
+	int unbalanced;      /* 1: on beds that give way, where cables lie in part, no equilibrium was found
+	                      * near that of statics, so that the motion begins out of balance */
 };
 enum hawser_status hawser_net_integrate(struct hawser_net_motion *motion,
                                         const struct hawser_net *net,

@@ -35,7 +35,8 @@ enum hawser_status hawser__bodies_stand(struct hawser__mesh *mesh, const struct 
 enum hawser_status hawser__bodies_land(struct hawser__mesh *mesh, const struct hawser_net *net,
                                        struct hawser_report *report) HAWSER_MUST_CHECK;
 /* Fail if a node of a body, at x [nodes of the net] or, NULL, where the net has it, is inside an
- * obstacle that is rigid, or on which it has no area. t: s of a motion; else NAN. */
+ * obstacle that is rigid, or on which it has no area, or in a bed beyond its points. t: s of a motion;
+ * else NAN. */
 enum hawser_status hawser__bodies_outside(const struct hawser_net *net, const double (*x)[3], double t,
                                           struct hawser_report *report) HAWSER_MUST_CHECK;
 /* Fail if there are bodies, which `what` does not know. */
@@ -56,5 +57,7 @@ enum hawser_status hawser__bodies_seat(struct hawser_net *seated, double *rest,
                                        const struct hawser_net *net, int moves,
                                        struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser__bodies_unseat(struct hawser_net *seated, const struct hawser_net *net);
+/* Largest distance along an axis of a node of the net from its first, m; 1 if they are at one place. */
+double hawser__net_extent(const struct hawser_net *net);
 
 #endif

@@ -38,6 +38,7 @@ struct run {
 	int tables;
 	double began, asked;     /* s, clock */
 	int still[3];            /* 1: nothing moves along this axis */
+	int settled;             /* 0: no equilibrium of the motion on soft beds was found */
 	double from;             /* s, of the motion, at the beginning */
 	int rows;                /* so far */
 };
@@ -87,7 +88,8 @@ static double transit(const struct run *run)
 	return least;
 }
 
-static double longest(const struct hawser__mesh *mesh)
+/* The longest cable; of a net without one, its extent. */
+static double longest(const struct hawser__mesh *mesh, const struct hawser_net *net)
 {
 	double most = 0.0;
 
@@ -98,7 +100,7 @@ static double longest(const struct hawser__mesh *mesh)
 			sum += mesh->length0[e];
 		most = fmax(most, sum);
 	}
-	return most;
+	return most > 0.0 ? most : hawser__net_extent(net);
 }
 
 /* What nothing moves is not built. */
@@ -207,7 +209,7 @@ static enum hawser_status still(struct run *run, struct hawser_report *report)
 		status = hawser__bodies_land(&run->mesh, run->net, report);
 	run->mesh.surfaces_rest = 0;
 	if (!status)
-		status = hawser__motion_settle(&run->mesh, report);
+		status = hawser__motion_settle(&run->mesh, &run->settled, report);
 	return status ? status : hawser__touch_sides(&run->mesh, run->net, report);
 }
 
@@ -259,7 +261,7 @@ static enum hawser_status prepare(struct run *run, struct hawser_report *report)
 	if (status)
 		return status;
 	run->tolerance = (options->tolerance > 0.0 ? options->tolerance : hawser__motion_tolerance)*
-	                 longest(&run->mesh);
+	                 longest(&run->mesh, run->net);
 	run->x = calloc((size_t)run->mesh.nodes, sizeof *run->x);
 	run->T = calloc((size_t)run->mesh.elements, sizeof *run->T);
 	if (!run->x || !run->T)
@@ -398,6 +400,7 @@ static enum hawser_status rows(struct hawser_net_motion *to, struct run *run,
 
 	to->probes = run->options->probes;
 	to->start_kinetic = run->motion.energy.kinetic;
+	to->unbalanced = !run->settled && !run->state;
 	if (status)
 		return status;
 	run->began = hawser__wall_seconds(); /* asked at once: the caller learns that steps begin */

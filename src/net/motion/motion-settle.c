@@ -19,78 +19,109 @@
 
 /* Most solutions, for the loads of the water, which are those of the places of the one before; and for
  * the tension by which cables rise from the plane, which is that of the reference. */
-enum { ROUNDS = 5, REFERENCES = 8 };
+enum { ROUNDS = 5, DAMPED = 80, REFERENCES = 8 };
 /* Of the longest element: it does not move any more. */
 static const double STILL = 1e-12;
+/* The same, from the last reference to the one before: it does not drift away. Chosen. */
+static const double CREEP = 1e-3;
+/* 1/s2, inverse squares of steps: the first, and the last before one without end; and the ratio of
+ * two. Chosen: with the first, STILL is round-off of the forces. */
+static const double SHORT = 1e4, LONG = 1e-3, LONGER = 4.0;
 
-/* Add the displacement to the equilibrium near the reference to motion->u; *found is 0 if Newton's
- * method fails, or a node moves by the length of an element. */
+static double longest(const struct hawser__mesh *mesh)
+{
+	double most = 0.0;
+
+	for (int e = 0; e < mesh->elements; e++)
+		most = fmax(most, mesh->length0[e]);
+	return most;
+}
+
+/* Add the last solution to motion->u; its largest part along an axis, and of motion->u in *far. */
+static double advance(double *far, struct hawser__motion *motion)
+{
+	double most = 0.0;
+
+	*far = 0.0;
+	for (int n = 0; n < motion->nodes; n++)
+		for (int k = 0; k < 3; k++)
+			if (motion->mesh->unknown[n][k] >= 0) {
+				most = fmax(most, fabs(motion->x[n][k]));
+				motion->u[n][k] += motion->x[n][k];
+				*far = fmax(*far, fabs(motion->u[n][k]));
+			}
+	return most;
+}
+
+/* Add the displacement to the equilibrium near the reference to motion->u; *found is 0 if there is
+ * none, or a node moves by the length of an element. Where the matrix of Newton's method is not
+ * definite, as where a cable leaves a bed that is bent, implicit steps of a motion that begins at rest
+ * each time lead there: with the mass over the square of their length in the matrix. */
 static enum hawser_status relax(struct hawser__motion *motion, int *found,
                                 struct hawser_report *report)
 {
-	const struct hawser__motion_rule rule = {.m = {0.0}, .c = {0.0}, .weight = 1.0};
+	struct hawser__motion_rule rule = {.m = {0.0}, .c = {0.0}, .weight = 1.0};
 	size_t size = (size_t)motion->nodes*sizeof *motion->u;
-	double reach = 0.0, last = INFINITY;
+	double reach = longest(motion->mesh), last, far = 0.0;
+	int rounds = ROUNDS, still = 0;
 	enum hawser_status status = HAWSER_OK;
 
-	for (int e = 0; e < motion->elements; e++)
-		reach = fmax(reach, motion->mesh->length0[e]);
 	memset(motion->v, 0, size);
 	memset(motion->v0, 0, size);
 	memset(motion->a0, 0, size);
-	*found = 1;
-	for (int i = 0; i < ROUNDS && !status && *found && last > STILL*reach; i++) {
+	for (int i = 0; i < rounds && !status && !still && far < reach; i++) {
 		memcpy(motion->u0, motion->u, size);
 		memset(motion->x, 0, size);
 		hawser__motion_prepare(motion, &rule, 1.0);
 		status = hawser__motion_solve(motion, found, &rule, 1.0, report);
-		last = 0.0;
-		for (int n = 0; n < motion->nodes; n++)
-			for (int k = 0; k < 3; k++)
-				if (motion->mesh->unknown[n][k] >= 0) {
-					last = fmax(last, fabs(motion->x[n][k]));
-					motion->u[n][k] += motion->x[n][k];
-				}
-		*found = *found && last < reach;
+		if (!*found) {
+			rule.m[0] = fmax(LONGER*rule.m[0], SHORT);
+			rounds = DAMPED;
+			continue;
+		}
+		last = advance(&far, motion);
+		still = last <= STILL*reach && rule.m[0] <= SHORT;
+		*found = far < reach && (still || rule.m[0] == 0.0);
+		rule.m[0] = rule.m[0] > LONG ? rule.m[0]/LONGER : 0.0;
 	}
 	return status;
 }
 
-/* *moves: whether a node moves. */
-static enum hawser_status settle(struct hawser__mesh *mesh, int *moves, struct hawser_report *report)
+/* *most: how far a node moves, m; *found is 0 where no equilibrium was, and the places are as before. */
+static enum hawser_status settle(struct hawser__mesh *mesh, double *most, int *found,
+                                 struct hawser_report *report)
 {
 	struct hawser__motion motion;
-	double most = 0.0, reach = 0.0;
-	int found = 0;
 	enum hawser_status status;
 
+	*most = 0.0;
 	status = hawser__motion_open(&motion, mesh, NULL, 0.0, 1, NULL, report);
 	for (int i = 0; i < mesh->touches && !status; i++)
 		for (int k = 0; k < 3; k++)
 			motion.base[mesh->touch[i].node][k] += mesh->touch[i].friction[k];
 	if (!status && motion.bed->touchdowns)
-		status = relax(&motion, &found, report);
-	for (int i = 0; i < motion.nodes && !status && found; i++)
+		status = relax(&motion, found, report);
+	for (int i = 0; i < motion.nodes && !status && *found; i++)
 		for (int k = 0; k < 3; k++) {
 			mesh->q[i][k] += motion.u[i][k];
-			most = fmax(most, fabs(motion.u[i][k]));
+			*most = fmax(*most, fabs(motion.u[i][k]));
 		}
-	for (int e = 0; e < mesh->elements; e++)
-		reach = fmax(reach, mesh->length0[e]);
-	*moves = most > STILL*reach;
-	if (!status && found)
+	if (!status && *found && motion.bed->touchdowns)
 		hawser__bed_forces(mesh, motion.bed);
 	hawser__motion_clear(&motion);
 	return status;
 }
 
-enum hawser_status hawser__motion_settle(struct hawser__mesh *mesh, struct hawser_report *report)
+enum hawser_status hawser__motion_settle(struct hawser__mesh *mesh, int *found,
+                                         struct hawser_report *report)
 {
 	const struct hawser_water *water = mesh->water ? mesh->water->of : NULL;
 	struct hawser_water calm;
-	int waves = mesh->waves, motions = mesh->motions, soft = 0, moves = 1;
+	int waves = mesh->waves, motions = mesh->motions, soft = 0;
+	double reach = longest(mesh), most = INFINITY;
 	enum hawser_status status = HAWSER_OK;
 
+	*found = 1;
 	for (int i = 0; i < mesh->touches; i++)
 		soft |= mesh->touch[i].give > 0.0;
 	if (!soft)
@@ -101,8 +132,9 @@ enum hawser_status hawser__motion_settle(struct hawser__mesh *mesh, struct hawse
 		calm.waves.count = 0;
 		mesh->water->of = &calm;
 	}
-	for (int i = 0; i < REFERENCES && !status && moves; i++)
-		status = settle(mesh, &moves, report);
+	for (int i = 0; i < REFERENCES && !status && most > STILL*reach; i++)
+		status = settle(mesh, &most, found, report);
+	*found = *found && most <= CREEP*reach;
 	mesh->waves = waves;
 	mesh->motions = motions;
 	if (water)

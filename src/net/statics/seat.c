@@ -153,7 +153,7 @@ static enum hawser_status forces_of(double *F, double *K, double *rest, struct s
 	struct hawser__mesh mesh;
 	enum hawser_status status = hawser__mesh_build(&mesh, net, report);
 	double *T = status ? NULL : calloc((size_t)mesh.elements + 1, sizeof *T);
-	int all = M*seat->bodies, row = 0;
+	int all = M*seat->bodies, row = 0, found;
 
 	if (status)
 		return status;
@@ -167,7 +167,7 @@ static enum hawser_status forces_of(double *F, double *K, double *rest, struct s
 	if (!status)
 		status = hawser__bodies_land(&mesh, net, report);
 	if (!status && seat->moves)
-		status = hawser__motion_settle(&mesh, report);
+		status = hawser__motion_settle(&mesh, &found, report);
 	survey(seat, net);
 	if (!status)
 		status = hawser__bodies_tangent(seat->all, seat->forces, seat->scale, &mesh, T, net,
@@ -355,8 +355,7 @@ static enum hawser_status open_seat(struct seat *seat, struct hawser_report *rep
 	return seat->hold.short_of_memory ? hawser__no_memory(report, "net") : HAWSER_OK;
 }
 
-/* Largest distance of places of the net. */
-static double extent(const struct hawser_net *net)
+double hawser__net_extent(const struct hawser_net *net)
 {
 	double most = 0.0;
 
@@ -370,7 +369,7 @@ enum hawser_status hawser__bodies_seat(struct hawser_net *seated, double *rest,
                                        const struct hawser_net *net, int moves,
                                        struct hawser_report *report)
 {
-	struct seat seat = {.bodies = net->bodies, .size = extent(net), .moves = moves};
+	struct seat seat = {.bodies = net->bodies, .size = hawser__net_extent(net), .moves = moves};
 	enum hawser_status status;
 
 	*seated = *net;

@@ -75,9 +75,14 @@ enum hawser_status hawser__bodies_outside(const struct hawser_net *net, const do
 		int soft = surface->stiffness > 0.0;
 		char when[40] = "";
 
-		if (!node->body || node->support || (soft && has_area(net, i/net->surfaces)))
+		if (!node->body || node->support)
 			continue;
 		g = hawser_surface_gap(NULL, NULL, surface, at);
+		if (soft && has_area(net, i/net->surfaces)) {
+			if (g < 0.0 && hawser_surface_beyond(surface, at))
+				return hawser__net_beyond(net, node, NULL, surface, at, t, report);
+			continue;
+		}
 		if (!isnan(t))
 			snprintf(when, sizeof when, "at %.6g s ", t);
 		if (g < -INSIDE*size)

@@ -81,6 +81,11 @@ enum hawser_status hawser__touch_lost(struct hawser__equilibrium *found, struct 
 enum hawser_status hawser__touch_beyond(const struct hawser__mesh *mesh,
                                         const struct hawser__touch *touch, const double x[3], double t,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+/* The same of a node or, NULL, of a cable. */
+enum hawser_status hawser__net_beyond(const struct hawser_net *net, const struct hawser_net_node *node,
+                                      const char *cable, const struct hawser_surface *bed,
+                                      const double x[3], double t,
+                                      struct hawser_report *report) HAWSER_MUST_CHECK;
 /* Coefficient of friction, 0 of a circle that turns freely: it takes no moment. */
 double hawser__touch_friction(const struct hawser__touch *touch);
 /* 1 if friction holds the node where it is; of a node that touches. */

@@ -224,19 +224,32 @@ enum hawser_status hawser__touch_beyond(const struct hawser__mesh *mesh,
                                         const struct hawser__touch *touch, const double x[3], double t,
                                         struct hawser_report *report)
 {
-	const struct hawser_surface *bed = touch->surface;
+	const struct hawser_net *net = mesh->net;
+	int e = touch->element;
+
+	if (mesh->rigid[touch->node] || e < 0)
+		return hawser__net_beyond(net, &net->node[touch->node], NULL, touch->surface, x, t, report);
+	return hawser__net_beyond(net, NULL, net->cable[mesh->cable[e]].name, touch->surface, x, t, report);
+}
+
+enum hawser_status hawser__net_beyond(const struct hawser_net *net, const struct hawser_net_node *node,
+                                      const char *cable, const struct hawser_surface *bed,
+                                      const double x[3], double t, struct hawser_report *report)
+{
 	const struct hawser_heights *of = bed->heights;
+	const char *body = node && node->body ? net->body[node->body - 1].name : NULL;
 	char when[40] = "", across[80] = "";
 
 	if (!isnan(t))
 		snprintf(when, sizeof when, "at %.6g s ", t);
 	if (of->nz > 1)
 		snprintf(across, sizeof across, " and z from %.6g to %.6g m", of->z[0], of->z[of->nz - 1]);
-	return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "net", "%s: %scable %s touches the bed %s at x "
-	                    "= %.6g, z = %.6g m, beyond its points, x from %.6g to %.6g m%s: add points "
-	                    "there, or hold the cable within them", mesh->net->name, when,
-	                    mesh->net->cable[mesh->cable[touch->element]].name, bed->name, x[0], x[2],
-	                    of->x[0], of->x[of->nx - 1], across);
+	return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "net", "%s: %s%s%s%s%s touches the bed %s at x = "
+	                    "%.6g, z = %.6g m, beyond its points, x from %.6g to %.6g m%s: add points "
+	                    "there, or hold the %s within them", net->name, when, node ? "node " : "cable ",
+	                    node ? node->name : cable, body ? " of body " : "", body ? body : "", bed->name,
+	                    x[0], x[2], of->x[0], of->x[of->nx - 1], across,
+	                    body ? "body" : node ? "node" : "cable");
 }
 
 static double depth(const struct hawser_surface *bed, const double x[3])
