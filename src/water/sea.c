@@ -102,9 +102,7 @@ static enum hawser_status check(const struct hawser_waves_given *given, struct h
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "waves", "waves need a height and a period, "
 		                    "or Hs and Tp of a sea, above 0");
 	if (!sea) {
-		double omega = 2.0*acos(-1.0)/given->period;
-		double k = hawser_wave_number(omega, given->depth, given->g);
-		double most = 0.142*2.0*acos(-1.0)/k*tanh(k*given->depth); /* Miche's limit */
+		double most = hawser_wave_highest(2.0*acos(-1.0)/given->period, given->depth, given->g);
 
 		if (given->height > most)
 			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "waves", "waves of %g s break at a "

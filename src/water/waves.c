@@ -32,6 +32,26 @@ double hawser_wave_number(double omega, double depth, double g)
 	return K/depth;
 }
 
+double hawser_wave_highest(double omega, double depth, double g)
+{
+	double k = hawser_wave_number(omega, depth, g);
+
+	return 0.142*2.0*M_PI/k*(isfinite(depth) ? tanh(k*depth) : 1.0);
+}
+
+/* By bisection, below the frequency in deep water. */
+double hawser_wave_breaking(double height, double depth, double g)
+{
+	double from = 0.0, to = sqrt(0.142*2.0*M_PI*g/height);
+
+	for (int i = 0; i < 60; i++) {
+		double middle = 0.5*(from + to);
+
+		*(hawser_wave_highest(middle, depth, g) > height ? &from : &to) = middle;
+	}
+	return from;
+}
+
 struct hawser__profile hawser__wave_profile(double k, double y, double depth)
 {
 	double up = exp(k*y)/-expm1(-2.0*k*depth), back = exp(-2.0*k*(y + depth));

@@ -54,6 +54,7 @@ struct cli_made {
 	struct cli_made_modes modes;
 	int chosen;                  /* candidates of a choice of modes; 0: none was made */
 	double passing;              /* rad/s, at which carriers of a net pass by its scene; 0: not said */
+	double breaking;             /* rad/s, above which the regular waves of a net break; 0: none */
 	int joints;                  /* shape points that come first and are joints of a net */
 };
 void cli_made_free(struct cli_made *made);

@@ -89,6 +89,9 @@ static enum hawser_status load(struct cli_model *model, const struct cli_common 
 		               of->count, 0, report);
 	if (!status && running(&of->net))
 		of->made.passing = running(&of->net)->Omega;
+	if (!status && of->net.water.waves.count)
+		of->made.breaking = hawser_wave_breaking(of->net.water.given.height, of->net.water.depth,
+		                                         of->net.g > 0.0 ? of->net.g : 9.81);
 	if (!status)
 		of->made.joints = count_joints(&model->rom.shapes, &of->net);
 	return status;
@@ -174,6 +177,9 @@ static void comments(struct hawser__table *table, const struct cli_model *model)
 		hawser__table_comment(table, "the scene's own speed, %.9g m/s, is Omega = %.9g rad/s; "
 		                      "responses are over Omega, whatever it is",
 		                      wave->Omega*distance/(2.0*M_PI), wave->Omega);
+	if (of->made.breaking > 0.0)
+		hawser__table_comment(table, "waves of the height %.9g m and the frequency Omega, which break "
+		                      "above %.6g rad/s", of->net.water.given.height, of->made.breaking);
 	cli_made_inertia(table, &model->rom);
 	for (int k = 0; k < modes->n; k++)
 		hawser__table_comment(table, "u_%d: mode %d: %.9g rad/s%s", k + 1, modes->mode[k].place,

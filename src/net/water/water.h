@@ -28,7 +28,6 @@ struct hawser__mesh_water {
 	int follows;            /* 1: mesh->force follows mesh->q (net/water/water-statics.c) */
 	double part;            /* of the current: 1, or less on the way to it */
 	double least;           /* m: least height over which a line or a buoy comes out of the water */
-	int multiple;           /* of the frequency of a model: that of the waves; 0: none */
 	double band;            /* m: height over which a line and a buoy come out of the water, if that is
 	                         * more than a hundredth of a line's diameter, and the diameter of a buoy */
 };

@@ -38,6 +38,9 @@ enum hawser_status hawser__orbit_method(const struct hawser__orbit_method **meth
 	/* equations of first order are stiff by their relaxation only, which shooting resolves */
 	if (rough || plug || (hawser__rom_more(rom) && rom->first && !name))
 		name = "shooting";
+	/* the kinks of the drag of water are as many as points of the mesh: steps in time find no end */
+	if (!name && rom->plug)
+		name = "balance";
 
 	for (int i = 0; i < ROWS; i++)
 		if (name ? strcmp(rows[i]->about.name, name) == 0

@@ -18,7 +18,6 @@
 #include "core/vec3.h"
 #include "net/water/water.h"
 #include "rom/build/net.h"
-#include "rom/file/plug.h"
 
 enum { SAME = HAWSER__SUPPORT_TOP }; /* highest multiple */
 static const double equal = 1e-9;    /* of a frequency and a multiple; round-off of decimal numbers */
@@ -158,16 +157,11 @@ enum hawser_status hawser__net_multiples(struct hawser__mesh *mesh, const char *
 			                    "response is periodic in that alone: give other frequencies, or "
 			                    "harmonic.multiple", name, wave->Omega, (int)SAME, base);
 	}
-	if (isinf(swell))
-		return HAWSER_OK;
-	mesh->water->multiple = (int)round(fmin(swell/base, SAME));
-	if (fabs(swell/base - mesh->water->multiple) > equal*swell/base ||
-	    mesh->water->multiple >= HAWSER_PLUG_WAVES)
+	if (base < (1.0 - equal)*swell && !isinf(swell))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net rom", "%s: water.waves: their "
-		                    "frequency of %.9g rad/s is no multiple up to %d of the lowest "
-		                    "harmonic's, %.9g rad/s, and the response is periodic in that alone: give "
-		                    "other frequencies, or harmonic.multiple", name, swell,
-		                    HAWSER_PLUG_WAVES - 1, base);
+		                    "frequency of %.9g rad/s is above that of a harmonic, %.9g rad/s, and the "
+		                    "response is periodic in the waves: give other frequencies, or "
+		                    "harmonic.multiple", name, swell, base);
 	return HAWSER_OK;
 }
 

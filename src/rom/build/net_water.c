@@ -158,7 +158,6 @@ enum hawser_status hawser__net_water_fill(struct hawser_rom *rom,
 {
 	const struct hawser__mesh_water *water = source->modal.mesh.water;
 	struct hawser__rom_morison *of;
-	double wave = 0.0;
 
 	_Static_assert(HAWSER_NET_ROM_MODES + HAWSER__INERTIA_MOST + 2*HAWSER__SUPPORT_TOP <=
 	               HAWSER__MORISON_MOST, "all columns have room");
@@ -172,7 +171,7 @@ enum hawser_status hawser__net_water_fill(struct hawser_rom *rom,
 	of->width = HAWSER_PADDED(of->columns);
 	of->time = source->time;
 	of->unit = hawser__net_unit(source)/(source->time*source->time);
-	of->multiple = linear ? 0 : water->multiple;
+	of->waves = !linear && water->of->waves.count > 0;
 	if (!open_water(of, source) || !set_shapes(of, source) ||
 	    !set_still(of, linear ? rom->K : NULL, rom->D)) {
 		hawser__rom_morison_free(of);
@@ -182,7 +181,5 @@ enum hawser_status hawser__net_water_fill(struct hawser_rom *rom,
 		hawser__rom_morison_free(of);
 		return HAWSER_OK;
 	}
-	if (of->multiple)
-		wave = water->of->waves.wave->omega/of->multiple;
-	return hawser__plug_join(rom, of, wave > 0.0 ? wave*source->time : 1.0, report);
+	return hawser__plug_join(rom, of, of->waves ? water->of->waves.wave->omega*of->time : 1.0, report);
 }

@@ -346,7 +346,7 @@ enum hawser_status hawser__plug_join(struct hawser_rom *rom, struct hawser__rom_
 		return hawser__no_memory(report, "rom");
 	}
 	plug->water = water;
-	plug->still = !water->multiple && water->columns == water->n;
+	plug->still = !water->waves && water->columns == water->n;
 	if (!work || !set_room(plug, n))
 		status = hawser__no_memory(report, "rom");
 	else if (linearise(plug, rom->n, omega, work) || !is_finite(plug, n))

@@ -78,7 +78,7 @@ HAWSER_PART void add_wave(struct point *to, const struct hawser__rom_morison *of
 	struct hawser__regular_flow flow;
 	int rises = of->water.waves.stretching != HAWSER_STRETCH_NONE;
 
-	hawser__regular_at(&flow, wave, to->x, of->multiple*tau);
+	hawser__regular_at(&flow, wave, to->x, tau);
 	to->past.height -= rises ? flow.elevation : 0.0;
 	for (int k = 0; k < 3; k++) {
 		to->past.u[k] += flow.u[k];
@@ -155,7 +155,7 @@ HAWSER_PART void put(struct rows *to, const struct hawser__rom_morison *of,
 				block[3*j + i] = end->by_y[j][k]*point[j].height_by[i] + (j == own ? by[i] : 0.0) +
 				                 (points > 1 ? (j ? 1.0 : -1.0)*end->by_d[k][i] : 0.0);
 		}
-		to->by_omega[to->count + k] = by[3]*of->multiple/of->time -
+		to->by_omega[to->count + k] = by[3]/of->time -
 		                              hawser__dot(end->by_r[k], at->rate);
 		set_row(to->by_u + (size_t)(to->count + k)*width, block, 3*points, shape, of->width);
 		set_row(to->by_v + (size_t)(to->count + k)*width, back, 3, shape + (size_t)own*size, of->width);
@@ -164,9 +164,9 @@ HAWSER_PART void put(struct rows *to, const struct hawser__rom_morison *of,
 }
 
 /* point [1]: that of the element before, whose second end may be the first one here. */
-HAWSER_PART void add_element(struct rows *to, struct point point[2], const struct hawser__rom_morison *of,
-                             int e, const struct columns *c, const struct hawser__regular *wave,
-                             double tau)
+HAWSER_PART void add_element(struct rows *to, struct point point[2],
+                             const struct hawser__rom_morison *of, int e, const struct columns *c,
+                             const struct hawser__regular *wave, double tau)
 {
 	const struct hawser_water_line *line = of->wet.line[e];
 	const double m = of->water.density*M_PI*line->diameter*line->diameter/4.0;
@@ -226,7 +226,7 @@ void hawser__rom_morison_at(const struct hawser__rom_morison *of, double *a, dou
 {
 	const int n = of->n, units = of->elements + of->buoys;
 	const size_t square = (size_t)n*(size_t)n*sizeof *a;
-	struct hawser__regular own, *wave = still || !of->multiple ? NULL : &own;
+	struct hawser__regular own, *wave = still || !of->waves ? NULL : &own;
 	struct columns c;
 	struct rows rows; /* is large, and filled as far as it is read */
 	struct point point[2];
@@ -234,7 +234,7 @@ void hawser__rom_morison_at(const struct hawser__rom_morison *of, double *a, dou
 	rows.count = 0;
 	rows.derive = by_u != NULL;
 	if (wave)
-		own = hawser__regular_wave(&of->water.waves, of->multiple*omega/of->time,
+		own = hawser__regular_wave(&of->water.waves, omega/of->time,
 		                           of->mesh.g > 0.0 ? of->mesh.g : 9.81);
 	set_columns(&c, of, u, v, tau, omega, still);
 	for (int j = 0; j < n; j++)

@@ -22,7 +22,7 @@ struct hawser__rom_morison {
 	double *spring;       /* [n][columns] N m: of the buoyancy, which K has */
 	double *still;        /* [n] N m: the force at the equilibrium, which statics has */
 	double time, unit;    /* s, of the model; N m of a coordinate's force */
-	int multiple;         /* of the model's frequency: that of the waves; 0: none */
+	int waves;            /* 1: there is a wave, of the model's frequency */
 	struct hawser__hold hold;
 };
 
