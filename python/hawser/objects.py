@@ -102,6 +102,9 @@ class SceneObject(Mapping[str, Any]):
         places = [name for name, section in known.items() if key in _keys(section)]
         if not places:
             raise _unknown("", key, [*known, *dict.fromkeys(k for section in known.values() for k in _keys(section))])
+        if len(places) > 1:  # a key that the wind has, say, though the water of a mesh has it too
+            plain = _keys(schema(self.kind).get("else", {}))
+            places = [name for name in places if key in _keys(plain.get(name, {}))] or places
         if len(places) > 1:
             raise error(Status.SCENE, f"{key} is a key of {', '.join(places)}: write {places[0]}={{\"{key}\": ...}}")
         return self.root + (places[0], key)
