@@ -21,6 +21,7 @@ def attributes(members: Sequence[Tuple[str, str, List[int]]]) -> Dict[str, str]:
 def keywords(schema: Dict[str, Any], depth: int = 2) -> List[str]:
     """The sections of a schema and their keys."""
     forms = [schema, *schema.get("anyOf", []), *schema.get("oneOf", [])]
+    forms += [schema[key] for key in ("then", "else") if key in schema]
     own = {key: inner for form in forms for key, inner in form.get("properties", {}).items()}
     below = [key for inner in own.values() if depth > 1 and isinstance(inner, dict) for key in keywords(inner, depth - 1)]
     return sorted(key for key in {*own, *below} if key.isidentifier() and not keyword.iskeyword(key))

@@ -27,12 +27,18 @@ def schema(kind: str) -> Dict[str, Any]:
 
 def _forms(of: Dict[str, Any]) -> List[Dict[str, Any]]:
     """The forms that a value may have: this one and its alternatives."""
-    return [of] + [form for one in of.get("anyOf", []) + of.get("oneOf", []) for form in _forms(one)]
+    alternatives = [of[key] for key in ("then", "else") if key in of] + of.get("anyOf", []) + of.get("oneOf", [])
+    return [of] + [form for one in alternatives for form in _forms(one)]
 
 
 def _keys(of: Dict[str, Any]) -> Dict[str, Any]:
     """The keys of a section, with the schema of each."""
-    return {key: inner for form in _forms(of) for key, inner in form.get("properties", {}).items()}
+    keys: Dict[str, Any] = {}
+    for form in _forms(of):
+        for key, inner in form.get("properties", {}).items():
+            old = keys.get(key, inner)
+            keys[key] = inner if old == inner else {**inner, "anyOf": [*inner.get("anyOf", []), old]}
+    return keys
 
 
 def _unknown(place: str, key: str, known: Sequence[str]) -> Exception:
@@ -96,6 +102,9 @@ class SceneObject(Mapping[str, Any]):
         places = [name for name, section in known.items() if key in _keys(section)]
         if not places:
             raise _unknown("", key, [*known, *dict.fromkeys(k for section in known.values() for k in _keys(section))])
+        if len(places) > 1:  # a key that the wind has, say, though the water of a mesh has it too
+            plain = _keys(schema(self.kind).get("else", {}))
+            places = [name for name in places if key in _keys(plain.get(name, {}))] or places
         if len(places) > 1:
             raise error(Status.SCENE, f"{key} is a key of {', '.join(places)}: write {places[0]}={{\"{key}\": ...}}")
         return self.root + (places[0], key)

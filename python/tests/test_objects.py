@@ -25,6 +25,13 @@ def test_a_span_is_its_file(scenes):
     assert repr(eval(repr(span()), {"Span": hawser.Span})) == repr(span())
 
 
+def test_a_span_in_water_is_a_mesh():
+    span = hawser.Span(EA="20 MN", rho="12 kg/m", d="200 m", h="10 m", length0="250 m", cable={"diameter": "0.1 m"},
+                       water={"density": "1025 kg/m^3", "surface": "200 m"}, dynamics={"step": 0.1})
+    assert "without errors" in span.check()
+    assert hawser.Span(density="1.2 kg/m^3").scene == {"wind": {"density": "1.2 kg/m^3"}}
+
+
 def test_a_net_is_its_file(scenes):
     net = (hawser.Net().node("A", 0, 0, 0).node("B", "300 m", 0, 0).node("J", mass="12 kg", load=["0 N", "-8 kN", "0 N"])
            .cable("A", "J", EA="60 MN", rho="5.56 kg/m", length0="150.9 m", name="left")

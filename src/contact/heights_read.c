@@ -143,6 +143,19 @@ static enum hawser_status axis(double *to, const struct grid *grid, int row, int
 	return HAWSER_OK;
 }
 
+/* Of a file whose axis of heights may have been taken the wrong way: the bed is not all above z = 0. */
+static enum hawser_status below(const struct grid *grid, const char *rule)
+{
+	double most = -INFINITY, least = INFINITY;
+
+	for (int i = 0; i < grid->nx*grid->nz; i++) {
+		most = fmax(most, grid->y[i]);
+		least = fmin(least, grid->y[i]);
+	}
+	return !(least > 0.0) ? HAWSER_OK
+		: wrong(grid, 0, "all points are above z = 0, from %.6g to %.6g m: %s", least, most, rule);
+}
+
 /* nGridX, nGridY: a line of x, then lines of y and the depths there. */
 static enum hawser_status by_depths(struct grid *grid)
 {
@@ -170,7 +183,8 @@ static enum hawser_status by_depths(struct grid *grid)
 		for (int i = 0; i < nx; i++)
 			grid->y[(nz - j)*nx + i] = -value[1 + i];
 	}
-	return status;
+	return status ? status
+		: below(grid, "depths are downwards in such a file, so that the bed has positive ones");
 }
 
 static int upwards(const void *a, const void *b)
@@ -229,7 +243,6 @@ static enum hawser_status by_points(struct grid *grid, int first, int height, do
 static enum hawser_status by_lists(struct grid *grid)
 {
 	const double *count = grid->value;
-	double most = -INFINITY, least = INFINITY;
 	enum hawser_status status;
 
 	if (!(count[0] >= 2.0 && count[1] >= 2.0 && count[0] <= MOST && count[1] <= MOST))
@@ -246,13 +259,8 @@ static enum hawser_status by_lists(struct grid *grid)
 		status = axis(grid->z, grid, 2, 0, grid->nz, -1.0, "y");
 	if (!status)
 		status = by_points(grid, 3, 2, -1.0);
-	for (int i = 0; i < grid->nx*grid->nz && !status; i++) {
-		most = fmax(most, grid->y[i]);
-		least = fmin(least, grid->y[i]);
-	}
-	return status || !(least > 0.0) ? status
-		: wrong(grid, 0, "all points are above z = 0, from %.6g to %.6g m: z is upwards in such a "
-		        "file, so that the bed has negative ones", least, most);
+	return status ? status
+		: below(grid, "z is upwards in such a file, so that the bed has negative ones");
 }
 
 static enum hawser_status by_table(struct grid *grid)

@@ -63,12 +63,13 @@ const char *hawser_kind_name(enum hawser_kind kind)
 	       : kind == HAWSER_KIND_MODEL ? "model" : NULL;
 }
 
-/* 1 if an obstacle is a plane, a profile or a segment: such spans are meshes. */
+/* 1 if an obstacle is a plane, a profile, a grid or a segment: such spans are meshes. */
 static int has_flat(const struct hawser__tree *tree)
 {
 	for (const struct hawser__tree *child = tree ? tree->child : NULL; child; child = child->next)
 		if ((child->name && (!strcmp(child->name, "plane") || !strcmp(child->name, "segment") ||
-		                     !strcmp(child->name, "profile"))) || has_flat(child))
+		                     !strcmp(child->name, "profile") || !strcmp(child->name, "grid"))) ||
+		    has_flat(child))
 			return 1;
 	return 0;
 }

@@ -94,6 +94,22 @@ static void take_sample(struct hawser_tow_motion *out, const struct hawser__tow_
 		memcpy(shape[i], mesh->node[i].x, sizeof shape[i]);
 }
 
+/* A sample; body and cable must be above the bed of the water. */
+static enum hawser_status sampled(struct hawser_tow_motion *out, const struct hawser__tow_run *run,
+                                  struct hawser_report *report)
+{
+	const struct hawser__rod_mesh *mesh = run->motion.mesh;
+	enum hawser_status status;
+
+	take_sample(out, run);
+	status = hawser__tow_above_bed(run->tow, out->sample[out->samples - 1].body[1], NAN, run->motion.t,
+	                               where, report);
+	for (int i = 0; i <= out->elements && !status; i++)
+		status = hawser__tow_above_bed(run->tow, mesh->node[i].x[1], mesh->s[i], run->motion.t, where,
+		                               report);
+	return status;
+}
+
 static void take_ranges(struct hawser_tow_motion *out, const struct hawser__tow_run *run, double h)
 {
 	const double *s = run->motion.mesh->s;
@@ -196,23 +212,24 @@ static enum hawser_status go(struct hawser_tow_motion *out, struct hawser__tow_r
 	from = run->motion.t;
 	(void)hawser__rod_motion_form(&run->motion, from, 0);
 	hawser__rod_winch_power(&run->motion);
-	take_sample(out, run);
+	status = sampled(out, run, report);
 	for (i = 1 + (int)floor((from - first)/options->every*(1.0 + 1e-12)); i <= count && !status &&
 	     !out->interrupted; i++) {
 		run->motion.factor_h = 0.0; /* as in a run that begins here, to the last bit */
 		status = advance(out, run, options, h, i == count ? options->until : first + i*options->every,
 		                 report);
+		if (!status)
+			status = sampled(out, run, report);
 		if (status)
 			return status;
-		take_sample(out, run);
 		out->interrupted = options->progress &&
 		                   options->progress(options->data, run->motion.t, options->until);
 	}
-	for (int e = 0; e < out->elements; e++) {
+	for (int e = 0; e < out->elements && !status; e++) {
 		out->range[e].mean /= run->motion.t - from;
 		out->range[e].s /= run->motion.winch.as ? run->motion.t - from : 1.0;
 	}
-	return HAWSER_OK;
+	return status;
 }
 
 enum hawser_status hawser_tow_move(struct hawser_tow_motion *out, const struct hawser_tow *tow,

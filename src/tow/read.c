@@ -56,6 +56,27 @@ static enum hawser_status in_water(struct hawser__reader *reader, struct hawser_
 	return HAWSER_OK;
 }
 
+/* In water of finite depth the path begins, and its waypoints are, above the bed. */
+static enum hawser_status on_bed(struct hawser__reader *reader, const struct hawser_tow *tow,
+                                 const struct hawser__tree *section)
+{
+	const struct hawser__tree *list = hawser__tree_find(section, "waypoints");
+	const struct hawser__tree *one = list ? list->child : NULL;
+	const struct hawser__tree *start = hawser__tree_find(section, "start");
+	enum hawser_status status = HAWSER_OK;
+	char what[40];
+
+	if (tow->path.kind != HAWSER_PATH_WAYPOINTS)
+		return hawser__water_bed(reader, &tow->water, tow->path.origin[1], start ? start : section,
+		                         "the towing point");
+	for (int i = 0; i < tow->waypoints && !status; i++, one = one ? one->next : NULL) {
+		snprintf(what, sizeof what, "waypoint %d of the path", i + 1);
+		status = hawser__water_bed(reader, &tow->water, tow->waypoint[i].at[0][1], one ? one : section,
+		                           what);
+	}
+	return status;
+}
+
 /* Stresses are linear in strains, which holds for small ones. */
 static enum hawser_status borne(struct hawser__reader *reader, const struct hawser_tow *tow,
                                 const struct hawser__tree *root)
@@ -92,6 +113,8 @@ static enum hawser_status interpret(struct hawser__reader *reader, void *scene,
 		status = hawser__tow_path(reader, tow, section);
 	if (!status)
 		status = hawser__water_read(reader, &tow->water, tow->g, hawser__tree_find(root, "water"));
+	if (!status)
+		status = on_bed(reader, tow, section);
 	if (!status)
 		status = hawser__tow_cable(reader, tow, hawser__tree_find(root, "cable"));
 	if (!status)

@@ -8,6 +8,7 @@
 #include "config.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -18,6 +19,7 @@ static const char where[] = "tow steady";
 enum { SINKS = 100 }; /* iterations for the depth: without a current over the depth 2 */
 #define LEVEL 1e-12 /* of the cable's length: of the depth */
 #define SEGMENTS (4.0/3.0) /* the error of a ring over its change: 8/7 for order 3, with a margin */
+#define ROUND_OFF 1e-9 /* of the depth of water, by which a point may be below its bed */
 #define COARSE 1e-3 /* of the cable's length: a mesh error beyond it is no result */
 
 static enum hawser_status check(const struct hawser_tow *tow, struct hawser_report *report)
@@ -233,6 +235,37 @@ static void move(struct hawser_tow_steady *steady, const struct hawser__tow_fram
 	steady->state.lag = path->speed < 0.0 ? -lag : lag;
 }
 
+enum hawser_status hawser__tow_above_bed(const struct hawser_tow *tow, double y, double s, double t,
+                                         const char *stage, struct hawser_report *report)
+{
+	const struct hawser_water *water = &tow->water;
+	double bed = water->surface - water->depth;
+	char what[40] = "the body", when[40] = "";
+
+	if (!(water->density > 0.0 && water->depth > 0.0 && y < bed - ROUND_OFF*water->depth))
+		return HAWSER_OK;
+	if (!isnan(s))
+		snprintf(what, sizeof what, "the cable at s = %.6g m", s);
+	if (!isnan(t))
+		snprintf(when, sizeof when, "at %.6g s ", t);
+	return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, stage, "%s%s is at y = %.6g m, below the bed "
+	                    "of the water, surface - depth = %.6g m, and a tow does not touch it: give a "
+	                    "shorter cable, a lighter body, a higher speed, or water.depth at its "
+	                    "deepest place", when, what, y, bed);
+}
+
+/* Where it has been put: the cable and the body above the bed of the water. */
+static enum hawser_status above_bed(const struct hawser_tow_steady *steady,
+                                    const struct hawser_tow *tow, struct hawser_report *report)
+{
+	enum hawser_status status = hawser__tow_above_bed(tow, steady->centre[1], NAN, NAN, where, report);
+
+	for (int i = 0; i < steady->points && !status; i++)
+		status = hawser__tow_above_bed(tow, steady->point[i].x[1], steady->point[i].s, NAN, where,
+		                               report);
+	return status;
+}
+
 /* The rotation that turns -y into the axis, without twist. */
 static void turned(struct hawser_tow_steady *steady, const struct hawser__tow_frame *frame)
 {
@@ -323,6 +356,7 @@ static enum hawser_status solve(struct hawser_tow_steady *steady, const struct h
 		move(steady, &frame);
 		turned(steady, &frame);
 		numbers(steady, &frame);
+		status = above_bed(steady, tow, report);
 	}
 	if (status)
 		hawser_tow_steady_clear(steady);

@@ -16,6 +16,12 @@ struct hawser__tow_frame {
 	double lift;        /* m, in water: height of its axes */
 };
 
+/* steady.c: fail for a point at the height y below the bed of the water: of the cable at s from the
+ * towing point, or of the body (s NaN), at the time t or in a steady state (NaN). */
+enum hawser_status hawser__tow_above_bed(const struct hawser_tow *tow, double y, double s, double t,
+                                         const char *stage, struct hawser_report *report)
+	HAWSER_MUST_CHECK;
+
 /* The flow relative to a point at rest in the frame, and weight and inertia per mass there. */
 void hawser__tow_flow(double u[3], const struct hawser__tow_frame *frame, const double x[3]);
 void hawser__tow_gravity(double w[3], const struct hawser__tow_frame *frame, const double x[3]);

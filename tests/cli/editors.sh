@@ -52,6 +52,32 @@ import json
 rod = json.load(open("rod.json"))
 assert all(rod["properties"][end]["properties"]["path"]["type"] == "string" for end in ("start", "end"))
 END
+# spans that are meshes have the keys of nets, and are valid below
+cat >span-in-water.yaml <<'END'
+cable: {EA: 20 MN, rho: 12 kg/m, diameter: 0.12 m, drag: {normal: 1.2, tangential: 0.02}}
+span: {d: 200 m, h: 200 m}
+tension: {length0: 300 m}
+water: {density: 1025 kg/m^3, surface: 200 m, current: [0.8 m/s, 0, 0.6 m/s]}
+dynamics: {step: 0.1}
+END
+cat >span-over-bed.yaml <<'END'
+cable: {EA: 20 MN, rho: 12 kg/m, elements: 40}
+span: {d: 200 m, h: 0}
+tension: {length0: 205 m}
+obstacles: [{name: bed, profile: [[-10, -20], [100, -15], [300, -20]], friction: 0.3, rounding: 3}]
+contact: {restitution: 0.2}
+damping: {alpha: 0.1}
+END
+works "a span in water" check span-in-water.yaml
+works "a span over a profile" check span-over-bed.yaml
+works "schema of spans over obstacles" schema obstacles
+cp "$scratch/out" obstacles.json
+python "a span over a bed has its profile, and damping" <<'END'
+import json
+mesh = json.load(open("obstacles.json"))["then"]["properties"]
+assert {"profile", "grid", "rounding"} <= set(mesh["obstacles"]["items"]["properties"])
+assert {"alpha"} <= set(mesh["damping"]["properties"]) and "density" in mesh["water"]["properties"]
+END
 # the validator takes a second to start
 if [ -n "${HAWSER_LONG-}" ] && python3 -c 'import jsonschema, yaml' 2>/dev/null; then
 	cat >validate.py <<'END'
@@ -69,7 +95,7 @@ for name in sorted(scenes):
     # a key that is misspelt anywhere, but for names of the user
     def misspell(part, path):
         for key in list(part) if isinstance(part, dict) else range(len(part)) if isinstance(part, list) else []:
-            user = path[-1:] in (["nodes"], ["supports"], ["masses"]) or "nodes" in scene and path in (["loads"], ["contact", "path"])
+            user = path[-1:] in (["nodes"], ["supports"], ["masses"], ["buoys"]) or "nodes" in scene and path in (["loads"], ["contact", "path"])
             if isinstance(part, dict) and not user:
                 part[key + "x"] = part.pop(key)
                 if check.is_valid(scene):

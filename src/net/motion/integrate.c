@@ -306,6 +306,8 @@ static enum hawser_status row(int *stop, struct hawser_net_motion *to, struct ru
 	                                                   report) : HAWSER_OK;
 	if (!status)
 		status = hawser__contact_beyond(motion, report);
+	if (!status)
+		status = hawser__touch_passes(&run->mesh, (const double (*)[3])run->x, motion->t, report);
 	if (!status && options->probes)
 		status = hawser__probes_state(&run->probes, report);
 	for (int p = 0; p < options->probes && !status; p++) {

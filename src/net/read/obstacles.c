@@ -129,8 +129,10 @@ static enum hawser_status outside(struct hawser__reader *reader, const struct ha
 
 		if (g < -TOUCHES*(reach + own + surface->radius))
 			return hawser__reader_fail(reader, at, "%s is %.6g m inside obstacle %s: move it, or the "
-			                           "obstacle (the free side of a plane is that of its normal)",
-			                           what, -g, surface->name);
+			                           "obstacle%s", what, -g, surface->name,
+			                           surface->heights ? " (the free side of a bed is above it)"
+			                           : surface->kind == HAWSER_SURFACE_PLANE
+			                           ? " (the free side of a plane is that of its normal)" : "");
 	}
 	return HAWSER_OK;
 }

@@ -74,6 +74,9 @@ static enum hawser_status waves(struct hawser__reader *reader, struct hawser_wat
 	    (hawser__tree_find(tree, "height") || hawser__tree_find(tree, "period")))
 		return hawser__reader_fail(reader, &tree->at, "water.waves: height and period are of a regular "
 		                           "wave, jonswap is a sea: give one of them");
+	if (g == 0.0)
+		return hawser__reader_fail(reader, &tree->at, "water.waves: without gravity (g: 0) there are "
+		                           "no waves: give g, such as 9.81 m/s^2, or leave waves out");
 	water->given.depth = water->depth;
 	water->given.surface = water->surface;
 	water->given.g = g;

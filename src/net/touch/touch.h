@@ -86,6 +86,10 @@ enum hawser_status hawser__net_beyond(const struct hawser_net *net, const struct
                                       const char *cable, const struct hawser_surface *bed,
                                       const double x[3], double t,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Fail for an element that passes through what rises of a bed with heights between its nodes, which are
+ * at q; t: s, or NaN. */
+enum hawser_status hawser__touch_passes(const struct hawser__mesh *mesh, const double (*q)[3],
+                                        double t, struct hawser_report *report) HAWSER_MUST_CHECK;
 /* Coefficient of friction, 0 of a circle that turns freely: it takes no moment. */
 double hawser__touch_friction(const struct hawser__touch *touch);
 /* 1 if friction holds the node where it is; of a node that touches. */

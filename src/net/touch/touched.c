@@ -25,10 +25,9 @@ static const double ROUND = 1e-9;
 static const double NEAR = 2.0;
 /* Friction at its bound, as of a surface that moves, has the round-off of a few products. */
 static const double AT_BOUND = 1e-12;
-/* Of an element: depth in a bed between its nodes. That of a rounded corner is 1/16 of the difference
- * of the slopes, as they go with the elements: steep ones have less than this. PLACES: where it is
- * looked for. */
-static const double DEEP = 0.25;
+/* Of an element: depth in a bed between its nodes beyond that of a parabola, which is what a rounded
+ * corner is there, whatever its slopes. PLACES: where it is looked for. */
+static const double DEEP = 0.1;
 enum { PLACES = 8 };
 /* Of a radius: the end of a segment that is no further from a circle is meant to be on it. */
 static const double CLOSE = 1e-3;
@@ -252,62 +251,85 @@ enum hawser_status hawser__net_beyond(const struct hawser_net *net, const struct
 	                    body ? "body" : node ? "node" : "cable");
 }
 
-static double depth(const struct hawser_surface *bed, const double x[3])
+/* Depth in a bed at this part of the way from a to b; *most and x: the largest one, and where. */
+static double depth(double *most, double x[3], const struct hawser_surface *bed, const double *a,
+                    const double *b, double part)
 {
-	return hawser_heights_at(bed->heights, x[0], x[2]) - x[1];
-}
+	double at[3], deep;
 
-/* Largest depth of an element in a bed between its ends, beyond that of these, over its length: at
- * eight places. */
-static double cut_of(double x[3], const struct hawser__mesh *mesh, int e,
-                     const struct hawser_surface *bed)
-{
-	const double *a = mesh->q[mesh->end[e][0]], *b = mesh->q[mesh->end[e][1]];
-	const double ends = fmax(fmax(depth(bed, a), depth(bed, b)), 0.0);
-	double most = 0.0;
-
-	for (int i = 1; i < PLACES; i++) {
-		double at[3], deep;
-
-		for (int k = 0; k < 3; k++)
-			at[k] = a[k] + i*(b[k] - a[k])/PLACES;
-		deep = (depth(bed, at) - ends)/mesh->length0[e];
-		if (!(deep > most))
-			continue;
-		most = deep;
+	for (int k = 0; k < 3; k++)
+		at[k] = a[k] + part*(b[k] - a[k]);
+	deep = hawser_heights_at(bed->heights, at[0], at[2]) - at[1];
+	if (deep > *most) {
+		*most = deep;
 		memcpy(x, at, sizeof at);
 	}
-	return most;
+	return deep;
+}
+
+/* Largest depth of an element in a bed between its ends, beyond that of these (m): at eight places, and
+ * where it crosses the lines of the bed's points, at which crests are. It is 0 unless more than DEEP of
+ * the length is beyond the sagitta of the parabola that has the bed's slopes near both ends: with their
+ * difference s and the places l apart, s*l*PLACES^2/(PLACES - 1)/8. */
+static double cut_of(double x[3], const struct hawser__mesh *mesh, const double (*q)[3], int e,
+                     const struct hawser_surface *bed)
+{
+	const struct hawser_heights *of = bed->heights;
+	const double *a = q[mesh->end[e][0]], *b = q[mesh->end[e][1]];
+	double deep[PLACES + 1], most = -INFINITY, ends, sagitta;
+
+	for (int i = 0; i <= PLACES; i++)
+		deep[i] = depth(&most, x, bed, a, b, (double)i/PLACES);
+	for (int i = 0; i < of->nx + of->nz; i++) {
+		int k = i < of->nx ? 0 : 2;
+		double line = k ? of->z[i - of->nx] : of->x[i];
+
+		if ((line - a[k])*(line - b[k]) < 0.0)
+			(void)depth(&most, x, bed, a, b, (line - a[k])/(b[k] - a[k]));
+	}
+	ends = fmax(fmax(deep[0], deep[PLACES]), 0.0);
+	sagitta = (deep[1] - deep[0] + deep[PLACES - 1] - deep[PLACES])*PLACES*PLACES/(PLACES - 1.0)/8.0;
+	most -= ends;
+	return most - fmax(sagitta, 0.0) > DEEP*mesh->length0[e] ? most : 0.0;
+}
+
+enum hawser_status hawser__touch_passes(const struct hawser__mesh *mesh, const double (*q)[3],
+                                        double t, struct hawser_report *report)
+{
+	const struct hawser_net *net = mesh->net;
+	double x[3];
+	char when[40] = "";
+
+	if (!isnan(t))
+		snprintf(when, sizeof when, "at %.6g s ", t);
+	for (int i = 0; i < net->surfaces*mesh->elements; i++) {
+		const struct hawser_surface *bed = &net->surface[i/mesh->elements];
+		int e = i % mesh->elements;
+		double deep = bed->heights ? cut_of(x, mesh, q, e, bed) : 0.0;
+
+		if (deep > 0.0)
+			return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "net", "%s: %scable %s passes through "
+			                    "the bed %s at (%.6g, %.6g, %.6g) m, %.3g m below it, between two "
+			                    "nodes: its elements of %.3g m are too long for what rises there: give "
+			                    "it more elements, or obstacles.%s a rounding above them, with places "
+			                    "further apart", net->name, when,
+			                    net->cable[mesh->cable[e]].name, bed->name, x[0], x[1], x[2],
+			                    deep, mesh->length0[e], bed->name);
+	}
+	return HAWSER_OK;
 }
 
 /* Beds with heights: cables that touch beyond the points, and elements that pass through what rises
  * between two nodes. */
-static enum hawser_status beds(const struct hawser__mesh *mesh, const struct hawser_net *net,
-                               struct hawser_report *report)
+static enum hawser_status beds(const struct hawser__mesh *mesh, struct hawser_report *report)
 {
-	double x[3];
-
 	for (int i = 0; i < mesh->touches; i++) {
 		const struct hawser__touch *touch = &mesh->touch[i];
 
 		if (touch->r > 0.0 && hawser_surface_beyond(touch->surface, mesh->q[touch->node]))
 			return hawser__touch_beyond(mesh, touch, mesh->q[touch->node], NAN, report);
 	}
-	for (int i = 0; i < net->surfaces*mesh->elements; i++) {
-		const struct hawser_surface *bed = &net->surface[i/mesh->elements];
-		int e = i % mesh->elements;
-		double deep = bed->heights ? cut_of(x, mesh, e, bed) : 0.0;
-
-		if (deep > DEEP)
-			return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "net", "%s: cable %s passes through "
-			                    "the bed %s at (%.6g, %.6g, %.6g) m, %.3g m below it, between two "
-			                    "nodes: its elements of %.3g m are too long for what rises there: give "
-			                    "it more elements, or obstacles.%s a rounding above them, with places "
-			                    "further apart", net->name,
-			                    net->cable[mesh->cable[e]].name, bed->name, x[0], x[1], x[2],
-			                    deep*mesh->length0[e], mesh->length0[e], bed->name);
-	}
-	return HAWSER_OK;
+	return hawser__touch_passes(mesh, (const double (*)[3])mesh->q, NAN, report);
 }
 
 enum hawser_status hawser__touch_sides(const struct hawser__mesh *mesh, const struct hawser_net *net,
@@ -323,7 +345,7 @@ enum hawser_status hawser__touch_sides(const struct hawser__mesh *mesh, const st
 			    cuts(x, mesh, e, &net->surface[s]))
 				return cut(mesh, net, s, e, x, report);
 		}
-	return beds(mesh, net, report);
+	return beds(mesh, report);
 }
 
 /* The end of a segment that is nearest to an element, within NEAR of its length; NULL if none is.

@@ -20,6 +20,22 @@
 
 static json_t *value_of(struct hawser__schema *schema, const char *path);
 
+/* The path whose keys a mapping or list has: of a mesh that of nets where it has none of its own. */
+static const char *shared(char to[HAWSER__TREE_LIST_SIZE], const char *path)
+{
+	const char *of = strchr(path, '.');
+	const struct hawser__tree_key *row;
+	size_t length = strlen(path);
+
+	if (!of || strncmp(path, "mesh.", (size_t)(of + 1 - path)) != 0)
+		return path;
+	for (int i = 0; (row = hawser__tree_row(i)); i++)
+		if (!strncmp(row->path, path, length) && row->path[length])
+			return path;
+	snprintf(to, HAWSER__TREE_LIST_SIZE, "net%s", of);
+	return to;
+}
+
 /* "sag (0) [m, > 0]" */
 static json_t *described(const struct hawser__tree_key *row)
 {
@@ -35,9 +51,9 @@ static json_t *described(const struct hawser__tree_key *row)
 static json_t *list_of(struct hawser__schema *schema, const struct hawser__tree_key *row)
 {
 	json_t *list = hawser__schema_type(schema, "array");
-	char item[HAWSER__TREE_LIST_SIZE];
+	char item[HAWSER__TREE_LIST_SIZE], of[HAWSER__TREE_LIST_SIZE];
 
-	snprintf(item, sizeof item, "%s[]", row->path);
+	snprintf(item, sizeof item, "%s[]", shared(of, row->path));
 	hawser__schema_put(schema, list, "items", value_of(schema, item));
 	if (row->most > 0.0)
 		hawser__schema_put(schema, list, "maxItems", json_integer((long)row->most));
@@ -51,6 +67,7 @@ static json_t *form_of(struct hawser__schema *schema, const struct hawser__tree_
 		row->type == HAWSER__TREE_INTEGER ? row->least : limits->least,
 		row->most > 0.0 ? row->most : limits->most, limits->above && row->least == 0.0,
 		row->type == HAWSER__TREE_INTEGER};
+	char of[HAWSER__TREE_LIST_SIZE];
 	json_t *form = NULL;
 
 	switch (row->type) {
@@ -63,7 +80,7 @@ static json_t *form_of(struct hawser__schema *schema, const struct hawser__tree_
 	case HAWSER__TREE_LIMIT:
 	case HAWSER__TREE_WORD: form = hawser__schema_words(schema, row->unit); break;
 	case HAWSER__TREE_TEXT: form = hawser__schema_type(schema, "string"); break;
-	case HAWSER__TREE_MAPPING: form = hawser__schema_of(schema, row->path); break;
+	case HAWSER__TREE_MAPPING: form = hawser__schema_of(schema, shared(of, row->path)); break;
 	case HAWSER__TREE_LIST: form = list_of(schema, row); break;
 	}
 	hawser__schema_put(schema, form, "description", described(row));
@@ -165,11 +182,33 @@ int hawser_schema_key(char *key, int index)
 	return 1;
 }
 
+/* Spans that are meshes: in water, or over obstacles that are not all circles. */
+static json_t *or_mesh(struct hawser__schema *schema, json_t *other, int obstacles)
+{
+	static const char *const flat[] = {"plane", "segment", "profile", "grid"};
+	json_t *root = json_object(), *any = json_array(), *kinds_of = json_array();
+
+	hawser__schema_add(schema, any, hawser__schema_needs(schema, "water"));
+	for (size_t i = 0; i < sizeof flat/sizeof *flat; i++)
+		hawser__schema_add(schema, kinds_of, hawser__schema_needs(schema, flat[i]));
+	if (obstacles)
+		hawser__schema_add(schema, any, json_pack("{s:{s:{s:{s:O}}}}", "properties", "obstacles",
+		                                          "contains", "anyOf", kinds_of));
+	json_decref(kinds_of);
+	hawser__schema_put(schema, root, "if", json_pack("{s:o}", "anyOf", any));
+	hawser__schema_put(schema, root, "then", hawser__schema_of(schema, "mesh"));
+	hawser__schema_put(schema, root, "else", other);
+	return root;
+}
+
 static json_t *kind_of(struct hawser__schema *schema, int index)
 {
 	const struct hawser__tree_table *table = hawser__tree_table(kinds[index]);
 	json_t *root = table ? hawser__schema_of(schema, table->kind) : hawser__schema_span(schema, index);
+	int obstacles = table && table == hawser__tree_kind(HAWSER_KIND_OBSTACLES);
 
+	if (obstacles || index == 0)
+		root = or_mesh(schema, root, obstacles);
 	hawser__schema_put(schema, root, "title", json_string(
 		table ? table->title : index ? "A travelling beam or string" : "A span of cable"));
 	return root;
