@@ -215,8 +215,8 @@ CASE(property_net_span)
 	refused("no frequency", CABLE "tension: {T0: 80 kN}\nload: {frame: local, per_length: [0, 1, 0]}\n",
 	        0, "s.yaml: the load or the motion of the ends needs a positive frequency Omega");
 	refused("a damper to a deck", CABLE "tension: {T0: 80 kN}\nattach: [{at: 0.5, damper: [0, 9, 0], "
-	        "damper_to: A}]\n", 1, "s.yaml: attach.0.damper_to: dampers of a mesh of cable elements are "
-	        "to the ground, and its absorbers linear");
+	        "damper_to: A}]\n", 1, "s.yaml: attach.0.damper_to: dampers of a mesh of cable elements "
+	        "are to the ground, and its absorbers linear");
 	published();
 	converges("H", CABLE "tension: {H: 41.7 kN}\n");
 	converges("T1", CABLE "tension: {T1: 63 kN}\n");
