@@ -51,9 +51,9 @@ void cli_motion_warnings(const struct hawser_net *net, const struct hawser_net_m
 	char text[CLI_WARNING_SIZE];
 
 	if (motion->unbalanced)
-		cli_warn("the motion does not begin at rest: no equilibrium was found near that of statics with "
-		         "cables that lie in part on beds that give way: it swings from there on; give more "
-		         "elements, or obstacles.NAME.rounding where the bed is bent");
+		cli_warn("the motion does not begin at rest: no equilibrium was found near that of statics "
+		         "with cables that lie in part on beds that give way: it swings from there on; give "
+		         "more elements, or obstacles.NAME.rounding where the bed is bent");
 	if (shock_warning(text, motion))
 		cli_warn(text);
 	if (slack_warning(text, net, motion))

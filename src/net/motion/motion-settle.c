@@ -87,7 +87,8 @@ static enum hawser_status relax(struct hawser__motion *motion, int *found,
 	return status;
 }
 
-/* *most: how far a node moves, m; *found is 0 where no equilibrium was, and the places are as before. */
+/* *most: how far a node moves, m; *found is 0 where no equilibrium was, and the places are as
+ * before. */
 static enum hawser_status settle(struct hawser__mesh *mesh, double *most, int *found,
                                  struct hawser_report *report)
 {

@@ -217,8 +217,8 @@ enum hawser_status hawser__motion_open(struct hawser__motion *motion, struct haw
 	HAWSER_MUST_CHECK;
 void hawser__motion_clear(struct hawser__motion *motion);
 /* motion-settle.c: an equilibrium of statics on planes that give way to that of motions: mesh->q and
- * the forces of the planes; *found is 0 where none was found. _seat: the net with its bodies in that equilibrium, with the supports as
- * they are at t = 0, as hawser__bodies_seat. */
+ * the forces of the planes; *found is 0 where none was found. _seat: the net with its bodies in
+ * that equilibrium, with the supports as they are at t = 0, as hawser__bodies_seat. */
 enum hawser_status hawser__motion_settle(struct hawser__mesh *mesh, int *found,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
 enum hawser_status hawser__motion_seat(struct hawser_net *seated, const struct hawser_net *net,

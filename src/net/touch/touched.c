@@ -244,8 +244,8 @@ enum hawser_status hawser__net_beyond(const struct hawser_net *net, const struct
 		snprintf(when, sizeof when, "at %.6g s ", t);
 	if (of->nz > 1)
 		snprintf(across, sizeof across, " and z from %.6g to %.6g m", of->z[0], of->z[of->nz - 1]);
-	return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "net", "%s: %s%s%s%s%s touches the bed %s at x = "
-	                    "%.6g, z = %.6g m, beyond its points, x from %.6g to %.6g m%s: add points "
+	return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "net", "%s: %s%s%s%s%s touches the bed %s at x "
+	                    "= %.6g, z = %.6g m, beyond its points, x from %.6g to %.6g m%s: add points "
 	                    "there, or hold the %s within them", net->name, when, node ? "node " : "cable ",
 	                    node ? node->name : cable, body ? " of body " : "", body ? body : "", bed->name,
 	                    x[0], x[2], of->x[0], of->x[of->nx - 1], across,
