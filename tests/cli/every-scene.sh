@@ -60,6 +60,12 @@ done
 for name in bridge-stay deep-sag-light guide-rope level-two-to-one; do
 	takes 0 frf "$scenes/$name.yaml"
 done
+# Tight pairs of a fold and a torus point, where a curve that turned round would find events again and not the end.
+run frf "$scenes/bridge-stay.yaml"
+eight() {
+	grep -q '^# end: end of the range' "$scratch/out" && [ "$(grep -c '^# event' "$scratch/out")" -eq 8 ]
+}
+try "bridge-stay: eight events to the end of the range" eight
 # Spans on which nothing acts, or a speed that changes once.
 for name in b-table-4.1-case-1 b-table-4.1-case-2 b-table-4.1-case-3 b-table-5.1-fictitious b-table-5.1-hauling-rope b-table-5.1-ropeway \
 	b-table-5.2 b-table-5.3 b-table-5.5 conductor-iced rope-current stay-absorber stay-damper; do

@@ -229,19 +229,6 @@ int cli_frf_note(char *text, size_t size, const struct cli_frf_result *result, i
 	return k < (int)(sizeof note/sizeof *note) ? note[k](text, size, result) : -1;
 }
 
-static void warn_breaking(const struct cli_frf_result *result)
-{
-	double most = result->model->made ? result->model->made->breaking : 0.0;
-	double to = fmax(result->from, result->to)*cli_per_omega(result->model);
-	char text[CLI_WARNING_SIZE];
-
-	if (!(most > 0.0) || to <= most)
-		return;
-	snprintf(text, sizeof text, "waves of this height break above Omega = %.6g rad/s, and the range "
-	         "goes to %.6g rad/s: end it there (--to)", most, to);
-	cli_warn(text);
-}
-
 void cli_frf_warn(struct cli_model *model, const struct cli_frf_result *result)
 {
 	char text[CLI_WARNING_SIZE];
@@ -249,7 +236,8 @@ void cli_frf_warn(struct cli_model *model, const struct cli_frf_result *result)
 
 	cli_basis_warn(result->model);
 	cli_made_warn(result->model);
-	warn_breaking(result);
+	cli_made_breaking_warn(result->model, result->over ? result->over->omega
+	                                                   : fmax(result->from, result->to));
 	cli_known_warn(result->model, fmax(result->from, result->to));
 	cli_fixed_warn_worst(result);
 	cli_exact_warn(result->model);

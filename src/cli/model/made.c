@@ -4,6 +4,7 @@
 
 #include <math.h>
 #include <stddef.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "cli/model/made.h"
@@ -91,6 +92,18 @@ void cli_made_chosen(struct hawser__table *table, const struct cli_model *model)
 	if (made->chosen > 0)
 		hawser__table_comment(table, "%d of %d modes chosen: --keep %s", made->modes.modes.n,
 		                      made->chosen, list_of(list, sizeof list, &made->modes.modes));
+}
+
+void cli_made_breaking_warn(const struct cli_model *model, double omega)
+{
+	double most = model->made ? model->made->breaking : 0.0, at = omega*cli_per_omega(model);
+	char text[CLI_WARNING_SIZE];
+
+	if (!(most > 0.0) || !(at > most))
+		return;
+	snprintf(text, sizeof text, "waves of this height break above Omega = %.6g rad/s, and Omega "
+	         "reaches %.6g rad/s: there are no such waves", most, at);
+	cli_warn(text);
 }
 
 void cli_made_inertia(struct hawser__table *table, const struct hawser_rom *rom)

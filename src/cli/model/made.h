@@ -67,6 +67,8 @@ void cli_made_warn(const struct cli_model *model);
 /* Comments on a choice, and where a range ends. */
 void cli_made_chosen(struct hawser__table *table, const struct cli_model *model);
 /* The inertia of what follows, where it matters. */
+/* Warn if regular waves of the scene's height break at this frequency of the model. */
+void cli_made_breaking_warn(const struct cli_model *model, double omega);
 void cli_made_inertia(struct hawser__table *table, const struct hawser_rom *rom);
 /* The object "made" of a result of frf (row): how its model was made, with --set; and take from a
  * result what is not given, the modes with n = 0 only. *common lasts as long as the result. */

@@ -216,6 +216,10 @@ static enum hawser_status family(struct hawser_rom_family *to,
 	const struct hawser_net_rom_options options = options_of(kept, of);
 
 	of->key = key;
+	if (strcmp(key, "water.waves.period") == 0 || strcmp(key, "water.ramp") == 0)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+		                    "%s changes no response: waves have the frequency Omega and all their "
+		                    "height; give the frequency by --Omega, or follow water.waves.height", key);
 	*close = hawser_net_family_close;
 	return hawser_net_family_open(to, &nets, &options, range[0], range[1], at, omega, report);
 }

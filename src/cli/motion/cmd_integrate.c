@@ -12,6 +12,7 @@
 #include "cli/motion/integrate_span.h"
 #include "cli/model/label.h"
 #include "cli/model/load_history.h"
+#include "cli/model/made.h"
 #include "cli/frame/progress.h"
 #include "core/report.h"
 
@@ -306,6 +307,7 @@ void cli_integrate_warn(struct cli_model *model, double omega,
 	char text[CLI_WARNING_SIZE];
 
 	cli_known_warn(model, omega);
+	cli_made_breaking_warn(model, omega);
 	cli_fixed_warn(&result->model_error);
 	cli_exact_warn(model);
 	cli_range_warn(model, cli_range_reach(NULL, model, result->run.state, result->run.rows,

@@ -170,7 +170,8 @@ static void mass(struct hawser__net_planner *planner)
 		    net->alpha > 0.0 &&
 		    net->axial > 0.0 ? " and " : "", net->axial > 0.0 ? "Kelvin-Voigt (axial)" : "");
 	else if (net->water.density > 0.0)
-		say(planner, "damping", 1, "the drag of the %s, in integrate", net->winds ? "wind" : "water");
+		say(planner, "damping", 1, "the drag of the %s, in integrate%s", net->winds ? "wind" : "water",
+		    net->surfaces ? "" : " and models");
 	else if (!of_models(net))
 		say(planner, "damping", 0, "the scene has none: motions do not decay");
 	if (of_models(net))

@@ -8,8 +8,7 @@
  * the orbit's size is the discretisation error, `mesh`. If it exceeds the tolerance, the pairs with
  * the largest missing amplitudes are activated until the rest is a quarter of the tolerance. The
  * pairs with the smallest amplitudes are dropped while the rest stays below a tenth of the
- * tolerance, so that a dropped pair is not soon needed again. Of large matrices the rest is less:
- * each change of the pairs takes another correction and new factors.
+ * tolerance, so that a dropped pair is not soon needed again.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -28,11 +27,6 @@
 
 #define LEFT_OUT 0.25  /* error of the inactive pairs after activation, relative to the tolerance */
 #define CUT_BACK 0.1   /* the same after pairs are dropped */
-/* The same of matrices of LARGE unknowns and more. Of 0.02 and 0.003, 0.1 and 0.02, these took the
- * least time for responses of a deep sag and a footbridge together. */
-#define LARGE 300
-#define LEFT_OUT_LARGE 0.05
-#define CUT_BACK_LARGE 0.01
 #define AHEAD 0.1      /* arclength over which a part that grows is kept; chosen */
 #define SHARPER 0.03   /* error of the finer discretisation relative to that of the coarser one */
 #define STRICTEST 1e-3 /* factor on the tolerance below which all pairs are active; chosen */
@@ -360,8 +354,7 @@ enum hawser_status hawser__balance_refine(struct hawser__orbit *orbit, int *agai
 		return too_many(balance, tolerance, omega, report);
 	if (!*again)
 		return HAWSER_OK;
-	activate(balance, omega, (balance->unknowns < LARGE ? LEFT_OUT : LEFT_OUT_LARGE)*balance->strict*
-	                         tolerance*orbit->X);
+	activate(balance, omega, LEFT_OUT*balance->strict*tolerance*orbit->X);
 	fill_up(balance, omega);
 	return hawser__balance_arrange(balance, report);
 }
@@ -371,11 +364,11 @@ enum hawser_status hawser__balance_relax(struct hawser__orbit *orbit, double tol
 {
 	struct hawser__balance *balance = (struct hawser__balance *)orbit;
 	int n = orbit->n, dropped = 0, from = 0, pairs = (balance->order + 1)*n;
-	double level, part = balance->unknowns < LARGE ? CUT_BACK : CUT_BACK_LARGE;
+	double level;
 
 	if (balance->doubt < EASY)
 		balance->strict = fmin(1.0, 2.0*balance->strict);
-	level = dropping_level(balance, part*balance->strict*tolerance*orbit->X);
+	level = dropping_level(balance, CUT_BACK*balance->strict*tolerance*orbit->X);
 	/* in blocks only complete harmonics change the cost */
 	for (int e = 0; balance->blockwise && e < pairs; e++)
 		if (balance->active[e] && importance(balance, e/n, e%n) >= level)

@@ -42,6 +42,12 @@ static enum hawser_status set_matrices(struct hawser_rom *rom, const struct haws
 	for (int j = 0; j < n; j++) {
 		rom->K[j*(n + 1)] = j < source->n ? hawser__net_omega(source, j)*hawser__net_omega(source, j)
 		                                  : source->inertia.kappa2[j - source->n];
+		if (!isfinite(rom->K[j*(n + 1)])) {
+			free(shape);
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net rom",
+			                    "the mesh has no frequency of mode %d that coarser meshes confirm: "
+			                    "give the cables more elements, or keep fewer modes", j + 1);
+		}
 		hawser__net_spread(shape, source, hawser__net_row(source, j));
 		for (int k = 0; k <= j; k++)
 			rom->D[j*n + k] = rom->D[k*n + j] =

@@ -152,7 +152,7 @@ double hawser_rom_energy(const struct hawser_rom *rom, const double *u, const do
 
 	for (int j = 0; j < rom->n; j++)
 		energy += 0.5*v[j]*hawser__rom_weighed(rom, v, j);
-	if (rom->plug || rom->first)
+	if ((rom->plug && !rom->plug->water) || rom->first)
 		return energy;
 	if (rom->exact)
 		return energy + hawser__exact_potential(rom->exact, u);

@@ -179,9 +179,9 @@ enum hawser_status hawser__more_refuse(const struct hawser_rom *rom, const char 
 		return HAWSER_OK;
 	if (rom->plug && rom->plug->water)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
-		                    "%s has no force of the water, which depends on places, velocities and the "
-		                    "frequency: hawser frf, orbit and integrate compute it from the scene; for "
-		                    "the net without it, give --set water=", what);
+		                    "%s has no force of the water, which depends on places, velocities "
+		                    "and the frequency: hawser frf, orbit and integrate compute it from "
+		                    "the scene", what);
 	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
 	                    "%s takes models with D, K, Q and C only; this one %s, which hawser frf%s, "
 	                    "hawser integrate, hawser locus (--over a parameter, --kind fold and others) "
