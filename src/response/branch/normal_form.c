@@ -36,7 +36,7 @@ static double distance_of(double re, double im, enum hawser_event_kind kind)
 static enum hawser_status search(struct hawser_normal_form *form, struct hawser__return *section,
                                  int which, struct hawser_report *report)
 {
-	double before = NAN, least = INFINITY, a = LARGEST*section->extent;
+	double before = NAN, least = INFINITY, next = 0.0, a = LARGEST*section->extent;
 	enum hawser_status status = HAWSER_OK;
 	int worse = 0;
 
@@ -45,15 +45,18 @@ static enum hawser_status search(struct hawser_normal_form *form, struct hawser_
 
 		status = hawser__return_form(section, &c, which, form->kind, a, report);
 		change = fabs(c - before);
-		worse += isfinite(least) && !(change < least);
+		if (isfinite(least) && !(change < least) && ++worse == 1)
+			next = change;
 		if (change < least) {
 			form->c = c;
 			least = change;
+			next = 0.0;
 			worse = 0;
 		}
 		before = c;
 	}
-	form->error = SAFETY*least;
+	/* two results may be equal by chance: the one after them tells */
+	form->error = fmax(SAFETY*least, isfinite(next) ? next : 0.0);
 	return status;
 }
 
