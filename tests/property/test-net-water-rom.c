@@ -110,6 +110,11 @@ CASE(property_net_water_rom)
 			}
 			compare(worst, size, &rom, u, v, 1.1*t + 0.45, 0.9*rom.time);
 		}
+		memset(v, 0, sizeof v);
+		memset(u, 0, sizeof u);
+		u[2] = 1e-6;
+		close_to(hawser_rom_energy(&rom, u, v), 0.5e-12*rom.K[2*(rom.n + 1)], 1e-3,
+		         "  the energy has its potential");
 		ok(worst[0] < 1e-7*size[0] && worst[1] < 1e-7*size[1] && worst[2] < 1e-7*size[2],
 		   "  derivatives by u, v, Omega within %.1e, %.1e, %.1e of differences", worst[0]/size[0],
 		   worst[1]/size[1], worst[2]/size[2]);

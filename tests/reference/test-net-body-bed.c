@@ -11,23 +11,10 @@
 #include <hawser/net_modes.h>
 #include <hawser/net_motion.h>
 
+#include "tests/net-text.h"
 #include "tests/tap.h"
 
 enum { TEXT = 2400 };
-
-static int opened(struct hawser_net *net, const char *text, const char *set)
-{
-	struct hawser_report report = {0};
-	struct hawser_document document;
-	FILE *stream = fmemopen((void *)text, strlen(text), "r");
-	enum hawser_status status = hawser_document_read(&document, stream, "body", &report);
-
-	fclose(stream);
-	if (!status)
-		status = hawser_net_of(net, &document, &set, set != NULL, &report);
-	hawser_document_clear(&document);
-	return ok(!status, "the scene is read: %s", report.message);
-}
 
 /* The last row of a motion of a node; returns 0 without one. */
 static int moved(struct hawser_net_motion *m, double x[3], const struct hawser_net *net, int node,
@@ -129,7 +116,7 @@ static double off_fall(double angle, double speed, double friction, double dampi
 	c = cos(of.x[2]);
 	s = sin(of.x[2]);
 	box_text(text, held, 1.6, angle, speed, friction, damping);
-	if (opened(&net, text, NULL) && moved(&m, x, &net, 1, until, step))
+	if (net_opened(&net, text, NULL) && moved(&m, x, &net, 1, until, step))
 		ok((m.friction[m.rows - 1] > 10.0) == (friction > 0.0), "it rubs by %.0f J",
 		   m.friction[m.rows - 1]);
 	hawser_net_motion_clear(&m);
@@ -148,7 +135,7 @@ static void flat(void)
 	char text[TEXT];
 
 	box_text(text, held, 1.6, 0.0, 0.0, 0.0, 0.0);
-	if (!opened(&net, text, NULL))
+	if (!net_opened(&net, text, NULL))
 		return;
 	for (int i = 0; i < 2; i++) {
 		if (moved(&m, x[i], &net, 1, fallen + in + late, i ? 0.001 : 0.002))
@@ -197,7 +184,7 @@ static void leans(double speed)
 	         "supports: {A: fixed}\nobstacles: [{plane: {point: [0, 0], normal: [0, 1]}, "
 	         "stiffness: 50e6, friction: 0.4, velocity: [%g, 0]}]\nbodies: {R: {nodes: [A, B], "
 	         "bearing: 0.05, rods: [{from: A, to: B, rho: 210, elements: 10}]}}\n", speed);
-	if (opened(&net, text, NULL) &&
+	if (net_opened(&net, text, NULL) &&
 	    ok(!hawser_net_solve(&st, &net, NULL, &report) && st.contacts == 1, "a rod that leans: %s",
 	       report.message)) {
 		close_to(st.contact[0].r, r, 1e-9, "the force of the bed, N");
@@ -238,7 +225,7 @@ static void lifted(void)
 		char text[TEXT];
 
 		snprintf(text, sizeof text, "%s%s", clump, has[i]);
-		if (opened(&net, text, NULL) && moved(&m, x[i], &net, 1, 5.0, 0.01))
+		if (net_opened(&net, text, NULL) && moved(&m, x[i], &net, 1, 5.0, 0.01))
 			for (int k = 0; k < m.rows; k++) {
 				least = m.touching[k] < least ? m.touching[k] : least;
 				most = m.touching[k] > most ? m.touching[k] : most;
@@ -265,7 +252,7 @@ static void stands(void)
 	char text[TEXT];
 
 	box_text(text, "", E, 0.0, 0.0, 0.0, 0.0);
-	if (!opened(&net, text, NULL))
+	if (!net_opened(&net, text, NULL))
 		return;
 	if (ok(!hawser_net_solve(&st, &net, NULL, &report) && st.contacts == 4, "a box that stands: %s",
 	       report.message)) {
@@ -321,7 +308,7 @@ static double tensions(double T[21], int elements, double load, double until, do
 	enum hawser_status status = HAWSER_ERR_SCENE;
 
 	snprintf(text, sizeof text, moored, elements, elements, load);
-	if (opened(&net, text, NULL))
+	if (net_opened(&net, text, NULL))
 		status = hawser_net_integrate(&m, &net, &options, &report);
 	if (ok(!status && (load == 0.0 || m.closure < 1e-8), "a float, its energy closed to %.1e: %s",
 	       m.closure, report.message))

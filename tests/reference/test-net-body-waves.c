@@ -11,23 +11,10 @@
 #include <hawser/net_motion.h>
 #include <hawser/net_waves.h>
 
+#include "tests/net-text.h"
 #include "tests/tap.h"
 
 enum { TEXT = 2000 };
-
-static int opened(struct hawser_net *net, const char *text)
-{
-	struct hawser_report report = {0};
-	struct hawser_document document;
-	FILE *stream = fmemopen((void *)text, strlen(text), "r");
-	enum hawser_status status = hawser_document_read(&document, stream, "body", &report);
-
-	fclose(stream);
-	if (!status)
-		status = hawser_net_of(net, &document, NULL, 0, &report);
-	hawser_document_clear(&document);
-	return ok(!status, "the scene is read: %s", report.message);
-}
 
 /* A spar of mass m with its centre at `low`, free: heave, and pitch with the surge of it. */
 static void spar(double D, double m, double low, double J)
@@ -44,7 +31,7 @@ static void spar(double D, double m, double low, double J)
 	         "bodies: {S: {nodes: [a, b], mass: %.17g, centre: [0, %.17g, 0], "
 	         "inertia: [%.17g, %.17g, %.17g], rods: [{from: a, to: b, diameter: %.17g, "
 	         "added_mass: {normal: 1}, elements: 200}]}}\n", -h, m, -low, J, 0.3*J, J, D);
-	if (opened(&net, text) &&
+	if (net_opened(&net, text, NULL) &&
 	    ok(!hawser_net_modes_solve(&modes, &net, 6, &report), "a spar: %s", report.message)) {
 		const double heave = sqrt(a*9.81/m), pitch = sqrt(m*9.81*up/(about - a*h*up*up*a*h/(m + a*h)));
 		int at = fabs(modes.omega[5] - heave) < fabs(modes.omega[3] - heave) ? 5 : 3;
@@ -137,7 +124,7 @@ static void lamp(void)
 	double M[6][6];
 	const int node = 3;
 
-	if (opened(&net, text) &&
+	if (net_opened(&net, text, NULL) &&
 	    ok(!hawser_net_solve(&st, &net, NULL, &report), "at rest: %s", report.message) &&
 	    ok(!hawser_net_stiffness_of(&K, &net, &node, 1, NULL, &report), "stiffness: %s",
 	       report.message) &&
@@ -190,7 +177,7 @@ static void tower(double h, double L, double D, double m, double T, int stands)
 		         "rods: [{from: A, to: B, rho: %.17g, diameter: %.17g, "
 		         "added_mass: {normal: 1}, elements: 100}]}}\n", -h, L - h, base, -h, -base, -h, -h, -h,
 		         -h, h, T, -h, m, D);
-	if (opened(&net, text) && ok(!hawser_net_waves_solve(&waves, &net, &options, &report),
+	if (net_opened(&net, text, NULL) && ok(!hawser_net_waves_solve(&waves, &net, &options, &report),
 	                             "a tower in waves: %s", report.message)) {
 		close_to(waves.x[0], L*fabs(moment/stiff), 2e-4, "its top, m/m");
 		ok(waves.x[1] < (stands ? 1e-5 : 1e-12) && waves.x[2] < 1e-12, "along the waves: %.1e, %.1e",
@@ -228,7 +215,7 @@ static void floats(double T)
 	         "bodies: {R: {nodes: [a, b], mass: 1200, centre: [0, -7, 0.2], "
 	         "inertia: [900, 900, 900], rods: [{from: a, to: b, diameter: 0.3, "
 	         "added_mass: {normal: 1}, elements: 10}]}}\n", T);
-	if (opened(&net, text) &&
+	if (net_opened(&net, text, NULL) &&
 	    ok(!hawser_net_waves_solve(&waves, &net, &asked, &report), "a float: %s", report.message) &&
 	    ok(!hawser_net_integrate(&m, &net, &options, &report), "it moves: %s", report.message))
 		for (int p = 0; p < 2; p++)

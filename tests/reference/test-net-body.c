@@ -9,23 +9,10 @@
 
 #include <hawser/net_motion.h>
 
+#include "tests/net-text.h"
 #include "tests/tap.h"
 
 enum { TEXT = 2000 };
-
-static int opened(struct hawser_net *net, const char *text, const char *set)
-{
-	struct hawser_report report = {0};
-	struct hawser_document document;
-	FILE *stream = fmemopen((void *)text, strlen(text), "r");
-	enum hawser_status status = hawser_document_read(&document, stream, "body", &report);
-
-	fclose(stream);
-	if (!status)
-		status = hawser_net_of(net, &document, &set, set != NULL, &report);
-	hawser_document_clear(&document);
-	return ok(!status, "the scene is read: %s", report.message);
-}
 
 /* The last row of a motion of a node. */
 static void moved(double x[3], const struct hawser_net *net, int node, double until, double step)
@@ -56,7 +43,7 @@ static double rod(double L, double D, double m, double cd, double angle, int abo
 	         "bodies: {R: {nodes: [A, B], rods: [{from: A, to: B, rho: %.17g, diameter: %.17g, "
 	         "drag: {normal: %g}, added_mass: {normal: 1}, elements: %d}]}}\n", L*sin(angle),
 	         -60.0 + (above ? L : -L)*cos(angle), m, D, cd, elements);
-	if (opened(&net, text, NULL))
+	if (net_opened(&net, text, NULL))
 		moved(x, &net, 1, until, step);
 	hawser_net_clear(&net);
 	return asin(x[0]/L);
@@ -159,7 +146,7 @@ static void tops(void)
 		about += axis[r]*top.J[r][s]*axis[s];
 	}
 	runge_kutta(y, &top, until, 2000);
-	if (opened(&net, text, NULL))
+	if (net_opened(&net, text, NULL))
 		for (int i = 0; i < 2; i++) {
 			moved(x[i], &net, 1, until, i ? 0.005 : 0.01);
 			for (int k = 0; k < 3; k++)
@@ -185,7 +172,7 @@ static void tops(void)
 		v += h*(weight[0]*axis[0] + weight[1]*axis[1] + weight[2]*axis[2])/about;
 		theta += 0.5*h*v;
 	}
-	if (opened(&net, text, "dynamics.release=[B]")) {
+	if (net_opened(&net, text, "dynamics.release=[B]")) {
 		double along = b[0]*axis[0] + b[2]*axis[2], across[3];
 
 		moved(x[0], &net, 1, until, 0.002);
@@ -294,7 +281,7 @@ static void on_lines(void)
 	struct hawser_report report = {0};
 	double x[3] = {NAN, NAN, NAN}, far = 0.0;
 
-	if (!opened(&net, lines, NULL))
+	if (!net_opened(&net, lines, NULL))
 		return;
 	if (ok(!hawser_net_solve(&st, &net, NULL, &report), "two bodies on lines: %s", report.message)) {
 		double span = 0.0;
@@ -312,10 +299,10 @@ static void on_lines(void)
 	}
 	hawser_net_statics_clear(&st);
 	hawser_net_clear(&net);
-	if (opened(&net, lines, "bodies.S=")) /* the matrix is that with the other bodies held */
+	if (net_opened(&net, lines, "bodies.S=")) /* the matrix is that with the other bodies held */
 		held(&net);
 	hawser_net_clear(&net);
-	if (opened(&net, lines, "water.waves={height: 4, period: 7, heading: 40 degree}"))
+	if (net_opened(&net, lines, "water.waves={height: 4, period: 7, heading: 40 degree}"))
 		moved(x, &net, T, 5.0, 0.05);
 	hawser_net_clear(&net);
 }
@@ -336,7 +323,7 @@ static void floats(void)
 	struct hawser_report report = {0};
 	double x[3] = {NAN, NAN, NAN};
 
-	if (opened(&net, text, NULL) &&
+	if (net_opened(&net, text, NULL) &&
 	    ok(!hawser_net_solve(&st, &net, NULL, &report), "a float: %s", report.message)) {
 		close_to(st.member[0].T_to, 9.81*(3.0*1025.0 - 1200.0), 1e-9, "its pull, N");
 		ok(fabs(st.x[2][0]) + fabs(st.x[2][2]) < 1e-6 && st.x[2][1] > st.x[1][1],
@@ -344,7 +331,7 @@ static void floats(void)
 	}
 	hawser_net_statics_clear(&st);
 	hawser_net_clear(&net);
-	if (opened(&net, text, "loads={b: {force: [900, 0, 400], harmonic: {Omega: 1.3}}}"))
+	if (net_opened(&net, text, "loads={b: {force: [900, 0, 400], harmonic: {Omega: 1.3}}}"))
 		moved(x, &net, 2, 3.0, 0.05);
 	ok(fabs(x[0]) > 1e-3, "it moves: x = %g m", x[0]);
 	hawser_net_clear(&net);

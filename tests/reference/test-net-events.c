@@ -9,21 +9,8 @@
 
 #include <hawser/net_motion.h>
 
+#include "tests/net-text.h"
 #include "tests/tap.h"
-
-static int opened(struct hawser_net *net, const char *text)
-{
-	struct hawser_report report = {0};
-	struct hawser_document document;
-	FILE *stream = fmemopen((void *)text, strlen(text), "r");
-	enum hawser_status status = hawser_document_read(&document, stream, "events", &report);
-
-	fclose(stream);
-	if (!status)
-		status = hawser_net_of(net, &document, NULL, 0, &report);
-	hawser_document_clear(&document);
-	return ok(!status, "the scene is read: %s", report.message);
-}
 
 static int moved(struct hawser_net_motion *m, const struct hawser_net *net, double until, double every,
                  double step, struct hawser_net_probe probe)
@@ -51,7 +38,7 @@ static void rope(double part, const char *axial, int elements)
 	         "cables: [{name: c, from: A, to: B, EA: 5e6, rho: 9.6, length0: 100, elements: %d}]\n"
 	         "supports: {A: fixed, B: fixed}\ndamping: {axial: %s}\n"
 	         "failures: [{cable: c, at: %g, time: 10 ms}]\n", elements, axial, part);
-	if (opened(&net, text) &&
+	if (net_opened(&net, text, NULL) &&
 	    moved(&motion, &net, 0.07, 0.01, 0.0, (struct hawser_net_probe){-1, 0, at})) {
 		double (*x)[3] = motion.x, fast = (x[5][0] - x[7][0])/0.02;
 
@@ -122,7 +109,7 @@ static void winch(void)
 	double y[2] = {60.0*(1.0 + 1743.75*9.81/2e6), 0.0}, worst[2] = {0.0}, work = 0.0;
 	const int rows = 120, fine = 40;
 
-	if (opened(&net, LIFT "winches: {c: {end: W, speed: -1 m/s, rise: 2 s}}\n") &&
+	if (net_opened(&net, LIFT "winches: {c: {end: W, speed: -1 m/s, rise: 2 s}}\n", NULL) &&
 	    moved(&motion, &net, 3.0, 3.0/rows, 2.5e-4, (struct hawser_net_probe){1, -1, 0.0})) {
 		for (int i = 1; i <= rows; i++) {
 			for (int j = 0; j < fine; j++) {
@@ -152,8 +139,8 @@ static void parts(void)
 	struct hawser_net_motion motion = {0};
 	double y[2] = {60.0*(1.0 + 1743.75*9.81/2e6), 0.0}, t = 0.0, last = 0.0, T = 0.0, h = 1e-4;
 
-	if (opened(&net, LIFT "winches: {c: {end: W, speed: -1 m/s, rise: 2 s}}\n"
-	                 "failures: [{cable: c, at: J, tension: 19 kN}]\n") &&
+	if (net_opened(&net, LIFT "winches: {c: {end: W, speed: -1 m/s, rise: 2 s}}\n"
+	                     "failures: [{cable: c, at: J, tension: 19 kN}]\n", NULL) &&
 	    moved(&motion, &net, 2.0, 0.1, 5e-4, (struct hawser_net_probe){1, -1, 0.0})) {
 		for (; T < 19e3 && t < 2.0; t += h) {
 			advance(y, &of, t, h);
@@ -187,13 +174,13 @@ static void balances(void)
 	struct hawser_net net;
 	struct hawser_net_motion motion = {0};
 
-	if (opened(&net, text[0]) &&
+	if (net_opened(&net, text[0], NULL) &&
 	    moved(&motion, &net, 20.0, 1.0, 5e-3, (struct hawser_net_probe){1, -1, 0.0}))
 		close_to(motion.T[20], 1743.75*9.81, 3e-2, "tension by its band: the load goes up, N");
 	ok(motion.x[20][1] > -60.0 && motion.work[20] > 0.0, "%.3f m", motion.x[20][1]);
 	hawser_net_motion_clear(&motion);
 	hawser_net_clear(&net);
-	if (opened(&net, text[1]) &&
+	if (net_opened(&net, text[1], NULL) &&
 	    moved(&motion, &net, 1.2, 0.1, 0.0, (struct hawser_net_probe){-1, 0, 0.1}))
 		ok(motion.friction[12] > 0.0 && motion.failure[1].time == 0.3, "friction takes %.3g J",
 		   motion.friction[12]);
@@ -214,7 +201,7 @@ static void on_bed(void)
 	struct hawser_net net;
 	struct hawser_net_motion motion = {0};
 
-	if (opened(&net, text) &&
+	if (net_opened(&net, text, NULL) &&
 	    moved(&motion, &net, 4.0, 1.0, 0.01, (struct hawser_net_probe){-1, 0, 0.5}))
 		ok(motion.touching[2] == 8 && motion.touching[4] == 10 && motion.friction[4] > 1e4,
 		   "%d, then %d nodes touch", motion.touching[2], motion.touching[4]);
@@ -242,7 +229,7 @@ static void sinker(void)
 	for (int i = 0; i < 2; i++) {
 		double most = 0.0, at = 0.0, least = 0.0, until = 20.0;
 
-		if (opened(&net, text[i]) && moved(&motion, &net, until, until/rows, 2.5e-3,
+		if (net_opened(&net, text[i], NULL) && moved(&motion, &net, until, until/rows, 2.5e-3,
 		                                   (struct hawser_net_probe){i ? 1 : 2, -1, 0.0})) {
 			for (int j = 0; j <= rows; j++) {
 				at = motion.T[j] > most ? motion.time[j] : at;

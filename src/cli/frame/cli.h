@@ -174,7 +174,8 @@ int cli_known_lacks(char *text, size_t size, const struct cli_model *model, doub
 /* known.c: the tolerance of orbits that are followed over two parameters, if the user gives none (0): a
  * hundredth of what models of scenes are good for at best; 0: the library's, for files of models. */
 double cli_tolerance(double given, const struct cli_model *model);
-/* known.c: up to where a response of a ropeway is that of its modes, scaled; of others INFINITY. */
+/* known.c: up to where a response is that of the modes, and of waves that do not break, scaled;
+ * INFINITY: no such end is known. */
 double cli_modes_end(const struct cli_model *model);
 /* known.c: the frequency at which carriers pass at the speed of the scene, scaled; 0: not said. */
 double cli_passing(const struct cli_model *model);
@@ -228,7 +229,7 @@ enum hawser_status cli_frequency(double *omega, const char *text, const char *op
                                  const struct cli_model *model,
                                  struct hawser_report *report) HAWSER_MUST_CHECK;
 /* Parse --from and --to, which must differ; `command` is for the message. NULL: 0.6w1 and 3.3w1, or
- * where the modes end (cli_modes_end). */
+ * where the modes end, or waves break (cli_modes_end). */
 enum hawser_status cli_range(double *from, double *to, const char *from_text, const char *to_text,
                              const char *command, const struct cli_model *model,
                              struct hawser_report *report) HAWSER_MUST_CHECK;

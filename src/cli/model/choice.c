@@ -125,9 +125,11 @@ void cli_choice_comments(struct hawser__table *table, const struct cli_model *mo
 	if (model->made)
 		model->made->by->comments(table, model);
 	if (isfinite(cli_modes_end(model)))
-		hawser__table_comment(table, "a range without --to ends at %.9g rad/s, where these modes end "
-		                      "(-n keeps more), or at 3.3w1",
-		                      cli_modes_end(model)*cli_per_omega(model));
+		hawser__table_comment(table, "a range without --to ends at %.9g rad/s, where %s, or at 3.3w1",
+		                      cli_modes_end(model)*cli_per_omega(model),
+		                      model->made && model->made->breaking > 0.0
+		                      ? "these modes end (-n keeps more) or waves break"
+		                      : "these modes end (-n keeps more)");
 	if (!model->automatic)
 		return;
 	if (accuracy->tries > 0)

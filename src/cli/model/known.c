@@ -96,8 +96,8 @@ double cli_modes_end(const struct cli_model *model)
 	if (!modes || modes->n == 0 || model->naturals == 0)
 		return INFINITY;
 	/* the highest frequencies may be those of second-order shapes */
-	return last*(model->rom.inertia.shapes > 0 ? modes->mode[modes->n - 1].omega
-	                                           : model->natural[model->naturals - 1]);
+	top = last*(model->rom.inertia.shapes > 0 ? modes->mode[modes->n - 1].omega : top);
+	return model->made->breaking > 0.0 ? fmin(top, model->made->breaking/cli_per_omega(model)) : top;
 }
 
 double cli_passing(const struct cli_model *model)

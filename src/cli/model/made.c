@@ -99,7 +99,7 @@ void cli_made_breaking_warn(const struct cli_model *model, double omega)
 	double most = model->made ? model->made->breaking : 0.0, at = omega*cli_per_omega(model);
 	char text[CLI_WARNING_SIZE];
 
-	if (!(most > 0.0) || !(at > most))
+	if (!(most > 0.0) || !(at > most*(1.0 + 1e-9)))
 		return;
 	snprintf(text, sizeof text, "waves of this height break above Omega = %.6g rad/s, and Omega "
 	         "reaches %.6g rad/s: there are no such waves", most, at);
