@@ -36,7 +36,7 @@
 
 #include "bench/clock.h"
 #include "bench/estimates.h"
-#include "rom/condense/twin.h"
+#include "rom/condense/known.h"
 #include "rom/energy/law.h"
 
 enum { HELD = 4, PLACES = 6, RAW = 4 };

@@ -11,7 +11,7 @@
 #include <lapacke.h>
 
 #include "bench/clock.h"
-#include "rod/band.h"
+#include "rod/mesh.h"
 
 enum { SIDE = HAWSER__BAND_SIDE, ROWS = HAWSER__BAND_ROWS, REPEATS = 5, ROUNDS = 200 };
 

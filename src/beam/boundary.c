@@ -16,7 +16,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "beam/boundary_follow.h"
+#include "beam/boundary.h"
 #include "core/report.h"
 
 #define CLOSE 2e-3 /* relative distance from an end of the range that counts as the end */

@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "beam/boundary_follow.h"
+#include "beam/boundary.h"
 #include "continuation/curve.h"
 #include "core/grow.h"
 #include "core/report.h"

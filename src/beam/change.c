@@ -22,7 +22,7 @@
 
 #include <math.h>
 
-#include "beam/change.h"
+#include "beam/sample.h"
 
 #define BRACKET 1e-13     /* final width, relative to the larger speed */
 #define LEAST_SPEED 1e-3  /* lower limit of the speed that BRACKET is multiplied by */

@@ -10,7 +10,7 @@
 #include <math.h>
 #include <stddef.h>
 
-#include "beam/integrals.h"
+#include "beam/sample.h"
 #include "core/report.h"
 
 enum { LOCAL = 4, GAUSS = 4 };

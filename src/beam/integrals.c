@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "beam/integrals.h"
+#include "beam/sample.h"
 #include "core/report.h"
 
 static const struct hawser_beam_method *const rows[] = {&hawser__beam_legendre, &hawser__beam_sine,

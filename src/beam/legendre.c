@@ -21,7 +21,7 @@
 #include <math.h>
 #include <stddef.h>
 
-#include "beam/integrals.h"
+#include "beam/sample.h"
 #include "core/report.h"
 
 /* A sum of at most three Legendre terms, of degrees first, first + 2 and first + 4. */

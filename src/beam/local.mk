@@ -3,13 +3,10 @@ noinst_LTLIBRARIES += %D%/libbeam.la
 	%D%/boundary.c \
 	%D%/boundary.h \
 	%D%/boundary_follow.c \
-	%D%/boundary_follow.h \
 	%D%/change.c \
-	%D%/change.h \
 	%D%/critical.c \
 	%D%/hermite.c \
 	%D%/integrals.c \
-	%D%/integrals.h \
 	%D%/legendre.c \
 	%D%/matrices.c \
 	%D%/onset.c \
@@ -18,5 +15,4 @@ noinst_LTLIBRARIES += %D%/libbeam.la
 	%D%/scale.c \
 	%D%/sine.c \
 	%D%/spectrum.c \
-	%D%/spectrum.h \
 	%D%/sweep.c

@@ -11,7 +11,7 @@
 #include <math.h>
 #include <stddef.h>
 
-#include "beam/integrals.h"
+#include "beam/sample.h"
 #include "core/report.h"
 
 static const double pi = 3.14159265358979323846;

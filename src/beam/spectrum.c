@@ -5,7 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "beam/spectrum.h"
+#include "beam/sample.h"
 #include "core/report.h"
 #include "modes/complex/quadratic.h"
 

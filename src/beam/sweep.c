@@ -9,7 +9,7 @@
  *   - two frequencies of an undamped beam whose modes have energies of opposite signs exchange their
  *     order: where such frequencies coincide there is flutter, if only between two close speeds.
  *
- * Changes of the number of growing modes are bracketed between neighbouring samples (change.h).
+ * Changes of the number of growing modes are bracketed between neighbouring samples (sample.h).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -18,7 +18,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "beam/change.h"
+#include "beam/sample.h"
 #include "core/grow.h"
 #include "core/report.h"
 

@@ -19,10 +19,8 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/model/choice.c \
 	%D%/modes/campbell_draw.c \
 	%D%/modes/campbell_result.c \
-	%D%/modes/campbell_result.h \
 	%D%/frame/cli.h \
 	%D%/frame/colour.c \
-	%D%/frame/colour.h \
 	%D%/beam/cmd_beam.c \
 	%D%/modes/cmd_campbell.c \
 	%D%/tools/cmd_check.c \
@@ -37,11 +35,9 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/tools/init_structures.c \
 	%D%/tools/init_write.c \
 	%D%/tools/records.c \
-	%D%/frame/input.h \
 	%D%/frame/part.c \
 	%D%/frame/part.h \
 	%D%/frame/picture.c \
-	%D%/frame/picture.h \
 	%D%/measure/cmd_damping.c \
 	%D%/curves/cmd_folds.c \
 	%D%/curves/cmd_frf.c \
@@ -51,7 +47,6 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/motion/integrate_span.c \
 	%D%/motion/integrate_span.h \
 	%D%/motion/span_run.c \
-	%D%/motion/span_run.h \
 	%D%/curves/cmd_locus.c \
 	%D%/backbone/cmd_nnm.c \
 	%D%/modes/cmd_irvine.c \
@@ -77,7 +72,6 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/sweep/sweep_result.c \
 	%D%/sweep/sweep_check.c \
 	%D%/sweep/sweep_run.c \
-	%D%/sweep/sweep_run.h \
 	%D%/sweep/sweep_take.c \
 	%D%/motion/cmd_tow.c \
 	%D%/motion/cmd_tow_steady.c \
@@ -86,14 +80,12 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/report/report.h \
 	%D%/report/report_page.c \
 	%D%/report/report_parts.c \
-	%D%/report/report_parts.h \
 	%D%/report/report_run.c \
 	%D%/motion/cmd_transient.c \
 	%D%/motion/transient_fields.c \
 	%D%/motion/transient_ropeway.h \
 	%D%/model/cmd_rom.c \
 	%D%/statics/cmd_statics.c \
-	%D%/statics/statics_loaded.h \
 	%D%/statics/equilibria_net.c \
 	%D%/statics/statics_kinds.h \
 	%D%/statics/ropeway_fields.c \
@@ -101,42 +93,31 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/statics/obstacles_fields.c \
 	%D%/statics/obstacles_fill.c \
 	%D%/statics/statics_obstacles.c \
-	%D%/statics/statics_obstacles.h \
 	%D%/statics/rod_fields.c \
-	%D%/statics/rod_result.h \
 	%D%/statics/statics_rod.c \
 	%D%/statics/statics_ropeway.c \
-	%D%/statics/statics_ropeway.h \
 	%D%/frame/kinds.c \
 	%D%/frame/kinds.h \
 	%D%/model/key_sweep.c \
 	%D%/model/key_sweep.h \
 	%D%/modes/modes_obstacles.c \
-	%D%/modes/modes_obstacles.h \
 	%D%/modes/modes_ropeway.c \
-	%D%/modes/modes_ropeway.h \
 	%D%/modes/modes_ropeway_fields.c \
 	%D%/modes/track_fields.c \
 	%D%/modes/track_ropeway.c \
-	%D%/modes/track_ropeway.h \
 	%D%/statics/contacts_net.c \
-	%D%/statics/contacts_net.h \
 	%D%/frame/mesh_net.c \
 	%D%/frame/mesh_net.h \
 	%D%/statics/statics_net.c \
-	%D%/statics/statics_net.h \
 	%D%/statics/stiffness_net.c \
-	%D%/statics/stiffness_net.h \
 	%D%/statics/statics_cases.c \
 	%D%/statics/statics_loaded.c \
 	%D%/statics/statics_marks.c \
 	%D%/compare/compare_made.c \
-	%D%/compare/compare_made.h \
 	%D%/compare/compare_mms.c \
 	%D%/compare/compare_motion.c \
 	%D%/statics/statics_fields.c \
 	%D%/statics/statics_mesh.c \
-	%D%/statics/statics_mesh.h \
 	%D%/compare/compare_modes.c \
 	%D%/model/condensed.c \
 	%D%/model/condensed.h \
@@ -148,14 +129,11 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/frame/document.c \
 	%D%/frame/echo.c \
 	%D%/motion/events_net.c \
-	%D%/motion/events_net.h \
 	%D%/motion/film_net.c \
 	%D%/motion/warnings_net.c \
-	%D%/motion/film_net.h \
 	%D%/model/exact.c \
 	%D%/model/exact.h \
 	%D%/model/film_ropeway.c \
-	%D%/model/film_ropeway.h \
 	%D%/model/fixed.c \
 	%D%/model/fixed.h \
 	%D%/curves/folds_draw.c \
@@ -179,7 +157,6 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/curves/frf_tori.c \
 	%D%/model/label.c \
 	%D%/model/label.h \
-	%D%/model/lane.h \
 	%D%/curves/frf_over.h \
 	%D%/curves/frf_sweep.h \
 	%D%/curves/frf_tori.h \
@@ -209,12 +186,10 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/motion/integrate_result.h \
 	%D%/modes/irvine_draw.c \
 	%D%/modes/irvine_result.c \
-	%D%/modes/irvine_result.h \
 	%D%/model/last.c \
 	%D%/frame/library.c \
 	%D%/model/known.c \
 	%D%/model/load_history.c \
-	%D%/model/load_history.h \
 	%D%/frame/main.c \
 	%D%/map/map_draw.c \
 	%D%/map/map_hdf5.c \
@@ -228,11 +203,8 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/backbone/mms_result.h \
 	%D%/model/model.c \
 	%D%/modes/modes_damped.c \
-	%D%/modes/modes_damped.h \
 	%D%/modes/modes_model.c \
-	%D%/modes/modes_model.h \
 	%D%/modes/modes_net.c \
-	%D%/modes/modes_net.h \
 	%D%/modes/modes_result.c \
 	%D%/modes/modes_result.h \
 	%D%/model/natural.c \
@@ -241,9 +213,7 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/frame/options.c \
 	%D%/plan/plan_fields.c \
 	%D%/plan/plan_model.c \
-	%D%/plan/plan_model.h \
 	%D%/plan/plan_net.c \
-	%D%/plan/plan_net.h \
 	%D%/plan/plan_net_text.c \
 	%D%/plan/plan_result.c \
 	%D%/plan/plan_result.h \
@@ -259,7 +229,6 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/frame/progress.h \
 	%D%/frame/quantity.c \
 	%D%/measure/measured.c \
-	%D%/measure/measured.h \
 	%D%/measure/series.c \
 	%D%/measure/series.h \
 	%D%/frame/signals.c \

@@ -22,7 +22,7 @@
 #include "contact/friction.h"
 #include "core/paths.h"
 #include "core/report.h"
-#include "core/rows3.h"
+#include "core/vec3.h"
 
 struct hawser__contact_chain {
 	int nodes;

@@ -12,7 +12,7 @@
 #include <string.h>
 
 #include "contact/friction.h"
-#include "core/rows3.h"
+#include "core/vec3.h"
 
 enum { MOST = 3*HAWSER_CONTACTS_AT_NODE, WIDE = MOST + 4 };
 /* Compliance over 1/rho: far above round-off, and small, as an error of the impulses shrinks by this

@@ -4,6 +4,7 @@
 #define HAWSER_CONTACT_HEIGHTS_H
 
 #include <hawser/surface.h>
+
 #include "scene/tree.h"
 
 /* The gap of x [3], its gradient n [3] and unless NULL its second derivatives H [3][3]. */
@@ -16,5 +17,13 @@ void hawser__heights_round(struct hawser_heights *of, double round);
 enum hawser_status hawser__heights_read(struct hawser__reader *reader, struct hawser_surface *surface,
                                         const struct hawser__tree *tree, const char *section,
                                         double round) HAWSER_MUST_CHECK;
+
+/* --- surface_read.c: the section `obstacles` of a scene --- */
+
+/* *surface [*count] is allocated here; the caller frees it and their heights, on failure too. round: m,
+ * from a line of a bed to where its rounding begins, if there is as much room. */
+enum hawser_status hawser__surfaces_read(struct hawser__reader *reader, struct hawser_surface **surface,
+                                         int *count, const struct hawser__tree *tree, double round)
+	HAWSER_MUST_CHECK;
 
 #endif

@@ -14,5 +14,4 @@ noinst_LTLIBRARIES += %D%/libcontact.la
 	%D%/heights.h \
 	%D%/heights_read.c \
 	%D%/surface.c \
-	%D%/surface_read.c \
-	%D%/surface_read.h
+	%D%/surface_read.c

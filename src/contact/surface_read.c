@@ -5,7 +5,6 @@
 #include <stdio.h>
 
 #include "contact/heights.h"
-#include "contact/surface_read.h"
 
 enum { CALLED = HAWSER__TEXT_ROOM + 64, MOST = 100 }; /* obstacles: each node may touch each of them */
 

@@ -3,9 +3,7 @@ noinst_LTLIBRARIES += %D%/libcore.la
 	%D%/append.c \
 	%D%/append.h \
 	%D%/bytes.c \
-	%D%/bytes.h \
 	%D%/digits.c \
-	%D%/digits.h \
 	%D%/file.c \
 	%D%/file.h \
 	%D%/grow.h \
@@ -23,17 +21,13 @@ noinst_LTLIBRARIES += %D%/libcore.la
 	%D%/ranks.c \
 	%D%/ranks.h \
 	%D%/ranks_packet.c \
-	%D%/ranks_packet.h \
 	%D%/ranks_serve.c \
 	%D%/report.h \
-	%D%/rows3.h \
 	%D%/settle.h \
 	%D%/share.c \
 	%D%/share.h \
-	%D%/solve3.h \
 	%D%/vec3.h \
 	%D%/spelling.c \
-	%D%/spelling.h \
 	%D%/status.c \
 	%D%/sundials.c \
 	%D%/sundials.h

@@ -6,7 +6,7 @@
 #include <ctype.h>
 #include <string.h>
 
-#include "core/spelling.h"
+#include "core/append.h"
 
 enum { LONGEST = 63, EDIT = 2, CASE = 1 };
 

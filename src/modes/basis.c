@@ -30,7 +30,7 @@
 #include "core/report.h"
 #include "modes/bending/bending.h"
 #include "modes/cable.h"
-#include "modes/compliance_springs.h"
+#include "modes/compliance.h"
 #include "modes/label.h"
 #include "modes/methods.h"
 #include "modes/spectral.h"

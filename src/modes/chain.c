@@ -18,7 +18,7 @@
 #include <stdlib.h>
 
 #include "core/report.h"
-#include "modes/chain.h"
+#include "modes/methods.h"
 #include "modes/halving.h"
 
 struct chain {

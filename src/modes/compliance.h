@@ -160,4 +160,21 @@ double hawser__eigen_floor(int order);
 enum hawser_status hawser__eigen_lost(int number, int in_plane, double lowest,
                                       struct hawser_report *report);
 
+/* --- compliance_springs.c: internal to compliance: forces that springs and the fixed ends exert
+ * --- */
+
+enum { HAWSER__MAX_FORCES = HAWSER__MAX_D + HAWSER__MAX_SPRINGS }; /* most constants z */
+
+/* Solve A z = b, z and b [D + springs]. */
+void hawser__spring_solve(double *z, const double *b, const struct hawser__plane *plane,
+                          const struct hawser_grid *grid);
+
+/* b[D + springs] = <phi, force>, force [D][points], at the joints of ends A and B: end. */
+void hawser__spring_work(double *b, const double *force, double end[2][HAWSER__MAX_D],
+                         const struct hawser__plane *plane, const struct hawser_grid *grid);
+
+/* force [D][points] and end [2] += factor times the sum of z_a phi_a. */
+void hawser__spring_force(double *force, double end[2][HAWSER__MAX_D], const double *z, double factor,
+                          const struct hawser__plane *plane, const struct hawser_grid *grid);
+
 #endif

@@ -16,8 +16,8 @@
 
 #include "core/hold.h"
 #include "core/report.h"
-#include "core/solve3.h"
-#include "modes/compliance_springs.h"
+#include "core/vec3.h"
+#include "modes/compliance.h"
 
 /* Solve [integral of d d'] F0 = b: F0 is the constant force whose strains displace end B by b. */
 static void constant_force(double *F0, const double *b, const struct hawser__plane *plane,

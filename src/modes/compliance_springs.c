@@ -19,7 +19,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "modes/compliance_springs.h"
+#include "modes/compliance.h"
 
 void hawser__spring_constraints(double *constraint, const double *C, int rows, int block,
                                 const struct hawser__plane *plane, const struct hawser_grid *grid)

@@ -20,7 +20,7 @@
 #include <string.h>
 
 #include "core/report.h"
-#include "modes/fdm.h"
+#include "modes/methods.h"
 #include "modes/halving.h"
 
 struct band {

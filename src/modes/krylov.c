@@ -20,7 +20,7 @@
 
 #include "core/hold.h"
 #include "core/report.h"
-#include "modes/krylov.h"
+#include "modes/halving.h"
 
 enum { BLOCK = 2 };
 static const double converged = 1e-12;

@@ -9,14 +9,11 @@ noinst_LTLIBRARIES += %D%/libmodes.la
 	%D%/cable_space.c \
 	%D%/cable.h \
 	%D%/chain.c \
-	%D%/chain.h \
 	%D%/compare.c \
 	%D%/complex/complex_mode.c \
-	%D%/complex/complex_mode.h \
 	%D%/compliance.c \
 	%D%/compliance_refine.c \
 	%D%/compliance_springs.c \
-	%D%/compliance_springs.h \
 	%D%/complex/convection.c \
 	%D%/complex/damped.c \
 	%D%/complex/damped.h \
@@ -27,7 +24,6 @@ noinst_LTLIBRARIES += %D%/libmodes.la
 	%D%/driven.c \
 	%D%/driven.h \
 	%D%/fdm.c \
-	%D%/fdm.h \
 	%D%/bending/flexure.c \
 	%D%/bending/flexure.h \
 	%D%/bending/flexure_basis.c \
@@ -43,7 +39,6 @@ noinst_LTLIBRARIES += %D%/libmodes.la
 	%D%/halving.c \
 	%D%/halving.h \
 	%D%/krylov.c \
-	%D%/krylov.h \
 	%D%/label.c \
 	%D%/label.h \
 	%D%/pairing.c \
@@ -63,9 +58,7 @@ noinst_LTLIBRARIES += %D%/libmodes.la
 	%D%/sweep/branches_resample.c \
 	%D%/sweep/branches_sample.c \
 	%D%/sweep/campbell_range.c \
-	%D%/sweep/campbell_range.h \
 	%D%/sweep/campbell_resonance.c \
 	%D%/sweep/campbell_trace.c \
 	%D%/sweep/irvine_range.c \
-	%D%/sweep/irvine_range.h \
 	%D%/sweep/irvine_trace.c

@@ -15,8 +15,6 @@
 #include "core/report.h"
 #include "modes/analytic.h"
 #include "modes/bending/bending.h"
-#include "modes/chain.h"
-#include "modes/fdm.h"
 #include "modes/grid.h"
 #include "modes/complex/gyroscopic.h"
 #include "modes/label.h"

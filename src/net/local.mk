@@ -5,7 +5,6 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/balance/balance_jacobian.c \
 	%D%/balance/balance_newton.c \
 	%D%/balance/nodal.c \
-	%D%/balance/nodal.h \
 	%D%/statics/catenary.c \
 	%D%/statics/catenary.h \
 	%D%/statics/cone.c \
@@ -17,16 +16,13 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/modes/eigen-dense.c \
 	%D%/modes/eigen-matrix.c \
 	%D%/statics/elimination.c \
-	%D%/statics/elimination.h \
 	%D%/statics/equilibria.c \
 	%D%/statics/exact.c \
-	%D%/statics/exact.h \
 	%D%/statics/exact_solution.c \
 	%D%/expand/expand.c \
 	%D%/expand/expand.h \
 	%D%/statics/finish.c \
 	%D%/statics/form.c \
-	%D%/statics/form.h \
 	%D%/statics/form-tension.c \
 	%D%/statics/interior.c \
 	%D%/modes/lanczos.c \
@@ -54,7 +50,6 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/motion/motion-bed.c \
 	%D%/motion/motion-bed.h \
 	%D%/motion/motion-body.c \
-	%D%/motion/motion-body.h \
 	%D%/motion/motion-chain.c \
 	%D%/motion/motion-contact.c \
 	%D%/motion/motion-contact.h \
@@ -67,7 +62,6 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/motion/motion-klu.c \
 	%D%/motion/motion-open.c \
 	%D%/motion/motion-probe.c \
-	%D%/motion/motion-probe.h \
 	%D%/motion/motion-law.c \
 	%D%/motion/motion-ode.c \
 	%D%/motion/motion-ode.h \
@@ -95,7 +89,6 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/read/read.h \
 	%D%/span/read-span.c \
 	%D%/statics/solution.c \
-	%D%/statics/solution.h \
 	%D%/statics/solve.h \
 	%D%/span/span.c \
 	%D%/span/span.h \
@@ -110,9 +103,7 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/modes/symmetry.c \
 	%D%/modes/symmetry.h \
 	%D%/modes/symmetry-map.c \
-	%D%/modes/symmetry-map.h \
 	%D%/statics/tension.c \
-	%D%/statics/tension.h \
 	%D%/touch/touch.c \
 	%D%/touch/touch.h \
 	%D%/touch/touch-drag.c \
@@ -125,7 +116,6 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/touch/touching.c \
 	%D%/water/ends.c \
 	%D%/water/flow.c \
-	%D%/water/flow.h \
 	%D%/water/load.c \
 	%D%/water/water-motion.c \
 	%D%/water/water-statics.c \

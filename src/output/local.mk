@@ -3,18 +3,16 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/drawing/animate.c \
 	%D%/drawing/animate.h \
 	%D%/drawing/axis.c \
-	%D%/drawing/axis.h \
 	%D%/fields/fields.c \
 	%D%/fields/fields.h \
 	%D%/fields/fields_json.c \
 	%D%/fields/fields_read.c \
 	%D%/fields/fields_table.c \
-	%D%/fields/fields_units.h %D%/fields/fields_value.h %D%/fields/visit.h \
+	%D%/fields/visit.h \
 	%D%/drawing/figure.c \
 	%D%/drawing/figure.h \
 	%D%/drawing/figure_marks.c \
 	%D%/drawing/frames.c \
-	%D%/drawing/frames.h \
 	%D%/drawing/gnuplot.c \
 	%D%/report/html.c \
 	%D%/report/html.h \
@@ -22,15 +20,12 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/drawing/labels.c \
 	%D%/drawing/labels.h \
 	%D%/drawing/latex.c \
-	%D%/drawing/latex.h \
 	%D%/curves/map_tongues.c \
 	%D%/output.h \
 	%D%/drawing/panels.c \
 	%D%/drawing/picture_choice.c \
 	%D%/drawing/picture_choice.h \
-	%D%/drawing/panels.h \
 	%D%/drawing/outline.c \
-	%D%/drawing/outline.h \
 	%D%/drawing/perspective.c \
 	%D%/drawing/perspective.h \
 	%D%/cable/plot_compare.c \
@@ -43,7 +38,6 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/structures/plot_obstacles.c \
 	%D%/structures/plot_ropeway.c \
 	%D%/structures/plot_ropeway_modes.c \
-	%D%/structures/plot_ropeway_modes.h \
 	%D%/curves/plot_map.c \
 	%D%/cable/plot_modes.c \
 	%D%/curves/plot_motions.c \
@@ -53,7 +47,6 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/structures/plot_tow.c \
 	%D%/structures/plot_tow_motion.c \
 	%D%/structures/plot_trajectory.c \
-	%D%/structures/plot_trajectory.h \
 	%D%/report/sha256.c \
 	%D%/report/sha256.h \
 	%D%/structures/plot_transient.c \

@@ -15,7 +15,7 @@
 #include <hawser/hawser.h>
 
 #include "core/file.h"
-#include "output/drawing/axis.h"
+#include "output/fields/units.h"
 
 /* --- table.c: tab-separated values --- */
 

@@ -1,6 +1,6 @@
 "use strict";
 // Reading values off the curves, and zoom. A picture's panels and their ranges stand in the attribute data-panels of its
-// svg element (src/output/drawing/frames.h). Without this script the report has the same pictures, text and tables.
+// svg element (src/output/drawing/frames.c). Without this script the report has the same pictures, text and tables.
 (function () {
   const NS = "http://www.w3.org/2000/svg";
   const near = 24; // px of the picture: a point of a curve within this distance is taken

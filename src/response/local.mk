@@ -55,7 +55,6 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/floquet/floquet.h \
 	%D%/family/factor.c \
 	%D%/family/keep.c \
-	%D%/family/keep.h \
 	%D%/family/plane.c \
 	%D%/family/parameter.c \
 	%D%/family/numbers.c %D%/family/numbers.h %D%/family/smooth.c %D%/family/smooth.h \
@@ -180,7 +179,6 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/torus/torus_list.c \
 	%D%/torus/torus_measure.c \
 	%D%/time/tableau.c \
-	%D%/time/tableau.h \
 	%D%/branch/trace.h \
 	%D%/branch/vanish.c \
 	%D%/orbit/work.c \

@@ -1,4 +1,4 @@
-/* rod/band.c - see band.h. Elimination with row exchanges: away from equilibrium, and with loads that
+/* rod/band.c - see mesh.h. Elimination with row exchanges: away from equilibrium, and with loads that
  * follow the rod, the matrix is not symmetric. Algorithm and storage are those of LAPACK's dgbtf2
  * and dgbtrs, which take 1.6 to 2.7 times as long, since they call the BLAS for a dozen numbers at a
  * time (bench/rod-band).
@@ -10,7 +10,7 @@
 #include <string.h>
 
 #include "core/report.h"
-#include "rod/band.h"
+#include "rod/mesh.h"
 
 /* A pivot that is smaller than this part of its diagonal element is 0: round-off of a direction that
  * costs no energy, as the turn of a rod that hangs from a hinge. */

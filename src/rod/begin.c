@@ -8,7 +8,7 @@
 #include "core/report.h"
 #include "rod/run.h"
 #include "rod/so3.h"
-#include "rod/solve.h"
+#include "rod/mesh.h"
 
 #define TOLERANCE 1e-11 /* of the equilibrium, in lengths of the rod and rad: that of the steps */
 

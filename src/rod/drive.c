@@ -1,4 +1,4 @@
-/* rod/drive.c - see drive.h.
+/* rod/drive.c - see run.h.
  *
  * The spin grows as that of Simo and Vu-Quoc's rotor (1988): the acceleration is 1 - cos(2 pi t/T), so
  * that angle, speed and acceleration are continuous at both ends of the rise.
@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "core/report.h"
-#include "rod/drive.h"
+#include "rod/run.h"
 #include "rod/so3.h"
 
 enum hawser_status hawser__rod_drive_open(struct hawser__rod_drive *drive, int *open,

@@ -15,7 +15,7 @@
 
 #include <math.h>
 
-#include "rod/element.h"
+#include "rod/mesh.h"
 #include "rod/so3.h"
 
 #define SMALL 1e-4 /* rad, of half an angle: series to 1e-17 */

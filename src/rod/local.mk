@@ -3,11 +3,8 @@ noinst_LTLIBRARIES += %D%/librod.la
 	%D%/balance.c \
 	%D%/band.c \
 	%D%/begin.c \
-	%D%/band.h \
 	%D%/drive.c \
-	%D%/drive.h \
 	%D%/element.c \
-	%D%/element.h \
 	%D%/integrate.c \
 	%D%/mesh.c \
 	%D%/mesh.h \
@@ -28,11 +25,8 @@ noinst_LTLIBRARIES += %D%/librod.la
 	%D%/so3.c \
 	%D%/so3.h \
 	%D%/solve.c \
-	%D%/solve.h \
 	%D%/statics.c \
 	%D%/water.c \
-	%D%/water.h \
-	%D%/winch.c \
-	%D%/winch.h
+	%D%/winch.c
 # the table of keys, data alone, which the library of the scene has
 src_scene_libscene_la_SOURCES += %D%/rod_rows.c

@@ -1,4 +1,4 @@
-/* rod/motion_winch.c - inertia and energy of a rod that lengthens (winch.h).
+/* rod/motion_winch.c - inertia and energy of a rod that lengthens (motion.h).
  *
  * In an element of the first segment, of length h = part l and with the chord d = x2 - x1,
  *   c_k   = (1 - sigma_k) l', of the material through its node k; c_k/h = b g_k, b = l'/l

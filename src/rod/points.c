@@ -10,7 +10,7 @@
 #include <string.h>
 
 #include "core/report.h"
-#include "rod/solve.h"
+#include "rod/mesh.h"
 #include "rod/so3.h"
 
 /* Loads on half an element at a node, as they act on its unknowns. */

@@ -23,7 +23,7 @@
 #include <string.h>
 
 #include "core/report.h"
-#include "rod/solve.h"
+#include "rod/mesh.h"
 #include "rod/so3.h"
 #include "water/morison.h"
 

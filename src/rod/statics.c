@@ -8,7 +8,7 @@
 
 #include "core/report.h"
 #include "core/settle.h"
-#include "rod/solve.h"
+#include "rod/mesh.h"
 #include "rod/so3.h"
 
 #define ALIKE 1e-6 /* of the length: an equilibrium that is nearer is the same one */

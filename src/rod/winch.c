@@ -1,4 +1,4 @@
-/* rod/winch.c - length in time of a rod with a winch, and the mesh of that length (winch.h).
+/* rod/winch.c - length in time of a rod with a winch, and the mesh of that length (motion.h).
  *
  * Between rows of speeds the acceleration is that of spins (drive.c), (v1 - v0)/T (1 - cos(2 pi t/T)),
  * so that l, l' and l'' are continuous. Lengths have the cubic spline whose speed is 0 at both ends.

@@ -18,7 +18,6 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/condense/condense.h \
 	%D%/condense/condense_load.c \
 	%D%/terms/contacts.c \
-	%D%/terms/contacts.h \
 	%D%/terms/absorbers.c \
 	%D%/terms/absorbers.h \
 	%D%/terms/dampers.c \
@@ -27,7 +26,6 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/terms/drag.c \
 	%D%/terms/drag.h \
 	%D%/file/formula.c \
-	%D%/file/formula.h \
 	%D%/file/export.c \
 	%D%/file/modal.c \
 	%D%/file/parse.c \
@@ -35,29 +33,24 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/file/plug.h \
 	%D%/file/read_own.c \
 	%D%/terms/rates.c \
-	%D%/terms/rates.h \
 	%D%/terms/terms.c \
 	%D%/terms/morison.c \
 	%D%/terms/morison.h \
 	%D%/terms/wake.c \
-	%D%/terms/wake.h \
 	%D%/terms/wind.c \
 	%D%/terms/wind.h \
 	%D%/terms/terms.h \
 	%D%/choose/drive.c \
 	%D%/choose/drive.h \
 	%D%/energy/effort.c \
-	%D%/energy/effort.h \
 	%D%/terms/ends.c \
 	%D%/terms/ends.h \
 	%D%/file/entries.c \
 	%D%/file/entries.h \
 	%D%/choose/cycle.c \
-	%D%/choose/cycle.h \
 	%D%/condense/displaced.c \
 	%D%/energy/exact.c \
 	%D%/energy/exact_bend.c \
-	%D%/energy/exact_bend.h \
 	%D%/energy/exact.h \
 	%D%/energy/exact_block.c \
 	%D%/energy/exact_make.c \
@@ -78,7 +71,6 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/condense/inertia_amplitude.c \
 	%D%/condense/inertia.h \
 	%D%/condense/inertia_choice.c \
-	%D%/condense/inertia_choice.h \
 	%D%/condense/basis.c \
 	%D%/condense/basis.h \
 	%D%/energy/kernel.c \
@@ -91,7 +83,6 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/condense/known_below.c \
 	%D%/build/expanded.c \
 	%D%/build/expanded.h \
-	%D%/build/expanded_inertia.h \
 	%D%/build/expanded_answer.c \
 	%D%/build/expanded_inertia.c \
 	%D%/build/line.c \
@@ -103,7 +94,6 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/terms/load.c \
 	%D%/terms/load.h \
 	%D%/condense/load_fields.c \
-	%D%/condense/load_fields.h \
 	%D%/build/model.c \
 	%D%/build/model.h \
 	%D%/build/net.c \
@@ -128,9 +118,7 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/energy/quartic.h \
 	%D%/energy/quartic_make.c \
 	%D%/energy/quartic_tangent.c \
-	%D%/build/ramp.h \
 	%D%/energy/relax.c \
-	%D%/energy/relax.h \
 	%D%/file/read.c \
 	%D%/file/read.h \
 	%D%/file/read_ends.c \
@@ -138,7 +126,6 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/file/auto.h \
 	%D%/file/read_range.c \
 	%D%/file/rows.c \
-	%D%/file/rows.h \
 	%D%/energy/shapes.c \
 	%D%/condense/support.c \
 	%D%/condense/support.h \
@@ -151,7 +138,6 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/terms/travel_modes.c \
 	%D%/terms/travel.h \
 	%D%/condense/twin.c \
-	%D%/condense/twin.h \
 	%D%/terms/vary.c \
 	%D%/terms/vary.h \
 	%D%/choose/weigh.c \

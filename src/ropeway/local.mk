@@ -12,13 +12,11 @@ noinst_LTLIBRARIES += %D%/libropeway.la
 	%D%/expand/expand_at.c \
 	%D%/expand/expand_drive.c \
 	%D%/expand/expand_modes.c \
-	%D%/expand/expand_modes.h \
 	%D%/expand/expand_points.c \
 	%D%/statics/flight.c \
 	%D%/statics/given.c \
 	%D%/statics/line.h \
 	%D%/statics/march.c \
-	%D%/statics/march.h \
 	%D%/modes/modes.c \
 	%D%/modes/modes.h \
 	%D%/modes/modes_equations.c \
@@ -34,11 +32,8 @@ noinst_LTLIBRARIES += %D%/libropeway.la
 	%D%/modes/modes_static.c \
 	%D%/modes/modes_systems.c \
 	%D%/statics/path.c \
-	%D%/modes/plan.h \
 	%D%/statics/rope.h \
-	%D%/modes/running.h \
 	%D%/statics/search.c \
-	%D%/modes/segment.h \
 	%D%/statics/solution.c \
 	%D%/statics/trace.c
 
@@ -46,7 +41,6 @@ noinst_LTLIBRARIES += %D%/libropeway.la
 %C%_libropeway_la_SOURCES += \
 	%D%/statics/contact.c \
 	%D%/statics/frame.c \
-	%D%/statics/frame.h \
 	%D%/statics/lane.c \
 	%D%/modes/loop_modes.c \
 	%D%/transient/passing.c \
@@ -69,7 +63,6 @@ noinst_LTLIBRARIES += %D%/libropeway.la
 # A span over obstacles: its scene, and the limits of friction.
 %C%_libropeway_la_SOURCES += \
 	%D%/statics/history.c \
-	%D%/statics/history.h \
 	%D%/statics/obstacles.c \
 	%D%/read/obstacles_read.c
 # the tables of keys, data alone, which the library of the scene has

@@ -8,7 +8,7 @@
 
 #include "scene/keys.h"
 #include "scene/reader.h"
-#include "scene/wind_read.h"
+#include "scene/tree.h"
 
 struct checked {
 	struct hawser__reader *reader;

@@ -67,4 +67,26 @@ int hawser__child_of(const char *path, const char *section);
 enum hawser_status hawser__check(struct hawser__reader *reader, struct hawser_scene *scene,
                                  const struct hawser__tree *root) HAWSER_MUST_CHECK;
 
+/* --- plausible.c: indices of the rules of plausibility --- */
+
+/* In the order in which they are reported; those of beams last. */
+enum hawser__rule {
+	HAWSER__RULE_LENGTH,
+	HAWSER__RULE_GRAVITY,
+	HAWSER__RULE_MASS,
+	HAWSER__RULE_SOUND,
+	HAWSER__RULE_STRAIN,
+	HAWSER__RULE_STRENGTH,
+	HAWSER__RULE_SAG,
+	HAWSER__RULE_SPEED,
+	HAWSER__RULE_LOAD,
+	HAWSER__RULE_DAMPING,
+	HAWSER__RULE_BEAM_LENGTH,
+	HAWSER__RULE_BEAM_MASS,
+	HAWSER__RULE_BEAM_STIFFNESS,
+	HAWSER__RULE_BEAM_STRENGTH,
+	HAWSER__RULE_BEAM_SPEED,
+	HAWSER__RULES
+};
+
 #endif

@@ -7,7 +7,6 @@ noinst_LTLIBRARIES += %D%/libscene.la
 	%D%/keys.h \
 	%D%/paths.c \
 	%D%/plausible.c \
-	%D%/plausible.h \
 	%D%/reader.h \
 	%D%/scene.c \
 	%D%/page/schema.c \
@@ -28,10 +27,8 @@ noinst_LTLIBRARIES += %D%/libscene.la
 	%D%/tree_value.c \
 	%D%/units.c \
 	%D%/units_common.c \
-	%D%/units.h \
 	%D%/units_explain.c \
 	%D%/wind_read.c \
-	%D%/wind_read.h \
 	%D%/write.c
 
 # Writes hawser-scene(5) from the table of keys; man/local.mk runs it.
@@ -39,6 +36,5 @@ EXTRA_PROGRAMS += %D%/manpage
 CLEANFILES += %D%/manpage$(EXEEXT)
 %C%_manpage_SOURCES = \
 	%D%/page/example.c \
-	%D%/page/example.h \
 	%D%/page/manpage.c
 %C%_manpage_LDADD = %D%/libscene.la src/core/libcore.la $(YAML_LIBS) $(JANSSON_LIBS) $(UDUNITS_LIBS)

@@ -11,7 +11,7 @@
 
 #include <hawser/plausible.h>
 
-#include "scene/plausible.h"
+#include "scene/keys.h"
 
 static const struct hawser_plausible_rule rules[HAWSER__RULES] = {
 	[HAWSER__RULE_LENGTH] = {"the distance of the ends", "", "m", 1e-3, 1e5, "span.d span.h",

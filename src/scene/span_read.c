@@ -10,7 +10,7 @@
 #include "core/report.h"
 #include "scene/keys.h"
 #include "scene/reader.h"
-#include "scene/wind_read.h"
+#include "scene/tree.h"
 
 enum { SIZE_LIMIT = 1 << 20 };
 

@@ -4,6 +4,8 @@
 #define HAWSER_SCENE_TREE_H
 
 #include <hawser/document.h>
+#include <hawser/scene.h>
+
 #include "scene/reader.h"
 
 enum hawser__tree_kind { HAWSER__SCALAR, HAWSER__MAPPING, HAWSER__SEQUENCE };
@@ -169,5 +171,17 @@ int hawser__tree_between(enum hawser__tree_range range, double value, int by_len
 enum hawser_status hawser__tree_word(struct hawser__reader *reader, int *index,
                                      const struct hawser__tree *tree, const char *what,
                                      const char *const *words, int count) HAWSER_MUST_CHECK;
+
+/* --- wind_read.c: the lists of a wind, and its rules --- */
+
+/* Drag, lift, profile and tables from `tree`, whose path in the table of keys is `of`, such as
+ * "span.wind"; `what` names it in messages. The numbers are in *wind already. */
+enum hawser_status hawser__wind_lists(struct hawser__reader *reader, struct hawser_wind *wind,
+                                      const struct hawser__tree *tree, const char *what,
+                                      const char *of) HAWSER_MUST_CHECK;
+/* What of it is needed together, and what contradicts what. */
+enum hawser_status hawser__wind_check(struct hawser__reader *reader, const struct hawser_wind *wind,
+                                      const struct hawser__tree *tree, const char *what)
+	HAWSER_MUST_CHECK;
 
 #endif

@@ -23,7 +23,7 @@
 #include <hawser/scene.h>
 #include "core/locale.h"
 #include "core/report.h"
-#include "scene/units.h"
+#include "scene/reader.h"
 
 static pthread_mutex_t gate = PTHREAD_MUTEX_INITIALIZER;
 

@@ -8,7 +8,7 @@
 
 #include <string.h>
 
-#include "scene/units.h"
+#include "scene/reader.h"
 
 double hawser__units_common(const char *from, const char *to)
 {

@@ -7,8 +7,8 @@
 #include <ctype.h>
 #include <strings.h>
 
-#include "core/spelling.h"
-#include "scene/units.h"
+#include "core/append.h"
+#include "scene/reader.h"
 
 const char *hawser__shown(char shown[HAWSER__SHOWN], const char *text)
 {

@@ -15,7 +15,7 @@
 
 #include "core/locale.h"
 #include "scene/tree_keys.h"
-#include "scene/wind_read.h"
+#include "scene/tree.h"
 
 enum { WHAT = 64 };
 

@@ -26,7 +26,6 @@
 #include "statics/loaded.h"
 #include "statics/travel.h"
 #include "statics/wind.h"
-#include "statics/yield.h"
 
 static const char where[] = "statics";
 /* Round-off of the sum of two forces that cancel, and of the direction of a chord; relative. */

@@ -23,7 +23,6 @@
 #include "statics/catenary.h"
 #include "statics/loaded.h"
 #include "statics/models.h"
-#include "statics/profile.h"
 #include "statics/search.h"
 
 static const char where[] = "statics";

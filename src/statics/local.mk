@@ -3,7 +3,6 @@ noinst_LTLIBRARIES += %D%/libstatics.la
 	%D%/catenary.h \
 	%D%/frame.h \
 	%D%/models.h \
-	%D%/profile.h \
 	%D%/search.h \
 	%D%/travel.h \
 	%D%/catenary.c \
@@ -29,5 +28,4 @@ noinst_LTLIBRARIES += %D%/libstatics.la
 	%D%/profile.c \
 	%D%/profile_space.c \
 	%D%/space.c \
-	%D%/yield.c \
-	%D%/yield.h
+	%D%/yield.c

@@ -18,7 +18,7 @@
 #include <hawser/statics.h>
 
 #include "core/append.h"
-#include "scene/plausible.h"
+#include "scene/keys.h"
 
 /* --- quantities; NAN if the scene does not have the quantity or has no static shape --- */
 

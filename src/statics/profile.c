@@ -10,7 +10,7 @@
 #include <string.h>
 
 #include "statics/catenary.h"
-#include "statics/profile.h"
+#include "statics/models.h"
 
 /* Add to x and y the scaled distance from slope u to slope v over the scaled arclength s. */
 static void advance(const struct hawser_statics *st, double *x, double *y, double u, double v,

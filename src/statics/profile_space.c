@@ -10,7 +10,7 @@
 
 #include "statics/catenary.h"
 #include "statics/loaded.h"
-#include "statics/profile.h"
+#include "statics/models.h"
 
 /* Force over H at s; at an attachment that on the side of end B, or before `until` attachments. */
 static void force_at(double f[3], const struct hawser_statics *st, double s, int until)

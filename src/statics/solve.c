@@ -29,7 +29,6 @@
 #include "statics/catenary.h"
 #include "statics/loaded.h"
 #include "statics/models.h"
-#include "statics/profile.h"
 
 static const char where[] = "statics";
 static const double steepest = 1e9; /* largest |h|/d */

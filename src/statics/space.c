@@ -31,7 +31,6 @@
 #include <math.h>
 
 #include "core/report.h"
-#include "core/solve3.h"
 #include "core/vec3.h"
 #include "statics/catenary.h"
 #include "statics/loaded.h"

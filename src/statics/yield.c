@@ -28,7 +28,7 @@
 #include "core/report.h"
 #include "core/vec3.h"
 #include "statics/loaded.h"
-#include "statics/yield.h"
+#include "statics/travel.h"
 
 static const char where[] = "statics";
 /* Largest displacement of an end over the distance of the ends: beyond, springs that keep their

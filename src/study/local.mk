@@ -32,7 +32,6 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/accuracy/landmark.c \
 	%D%/accuracy/landmark.h \
 	%D%/identify/least_squares.c \
-	%D%/identify/least_squares.h \
 	%D%/compare/match.c \
 	%D%/accuracy/motions.c \
 	%D%/accuracy/motions.h \
@@ -87,7 +86,6 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/map/map_merge.c \
 	%D%/map/map_quantity.c \
 	%D%/map/map_ranks.c \
-	%D%/map/map_quantity.h \
 	%D%/basin/basin.c \
 	%D%/basin/basin.h \
 	%D%/basin/basin_count.c \
@@ -100,8 +98,6 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/map/map_rows_across.c \
 	%D%/map/map_rows.h \
 	%D%/map/map_rows_file.c \
-	%D%/map/map_rows_file.h \
-	%D%/map/map_rows_mapper.h \
 	%D%/map/map_rows_ranks.c \
 	%D%/map/map_rows_lines.c \
 	%D%/map/map_shift.c \
@@ -118,7 +114,6 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/hill/hill_seed.c \
 	%D%/hill/hill_test.c \
 	%D%/hill/hill_track.c \
-	%D%/hill/mathieu.h \
 	%D%/hill/mathieu_matrix.c \
 	%D%/hill/mathieu_trace.c \
 	%D%/hill/mathieu.c

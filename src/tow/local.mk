@@ -14,7 +14,6 @@ noinst_LTLIBRARIES += %D%/libtow.la
 	%D%/steady.c \
 	%D%/steady.h \
 	%D%/steady_rod.c \
-	%D%/steady_rod.h \
 	%D%/steady_rod_loads.c \
 	%D%/steady_body.c \
 	%D%/steady_orbit.c \

@@ -4,7 +4,7 @@
 #define HAWSER_TOW_MOTION_H
 
 #include "rod/motion.h"
-#include "tow/steady_rod.h"
+#include "tow/steady.h"
 
 struct hawser__tow_run {
 	const struct hawser_tow *tow;

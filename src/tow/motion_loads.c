@@ -3,7 +3,7 @@
  *
  *   u, d     flow at the middle of an element, the wind less the mean of its nodes' velocities; its
  *            chord x2 - x1, L = |d|, t = d/L, P = 1 - t t'; p = P u; with a winch the velocity of the
- *            material, that of the nodes and c d/h (rod/winch.h)
+ *            material, that of the nodes and c d/h (rod/motion.h)
  *   f        drag f(u, d) and shedding c |p| (t x u), c = density r ck sin(phase), per length; half of
  *            both on each node
  *   R, w     axes of the body's node, its spin in these; a = R e1, l its arm; v_c = v + R (w x l e1)

@@ -13,7 +13,7 @@
 #include <string.h>
 
 #include "core/report.h"
-#include "tow/steady_rod.h"
+#include "tow/steady.h"
 
 static const char where[] = "tow steady";
 enum { SINKS = 100 }; /* iterations for the depth: without a current over the depth 2 */

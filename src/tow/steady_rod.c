@@ -22,7 +22,7 @@
 #include <string.h>
 
 #include "core/report.h"
-#include "tow/steady_rod.h"
+#include "tow/steady.h"
 
 enum { ITERATIONS = 40,  /* of Newton's method: 5 to 12 are usual */
        STAGES = 40,      /* of growing stiffness: 7 if none fails */

@@ -8,7 +8,7 @@
 
 #include <string.h>
 
-#include "tow/steady_rod.h"
+#include "tow/steady.h"
 
 enum { FREE = HAWSER__ROD_FREE };
 

@@ -1,4 +1,4 @@
-/* water/linear.c - see water/linear.h.
+/* water/linear.c - see water/water.h.
  *
  * Gaussian velocities. In the principal axes of the covariance r_i = s_i x_i, where x has the
  * mean m and the covariance I. With x = p e, |e| = 1, the derivative J = |r| I + r r'/|r| is p
@@ -14,7 +14,7 @@
 #include <string.h>
 
 #include "core/vec3.h"
-#include "water/linear.h"
+#include "water/water.h"
 
 /* Gauss's rule with eight points on -1 to 1. */
 enum { POINTS = 8 };

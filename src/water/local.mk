@@ -3,14 +3,11 @@ noinst_LTLIBRARIES += %D%/libwater.la
 	%D%/drag.c \
 	%D%/line.h \
 	%D%/linear.c \
-	%D%/linear.h \
 	%D%/morison.c \
 	%D%/morison.h \
 	%D%/near.c \
 	%D%/near.h \
-	%D%/profile.h \
 	%D%/regular.c \
-	%D%/regular.h \
 	%D%/sea.c \
 	%D%/water.c \
 	%D%/water.h \

@@ -23,7 +23,6 @@
 
 #include "core/report.h"
 #include "water/near.h"
-#include "water/profile.h"
 
 enum {
 	ORDERS = 4, /* of the series in space: 1, z, z^2, z^3 */

@@ -15,8 +15,7 @@
 
 #include <math.h>
 
-#include "water/profile.h"
-#include "water/regular.h"
+#include "water/near.h"
 
 enum { S, Y, OMEGA, ALL };
 

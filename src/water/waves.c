@@ -10,7 +10,7 @@
 
 #include <hawser/waves.h>
 
-#include "water/profile.h"
+#include "water/near.h"
 
 /* Newton's method for f(K) = K tanh K - v with K = k h, v = omega^2 h/g. f is convex below K = 1.2 and
  * nearly linear above, and both starts are above its root: K tanh K > v for K = v/sqrt(tanh v), as tanh

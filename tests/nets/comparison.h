@@ -5,7 +5,7 @@
 #ifndef HAWSER_TESTS_NETS_COMPARISON_H
 #define HAWSER_TESTS_NETS_COMPARISON_H
 
-#include "net/statics/solution.h"
+#include "net/statics/solve.h"
 
 /* A cable between two supports, (0, 0, 0) and (d, h, 0). */
 struct net_cable {

@@ -8,7 +8,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "rom/choose/cycle.h"
+#include "rom/choose/drive.h"
 #include "rom/build/model.h"
 #include "tests/tap.h"
 

@@ -16,7 +16,7 @@
 
 #include <hawser/gyroscopic.h>
 #include <hawser/rom.h>
-#include "rom/build/ramp.h"
+#include "rom/build/model.h"
 #include "tests/tap.h"
 
 enum { N = 7 };

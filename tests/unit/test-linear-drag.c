@@ -4,7 +4,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
-#include "water/linear.h"
+#include "water/water.h"
 
 #include "core/vec3.h"
 #include "tests/tap.h"

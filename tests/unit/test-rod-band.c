@@ -6,7 +6,7 @@
 
 #include <lapacke.h>
 
-#include "rod/band.h"
+#include "rod/mesh.h"
 #include "tests/tap.h"
 
 enum { MOST = 70, SIDE = HAWSER__BAND_SIDE };

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "rod/element.h"
+#include "rod/mesh.h"
 #include "rod/so3.h"
 #include "tests/tap.h"
 
@@ -70,14 +70,14 @@ static void jacobians(void)
 
 	for (size_t k = 0; k < sizeof size/sizeof *size; k++) {
 		struct hawser__so3 at;
-		double v[3], q[4], J[9], I[9], product[9];
+		double v[3], q[4], J[9], Ji[9], product[9];
 
 		vector(v, size[k]);
 		hawser__quaternion_exp(q, v);
 		hawser__so3_at(&at, v);
 		hawser__so3_jr(J, &at);
-		hawser__so3_ji(I, &at);
-		hawser__mul(product, J, I);
+		hawser__so3_ji(Ji, &at);
+		hawser__mul(product, J, Ji);
 		for (int i = 0; i < 9; i++)
 			inverse = fmax(inverse, fabs(product[i] - (i % 4 == 0)));
 		for (int j = 0; j < 3; j++) {

@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#include "scene/page/example.h"
+#include "scene/page/schema.h"
 #include "tests/tap.h"
 #include "tests/unit/scene-text.h"
 

@@ -9,7 +9,6 @@
 #include <hawser/waves.h>
 
 #include "water/near.h"
-#include "water/regular.h"
 
 #include "tests/tap.h"
 

@@ -6,10 +6,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/compare/compare_made.h"
+#include "cli/compare/compare_result.h"
 #include "cli/frame/progress.h"
 #include "cli/frame/view.h"
-#include "cli/motion/span_run.h"
+#include "cli/motion/integrate_span.h"
 #include "core/report.h"
 
 enum { planned_most = 40 }; /* modes or functions: largest number for which the plan estimates

@@ -1,4 +1,4 @@
-/* cli/compare/compare_made.c - see compare_made.h.
+/* cli/compare/compare_made.c - see compare_result.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/compare/compare_made.h"
+#include "cli/compare/compare_result.h"
 #include "cli/model/made.h"
 #include "core/report.h"
 

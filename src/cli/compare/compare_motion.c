@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "cli/frame/progress.h"
-#include "cli/motion/span_run.h"
+#include "cli/motion/integrate_span.h"
 #include "cli/frame/view.h"
 #include "core/report.h"
 #include "output/curves/plot_motions.h"

@@ -8,7 +8,6 @@
 
 #include <hawser/hawser.h>
 #include "cli/model/fixed.h"
-#include "cli/model/lane.h"
 #include "cli/frame/option.h"
 #include "output/output.h"
 #include "output/drawing/picture_choice.h"
@@ -44,7 +43,7 @@ struct cli_common {
 };
 
 struct cli_listing; /* view.h */
-/* The input is a file or a word (input.h). With an option --help of its own, it has no common ones. */
+/* The input is a file or a word (kinds.h). With an option --help of its own, it has no common ones. */
 struct cli_command {
 	const char *name, *input, *summary;
 	const char *const *notes; /* lines for --help, ended by NULL; may be NULL */

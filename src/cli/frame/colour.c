@@ -1,4 +1,4 @@
-/* cli/frame/colour.c - see colour.h.
+/* cli/frame/colour.c - see progress.h.
  *
  * The conventions are those of other programs: NO_COLOR (no-color.org), CLICOLOR and CLICOLOR_FORCE
  * (bixense.com/clicolors). A file or a pipe gets no codes, unless CLICOLOR_FORCE asks for them.
@@ -11,7 +11,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "cli/frame/colour.h"
+#include "cli/frame/progress.h"
 #include "cli/frame/ranks.h"
 
 /* 1 if the variable has a value that is not "0". */

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/frame/colour.h"
+#include "cli/frame/progress.h"
 #include "cli/frame/within.h"
 #include "output/drawing/style.h"
 

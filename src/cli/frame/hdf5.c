@@ -11,7 +11,7 @@
 #include "core/file.h"
 #include "core/loaded.h"
 #include "core/report.h"
-#include "output/fields/fields_value.h"
+#include "output/fields/fields.h"
 
 #ifdef HAVE_HDF5
 #include <math.h>

@@ -61,4 +61,16 @@ void cli_kind_print(FILE *to, int index, int forced);
 /* Whether something forces a span: loads, moving ends, a fluctuating speed. */
 int cli_is_forced(const struct hawser_scene *scene);
 
+/* --- the input of commands that is a word: "bash|zsh|fish", or "[cable|net]" where it may be
+ * left out --- */
+
+/* Word `index` of the input of a command, from 0 on; returns 0 beyond the last, and where the input is
+ * a file. */
+enum { CLI_INPUT_WORD = 24 };
+int cli_input_word(char word[CLI_INPUT_WORD], const struct cli_command *command, int index);
+
+/* The index of `text`, or 0 where it is NULL; otherwise the message names all words. */
+enum hawser_status cli_choose_input(int *index, const struct cli_command *command, const char *text,
+                                    struct hawser_report *report) HAWSER_MUST_CHECK;
+
 #endif

@@ -14,9 +14,8 @@
 #include <cblas.h>
 
 #include "cli/frame/cli.h"
-#include "cli/frame/colour.h"
 #include "cli/frame/kinds.h"
-#include "cli/frame/picture.h"
+#include "cli/frame/view.h"
 #include "cli/frame/progress.h"
 #include "cli/frame/ranks.h"
 #include "cli/frame/within.h"

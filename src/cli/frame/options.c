@@ -14,7 +14,6 @@
 
 #include "cli/model/label.h"
 #include "cli/frame/kinds.h"
-#include "cli/frame/picture.h"
 #include "cli/frame/view.h"
 #include "core/report.h"
 

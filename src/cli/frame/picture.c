@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/frame/picture.h"
+#include "cli/frame/view.h"
 #include "core/report.h"
 
 /* cm: smaller, the texts have no room; larger, a PNG has over 10^8 points */

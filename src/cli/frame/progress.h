@@ -3,6 +3,8 @@
 #ifndef HAWSER_CLI_PROGRESS_H
 #define HAWSER_CLI_PROGRESS_H
 
+#include <stdio.h>
+
 #include <hawser/progress.h>
 #include <hawser/status.h>
 
@@ -31,5 +33,15 @@ struct cli_watch {
 int cli_watch(void *data, const struct hawser_progress_state *state);
 /* The same, but shows nothing. data is not read. */
 int cli_watch_silently(void *data, const struct hawser_progress_state *state);
+
+/* --- colour.c: colour of messages and of hawser check, on terminals --- */
+
+enum cli_colour { CLI_ERROR, CLI_WARNING, CLI_GOOD, CLI_PLACE, CLI_PLAIN };
+
+/* The code that begins a colour (CLI_PLAIN: ends it), or "" where the stream gets none. */
+const char *cli_colour(FILE *stream, enum cli_colour colour);
+
+/* A message on standard error: of a failure (CLI_ERROR) or a warning. A place in a file is bold. */
+void cli_say(enum cli_colour rank, const char *message);
 
 #endif

@@ -5,7 +5,7 @@
 #include <ctype.h>
 #include <string.h>
 
-#include "cli/frame/input.h"
+#include "cli/frame/kinds.h"
 #include "core/append.h"
 #include "core/report.h"
 

@@ -10,7 +10,7 @@
 #include <hawser/identify.h>
 
 #include "cli/model/axis.h"
-#include "cli/measure/measured.h"
+#include "cli/measure/series.h"
 #include "cli/frame/view.h"
 #include "core/report.h"
 #include "output/drawing/figure.h"

@@ -1,4 +1,4 @@
-/* cli/measure/measured.c - see measured.h.
+/* cli/measure/measured.c - see series.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/measure/measured.h"
+#include "cli/measure/series.h"
 #include "core/report.h"
 
 enum { most_columns = 64, longest_line = 4096, most_rows = 100 };

@@ -3,6 +3,7 @@
 #ifndef HAWSER_CLI_SERIES_H
 #define HAWSER_CLI_SERIES_H
 
+#include <hawser/identify.h>
 #include <hawser/status.h>
 
 enum { CLI_COLUMN_NAME = 64 };
@@ -29,5 +30,15 @@ void cli_series_clear(struct cli_series *series);
 enum hawser_status cli_columns_read(double **column, int *rows, const char *path,
                                     const char *const *name, int names,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* --- measured.c: a table of measured natural frequencies --- */
+
+/* Read *measured [*count] from the file at `path` ("-": standard input); free it. Columns by name,
+ * others are skipped: omega_rad_s or frequency_Hz, deviation_rad_s or deviation_Hz, plane, index (among
+ * all modes), number (in its plane). Without a line of names the only column is frequency_Hz.
+ * HAWSER_ERR_SCENE: the message names file, line and column. */
+enum hawser_status cli_measured_read(struct hawser_measured **measured, int *count,
+                                     const char *path,
+                                     struct hawser_report *report) HAWSER_MUST_CHECK;
 
 #endif

@@ -1,4 +1,4 @@
-/* cli/model/film_ropeway.c - see film_ropeway.h. The rope moves with the modes that are coordinates, to
+/* cli/model/film_ropeway.c - see made.h. The rope moves with the modes that are coordinates, to
  * first order; what follows them is not drawn.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/model/film_ropeway.h"
-#include "cli/motion/film_net.h"
+#include "cli/model/made.h"
+#include "cli/motion/integrate_net.h"
 #include "core/report.h"
 
 enum { PER_PIECE = 12 }; /* elements of a free part or an arc; chosen */

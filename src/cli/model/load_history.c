@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/model/load_history.h"
+#include "cli/model/state.h"
 #include "cli/measure/series.h"
 #include "cli/model/made.h"
 #include "core/report.h"

@@ -4,6 +4,7 @@
 #define HAWSER_CLI_MADE_H
 
 #include <hawser/family.h>
+#include <hawser/line_modes.h>
 #include <hawser/net_rom.h>
 
 #include "cli/frame/cli.h"
@@ -87,5 +88,13 @@ enum hawser_status cli_made_response(struct hawser_frf *frf, struct cli_model *m
                                      struct hawser_report *report) HAWSER_MUST_CHECK;
 
 extern const struct cli_maker cli_maker_ropeway, cli_maker_net;
+
+/* --- film_ropeway.c: the ropes of a ropeway in a motion of its model, for orbit --animate --- */
+
+/* As `animate` of struct cli_maker. stride: coordinates of the model, of which the modes come first;
+ * apart: distance in m at which the second lane is drawn beside the first one. */
+enum hawser_status cli_film_ropeway(const char *path, const struct hawser_line_modes *modes,
+                                    const struct hawser_net_rom_motion *motion, int stride,
+                                    double apart, struct hawser_report *report) HAWSER_MUST_CHECK;
 
 #endif

@@ -11,7 +11,7 @@
 
 #include "cli/model/key_sweep.h"
 #include "cli/model/made.h"
-#include "cli/motion/film_net.h"
+#include "cli/motion/integrate_net.h"
 #include "core/report.h"
 
 struct cli_rom_net {

@@ -17,9 +17,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/model/film_ropeway.h"
 #include "cli/model/made.h"
-#include "cli/modes/modes_ropeway.h"
+#include "cli/modes/modes_result.h"
 #include "core/report.h"
 
 static const char *const lane_name[] = {"up", "down", "both"};

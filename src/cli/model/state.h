@@ -23,4 +23,17 @@ const char *cli_last_difference(char *name, size_t size, const json_t *root, con
 /* Read a list of 2n numbers in SI as a scaled state of the model. Returns 0 if it is none. */
 int cli_state_take(double *state, const json_t *list, const struct cli_model *model);
 
+/* --- load_history.c: integrate --load and --motion --- */
+
+/* Give the model the load per length over time that the table at `load` has, in place of the section
+ * load of the scene, along the axes and on the part that load.frame and load.extent name, and the
+ * displacements of the ends that the table at `motion` has. Either may be NULL. The other harmonic
+ * loads of the scene remain. */
+enum hawser_status cli_load_history(struct cli_model *model, const char *load, const char *motion,
+                                    struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* A sentence if the ends move at the scaled time t, with which a run begins at rest. Returns whether
+ * there is one. */
+int cli_motion_warning(char *text, size_t size, const struct cli_model *model, double t);
+
 #endif

@@ -5,7 +5,7 @@
 
 #include <math.h>
 
-#include "cli/modes/campbell_result.h"
+#include "cli/modes/modes_result.h"
 #include "output/drawing/figure.h"
 
 #define EXCITATION "with lines lt 7 lw 0.7 dt (3,4)"

@@ -5,9 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "cli/modes/campbell_result.h"
-#include "cli/modes/track_ropeway.h"
-
+#include "cli/modes/modes_result.h"
 
 double cli_campbell_in_unit(const struct cli_campbell_result *result, double omega)
 {

@@ -2,11 +2,9 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
-
 #include <string.h>
 
-#include "cli/modes/campbell_result.h"
-#include "cli/modes/track_ropeway.h"
+#include "cli/modes/modes_result.h"
 #include "cli/frame/progress.h"
 
 struct settings {

@@ -4,8 +4,7 @@
 
 #include <string.h>
 
-#include "cli/modes/irvine_result.h"
-#include "cli/modes/track_ropeway.h"
+#include "cli/modes/modes_result.h"
 #include "cli/frame/view.h"
 #include "core/report.h"
 

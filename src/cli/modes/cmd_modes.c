@@ -7,13 +7,7 @@
 
 #include "cli/frame/kinds.h"
 #include "cli/frame/mesh_net.h"
-#include "cli/modes/modes_damped.h"
-#include "cli/modes/modes_model.h"
-#include "cli/modes/modes_net.h"
-#include "cli/modes/modes_obstacles.h"
 #include "cli/modes/modes_result.h"
-#include "cli/modes/modes_ropeway.h"
-#include "cli/modes/track_ropeway.h"
 #include "core/report.h"
 
 struct settings {

@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "cli/model/axis.h"
-#include "cli/modes/irvine_result.h"
+#include "cli/modes/modes_result.h"
 #include "core/report.h"
 #include "output/drawing/figure.h"
 

@@ -5,8 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "cli/modes/irvine_result.h"
-#include "cli/modes/track_ropeway.h"
+#include "cli/modes/modes_result.h"
 #include "cli/frame/view.h"
 
 const char *const cli_irvine_units[] = {"normalised", "rad/s", "Hz", "s"};

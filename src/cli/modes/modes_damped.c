@@ -1,4 +1,4 @@
-/* cli/modes/modes_damped.c - hawser modes --damped and --over: see modes_damped.h.
+/* cli/modes/modes_damped.c - hawser modes --damped and --over: see modes_result.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -10,7 +10,7 @@
 #include <hawser/net_rom.h>
 
 #include "cli/model/axis.h"
-#include "cli/modes/modes_damped.h"
+#include "cli/modes/modes_result.h"
 #include "core/report.h"
 #include "output/drawing/figure.h"
 

@@ -15,7 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/modes/modes_model.h"
+#include "cli/modes/modes_result.h"
 #include "core/report.h"
 
 struct motion {

@@ -6,9 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/statics/contacts_net.h"
+#include "cli/statics/statics_kinds.h"
 #include "cli/frame/mesh_net.h"
-#include "cli/modes/modes_net.h"
+#include "cli/modes/modes_result.h"
 #include "cli/frame/view.h"
 #include "core/report.h"
 #include "output/structures/structures.h"

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/modes/modes_obstacles.h"
+#include "cli/modes/modes_result.h"
 #include "core/report.h"
 
 struct result {

@@ -6,12 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "cli/modes/modes_damped.h"
-#include "cli/modes/modes_model.h"
-#include "cli/modes/modes_net.h"
-#include "cli/modes/modes_obstacles.h"
 #include "cli/modes/modes_result.h"
-#include "cli/modes/track_ropeway.h"
 #include "core/report.h"
 
 /* P, Q, B, then their slopes in the local frame; of complex modes each has two parts. */

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/modes/modes_ropeway.h"
+#include "cli/modes/modes_result.h"
 #include "core/report.h"
 
 static const char *const lane_name[] = {"up", "down"};

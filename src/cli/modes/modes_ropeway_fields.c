@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#include "cli/modes/modes_ropeway.h"
+#include "cli/modes/modes_result.h"
 
 /* One mode. */
 struct row {

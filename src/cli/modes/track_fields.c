@@ -1,11 +1,11 @@
-/* cli/modes/track_fields.c - columns and keys of frequencies along a sweep: see track_ropeway.h.
+/* cli/modes/track_fields.c - columns and keys of frequencies along a sweep: see modes_result.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-#include "cli/modes/track_ropeway.h"
+#include "cli/modes/modes_result.h"
 #include "core/report.h"
 
 /* of the view */

@@ -1,4 +1,4 @@
-/* cli/modes/track_ropeway.c - see track_ropeway.h.
+/* cli/modes/track_ropeway.c - see modes_result.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -8,7 +8,7 @@
 
 #include "cli/model/axis.h"
 #include "cli/frame/progress.h"
-#include "cli/modes/track_ropeway.h"
+#include "cli/modes/modes_result.h"
 #include "core/report.h"
 #include "output/drawing/figure.h"
 

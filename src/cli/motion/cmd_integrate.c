@@ -11,7 +11,7 @@
 #include "cli/motion/integrate_result.h"
 #include "cli/motion/integrate_span.h"
 #include "cli/model/label.h"
-#include "cli/model/load_history.h"
+#include "cli/model/state.h"
 #include "cli/model/made.h"
 #include "cli/frame/progress.h"
 #include "core/report.h"

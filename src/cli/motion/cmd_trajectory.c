@@ -7,7 +7,7 @@
 
 #include "cli/frame/view.h"
 #include "core/report.h"
-#include "output/structures/plot_trajectory.h"
+#include "output/structures/structures.h"
 
 #define LAPS 1.0   /* of an orbit without ramp, by default */
 #define AFTER 0.25 /* of the ramp's time, shown after it by default */

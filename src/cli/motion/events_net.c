@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#include "cli/motion/events_net.h"
+#include "cli/motion/integrate_net.h"
 
 static const char *name_of(const struct cli_events *events, int cable)
 {

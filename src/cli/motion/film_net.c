@@ -1,4 +1,4 @@
-/* cli/motion/film_net.c - see film_net.h. SPDX-License-Identifier: GPL-3.0-or-later */
+/* cli/motion/film_net.c - see integrate_net.h. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <errno.h>
@@ -7,10 +7,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/motion/film_net.h"
+#include "cli/motion/integrate_net.h"
 #include "core/report.h"
 #include "output/drawing/animate.h"
-#include "output/drawing/panels.h"
+#include "output/drawing/figure.h"
 #include "output/drawing/perspective.h"
 
 static const double large = 0.2;  /* of the size of the net, half of which magnified motions reach */

@@ -7,9 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/statics/contacts_net.h"
-#include "cli/motion/events_net.h"
-#include "cli/motion/film_net.h"
+#include "cli/statics/statics_kinds.h"
 #include "cli/motion/integrate_net.h"
 #include "cli/frame/mesh_net.h"
 #include "cli/frame/progress.h"

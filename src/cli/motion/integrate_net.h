@@ -4,7 +4,6 @@
 #define HAWSER_CLI_INTEGRATE_NET_H
 
 #include <hawser/net.h>
-
 #include <hawser/net_motion.h>
 
 #include "cli/frame/kinds.h"
@@ -56,5 +55,46 @@ enum hawser_status cli_integrate_times(double *until, double *every, double *ste
 
 /* warnings_net.c: what is warned of after a motion. */
 void cli_motion_warnings(const struct hawser_net *net, const struct hawser_net_motion *motion);
+
+/* --- events_net.c: cables of a net that part, and winches, in the output of hawser integrate
+ * --- */
+
+struct cli_events {
+	const struct hawser_net *net;
+	const struct hawser_net_parted *failure; /* [failures] */
+	const struct hawser_net_wound *winch;    /* [winches] */
+	int failures, winches;
+};
+/* Options of the view. */
+enum { CLI_FAILURES = 2, CLI_WINCHES = 4 };
+extern const struct hawser__field cli_events_field[];
+void cli_events_comments(struct hawser__table *table, const struct cli_events *events);
+
+/* --- film_net.c: a net in motion, for --animate of hawser integrate and orbit --- */
+
+/* The rows that are shown, at equal distances. */
+struct cli_film {
+	double (*x)[3]; /* [room][nodes] m */
+	int (*end)[2];  /* [elements] */
+	int *row;       /* [room] number of the row in the result */
+	double *time;   /* [room] s */
+	double (*mark)[3]; /* [room] m: what has a mark and a trail; by the caller or cli_film_magnify */
+	char note[48];  /* after the time */
+	int *held;      /* [helds] nodes that are shown as held; the caller's */
+	int rows, nodes, elements, helds;
+	int room;       /* frames at most; given */
+	double last;    /* number of the last row of the run; given */
+};
+
+/* Take the row if it is the next one to be shown. Returns errno. */
+int cli_film_add(struct cli_film *film, const struct hawser_net_frame *frame);
+/* Where motions are too small to be seen, enlarge them about the mean of all rows by a round number,
+ * which the note tells. The node that moves most has the mark. */
+void cli_film_magnify(struct cli_film *film);
+/* net: has its supports, in place of `held`, and its surfaces; or NULL. */
+enum hawser_status cli_film_write(const char *path, const struct cli_film *film,
+                                  const struct hawser_net *net,
+                                  struct hawser_report *report) HAWSER_MUST_CHECK;
+void cli_film_clear(struct cli_film *film);
 
 #endif

@@ -13,7 +13,7 @@
 
 #include "cli/model/exact.h"
 #include "cli/motion/integrate_result.h"
-#include "cli/model/load_history.h"
+#include "cli/model/state.h"
 #include "core/report.h"
 
 enum { fewest_rows = 16 };

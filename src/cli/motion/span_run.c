@@ -1,11 +1,11 @@
-/* cli/motion/span_run.c - see span_run.h.
+/* cli/motion/span_run.c - see integrate_span.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "cli/motion/span_run.h"
+#include "cli/motion/integrate_span.h"
 #include "core/report.h"
 
 static const double most_rows = 1e7; /* as many as hawser_net_integrate keeps */

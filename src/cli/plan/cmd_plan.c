@@ -6,8 +6,6 @@
 
 #include "cli/beam/beam_result.h"
 #include "cli/frame/kinds.h"
-#include "cli/plan/plan_model.h"
-#include "cli/plan/plan_net.h"
 #include "cli/plan/plan_result.h"
 #include "core/report.h"
 

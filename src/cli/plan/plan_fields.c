@@ -4,8 +4,6 @@
 
 #include <math.h>
 
-#include "cli/plan/plan_model.h"
-#include "cli/plan/plan_net.h"
 #include "cli/plan/plan_result.h"
 #include "cli/frame/view.h"
 

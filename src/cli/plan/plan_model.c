@@ -7,7 +7,7 @@
 
 #include <hawser/plan.h>
 
-#include "cli/plan/plan_model.h"
+#include "cli/plan/plan_result.h"
 
 struct result {
 	const struct cli_common *common;

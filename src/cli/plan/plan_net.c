@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "cli/frame/mesh_net.h"
-#include "cli/plan/plan_net.h"
+#include "cli/plan/plan_result.h"
 #include "cli/frame/view.h"
 #include "core/report.h"
 

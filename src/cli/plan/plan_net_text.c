@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/plan/plan_net.h"
+#include "cli/plan/plan_result.h"
 
 enum { SHOWN = 12 }; /* cables in the table; JSON has all */
 

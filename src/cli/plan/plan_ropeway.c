@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "cli/frame/kinds.h"
-#include "cli/plan/plan_model.h"
+#include "cli/plan/plan_result.h"
 #include "cli/frame/view.h"
 #include "core/report.h"
 

@@ -1,11 +1,11 @@
-/* cli/report/report_parts.c - see report_parts.h. A new part is a row of the table.
+/* cli/report/report_parts.c - see report.h. A new part is a row of the table.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <string.h>
 
 #include "cli/frame/kinds.h"
-#include "cli/report/report_parts.h"
+#include "cli/report/report.h"
 #include "core/append.h"
 #include "core/report.h"
 

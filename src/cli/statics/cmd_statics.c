@@ -5,8 +5,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "cli/statics/statics_loaded.h"
-#include "cli/statics/statics_mesh.h"
 #include "cli/statics/statics_kinds.h"
 #include "core/report.h"
 

@@ -1,11 +1,11 @@
-/* cli/statics/contacts_net.c - see contacts_net.h.
+/* cli/statics/contacts_net.c - see statics_kinds.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-#include "cli/statics/contacts_net.h"
+#include "cli/statics/statics_kinds.h"
 #include "core/report.h"
 #include "output/report/vtk.h"
 

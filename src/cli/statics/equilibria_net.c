@@ -5,7 +5,7 @@
 #include <hawser/net_equilibria.h>
 
 #include "cli/frame/mesh_net.h"
-#include "cli/statics/statics_net.h"
+#include "cli/statics/statics_kinds.h"
 #include "output/drawing/figure.h"
 
 struct result {

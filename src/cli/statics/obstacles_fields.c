@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
-#include "cli/statics/statics_obstacles.h"
+#include "cli/statics/statics_kinds.h"
 
 /* the end of a field's row */
 #define NEWTON .unit = HAWSER__NEWTON /* a force */

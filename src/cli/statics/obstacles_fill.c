@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/statics/statics_obstacles.h"
+#include "cli/statics/statics_kinds.h"
 #include "core/report.h"
 
 enum { HALVINGS = 60 }; /* to the last digit of a place */

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
-#include "cli/statics/rod_result.h"
+#include "cli/statics/statics_kinds.h"
 
 /* the end of a field's row */
 #define NEWTON .unit = HAWSER__NEWTON       /* a force */

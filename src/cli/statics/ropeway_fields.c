@@ -5,7 +5,7 @@
 
 #include <math.h>
 
-#include "cli/statics/statics_ropeway.h"
+#include "cli/statics/statics_kinds.h"
 
 /* the end of a field's row */
 #define NEWTON .unit = HAWSER__NEWTON /* a force */

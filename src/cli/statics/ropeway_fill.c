@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/statics/statics_ropeway.h"
+#include "cli/statics/statics_kinds.h"
 #include "core/report.h"
 
 enum { PER_LANE = 400 }; /* points of a profile besides the ends of pieces: a page has as many dots */

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "cli/statics/statics_loaded.h"
+#include "cli/statics/statics_kinds.h"
 #include "core/report.h"
 #include "output/drawing/figure.h"
 

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
-#include "cli/statics/statics_loaded.h"
+#include "cli/statics/statics_kinds.h"
 
 #define OF(member) HAWSER__AT(struct hawser_statics, member)
 /* Quantities in JSON and in the comments. */

@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "cli/statics/statics_loaded.h"
+#include "cli/statics/statics_kinds.h"
 #include "core/vec3.h"
 
 HAWSER__OF(state_word, const char *, struct cli_loaded,

@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#include "cli/statics/statics_loaded.h"
+#include "cli/statics/statics_kinds.h"
 
 struct hawser__spot cli_place(const struct hawser_statics *st, const struct hawser_profile_point *in)
 {

@@ -1,12 +1,11 @@
-/* cli/statics/statics_mesh.c - see statics_mesh.h.
+/* cli/statics/statics_mesh.c - see statics_kinds.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/statics/statics_loaded.h"
-#include "cli/statics/statics_mesh.h"
+#include "cli/statics/statics_kinds.h"
 #include "core/report.h"
 
 #define OF(member) HAWSER__AT(struct hawser_net_span_statics, member)

@@ -7,11 +7,8 @@
 
 #include <hawser/net.h>
 
-#include "cli/statics/contacts_net.h"
 #include "cli/frame/mesh_net.h"
 #include "cli/statics/statics_kinds.h"
-#include "cli/statics/statics_net.h"
-#include "cli/statics/stiffness_net.h"
 #include "core/append.h"
 #include "output/structures/structures.h"
 

@@ -7,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "cli/statics/statics_obstacles.h"
+#include "cli/statics/statics_kinds.h"
 #include "output/structures/structures.h"
 
 static struct cli_head head(const void *of)

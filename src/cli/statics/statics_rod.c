@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/statics/rod_result.h"
+#include "cli/statics/statics_kinds.h"
 #include "core/report.h"
 #include "output/structures/structures.h"
 #include "output/report/vtk.h"

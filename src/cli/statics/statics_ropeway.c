@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-#include "cli/statics/statics_ropeway.h"
+#include "cli/statics/statics_kinds.h"
 #include "output/structures/structures.h"
 
 static struct cli_head head(const void *of)

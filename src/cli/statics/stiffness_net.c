@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/statics/stiffness_net.h"
+#include "cli/statics/statics_kinds.h"
 #include "core/report.h"
 
 static const char *const motions[] = {"x", "y", "z", "rx", "ry", "rz"};

@@ -8,7 +8,6 @@
 #include <sys/stat.h>
 
 #include "cli/frame/part.h"
-#include "cli/frame/picture.h"
 #include "cli/sweep/sweep.h"
 #include "cli/frame/view.h"
 #include "core/report.h"

@@ -17,7 +17,7 @@
 
 #include "cli/sweep/sweep.h"
 #include "core/report.h"
-#include "output/fields/fields_units.h"
+#include "output/fields/visit.h"
 
 static enum hawser_status take(void *data, const struct cli_taken *result,
                                struct hawser_report *report)

@@ -17,7 +17,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "cli/sweep/sweep_run.h"
+#include "cli/sweep/sweep.h"
 #include "core/report.h"
 
 struct process {

@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "cli/frame/ranks.h"
-#include "cli/sweep/sweep_run.h"
+#include "cli/sweep/sweep.h"
 #include "core/report.h"
 
 enum { PACKET = 64 }; /* variations of a packet; chosen: those of a millisecond go together */

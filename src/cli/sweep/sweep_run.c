@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/sweep/sweep_run.h"
+#include "cli/sweep/sweep.h"
 #include "core/progress.h"
 #include "core/report.h"
 

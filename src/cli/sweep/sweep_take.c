@@ -2,7 +2,7 @@
  * the rows of its table, or those of a list of its JSON. See sweep.h.
  *
  * The values of JSON are in SI and have no units in their names. They are written with their
- * units here (fields_units.h), and get the names and the units (--units) that columns of tables
+ * units here (visit.h), and get the names and the units (--units) that columns of tables
  * have.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -14,7 +14,6 @@
 #include "cli/frame/view.h"
 #include "core/append.h"
 #include "core/grow.h"
-#include "output/fields/fields_units.h"
 #include "output/fields/visit.h"
 
 enum { NAME = 256, NUMBER = 32 };

@@ -3,7 +3,7 @@
 #include "config.h"
 
 #include "cli/beam/beam_result.h"
-#include "cli/frame/colour.h"
+#include "cli/frame/progress.h"
 #include "cli/plan/plan_result.h"
 #include "cli/frame/kinds.h"
 

@@ -11,7 +11,7 @@
 
 #include <hawser/schema.h>
 
-#include "cli/frame/input.h"
+#include "cli/frame/kinds.h"
 
 static const struct cli_option options[] = {
 	CLI_HELP_OPTION,

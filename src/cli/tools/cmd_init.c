@@ -4,7 +4,6 @@
 
 #include <string.h>
 
-#include "cli/frame/input.h"
 #include "cli/frame/kinds.h"
 #include "cli/tools/init_from.h"
 #include "cli/tools/init_scenes.h"

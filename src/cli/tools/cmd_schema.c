@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
-#include "cli/frame/input.h"
+#include "cli/frame/kinds.h"
 
 static const struct cli_option options[] = {
 	CLI_HELP_OPTION,

@@ -18,7 +18,7 @@
 #include <string.h>
 
 #include "modes/spectral.h"
-#include "modes/complex/complex_mode.h"
+#include "modes/complex/gyroscopic.h"
 
 void hawser__complex_init(struct hawser__complex *t, const struct hawser__cable *cable, int plane,
                           double nu, double *work)

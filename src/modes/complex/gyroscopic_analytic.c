@@ -29,7 +29,6 @@
 #include "modes/analytic.h"
 #include "modes/complex/gyroscopic.h"
 #include "modes/label.h"
-#include "modes/complex/complex_mode.h"
 
 enum { APPLICATIONS = 3 };
 

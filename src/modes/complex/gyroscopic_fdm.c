@@ -22,11 +22,10 @@
 #include <string.h>
 
 #include "core/report.h"
-#include "modes/fdm.h"
+#include "modes/methods.h"
 #include "modes/complex/gyroscopic.h"
 #include "modes/label.h"
 #include "modes/halving.h"
-#include "modes/complex/complex_mode.h"
 
 enum { POINTS_MAX = 250, POINTS = 60, POINTS_A_MODE = 6, APPLICATIONS = 3 };
 

@@ -33,7 +33,6 @@
 #include "modes/complex/gyroscopic.h"
 #include "modes/label.h"
 #include "modes/spectral.h"
-#include "modes/complex/complex_mode.h"
 
 enum { BASIS_MAX = 400 };
 

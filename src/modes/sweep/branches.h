@@ -4,6 +4,7 @@
 #ifndef HAWSER_MODES_BRANCHES_H
 #define HAWSER_MODES_BRANCHES_H
 
+#include <hawser/campbell.h>
 #include <hawser/gyroscopic.h>
 #include <hawser/irvine.h>
 
@@ -155,5 +156,36 @@ enum hawser_status hawser__branches_locate(struct hawser__branches *all, int k,
 /* Find veerings that are wider than a step, and insert samples that resolve the narrow ones. */
 enum hawser_status hawser__branches_veerings(struct hawser__branches *all,
                                              struct hawser_report *report);
+
+/* --- campbell_range.c: the range of speeds of a Campbell diagram, and its stations --- */
+
+/* Replace zeros by defaults and check the options; *limit as in struct hawser_campbell. */
+enum hawser_status hawser__campbell_settle(struct hawser_campbell_options *options, double *limit,
+                                           const struct hawser_scene *scene,
+                                           struct hawser_report *report);
+
+/* *x [*count]: speeds of the stations, m/s, ascending, below the limit; the first *asked are the
+ * requested ones. Release with free(). */
+enum hawser_status hawser__campbell_place(double **x, int *count, int *asked,
+                                          const struct hawser_campbell_options *options,
+                                          double limit, struct hawser_report *report);
+
+/* --- irvine_range.c: the range of a sweep of the tension, and its stations --- */
+
+/* x[points]: log of H (N) at the stations; strictly monotone. */
+enum hawser_status hawser__irvine_place(double *x, int points, const struct hawser_span *span,
+                                        const struct hawser_irvine_options *options,
+                                        struct hawser_report *report);
+
+/* The static solution with the apparent horizontal tension H (N), with attachments and motion as in the
+ * options. */
+enum hawser_status hawser__irvine_at(struct hawser_statics *st, const struct hawser_span *span,
+                                     const struct hawser_irvine_options *options, double H,
+                                     struct hawser_report *report);
+
+/* hawser_irvine_range, with attachments and motion as in the options. */
+enum hawser_status hawser__irvine_range(double *from, double *to, const struct hawser_span *span,
+                                        const struct hawser_irvine_options *options,
+                                        enum hawser_given given, struct hawser_report *report);
 
 #endif

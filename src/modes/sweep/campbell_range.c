@@ -11,7 +11,7 @@
 #include <stdlib.h>
 
 #include "core/report.h"
-#include "modes/sweep/campbell_range.h"
+#include "modes/sweep/branches.h"
 
 enum { POINTS = 100, POINTS_MOST = 1000000, BRANCHES = 10, BRANCHES_MOST = 500, APPROACH_MOST = 32 };
 static const char where[] = "campbell";

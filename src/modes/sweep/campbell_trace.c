@@ -16,7 +16,6 @@
 
 #include "core/report.h"
 #include "modes/sweep/branches.h"
-#include "modes/sweep/campbell_range.h"
 
 static const char where[] = "campbell";
 /* Smallest step relative to the limit. */

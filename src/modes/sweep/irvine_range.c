@@ -9,7 +9,7 @@
 #include <math.h>
 
 #include "core/report.h"
-#include "modes/sweep/irvine_range.h"
+#include "modes/sweep/branches.h"
 #include "statics/travel.h"
 
 static const double lambda_taut = 0.1*M_PI, lambda_slack = 10.0*M_PI; /* B, figures 4.4 and 4.5 */

@@ -12,7 +12,6 @@
 
 #include "core/report.h"
 #include "modes/sweep/branches.h"
-#include "modes/sweep/irvine_range.h"
 
 enum { POINTS = 200, BRANCHES = 10, BRANCHES_MOST = 500 };
 static const double default_correlation = 0.9, default_crossing = 1e-10;

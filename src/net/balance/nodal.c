@@ -1,4 +1,4 @@
-/* net/balance/nodal.c - LU factors of a sparse matrix of blocks; see nodal.h.
+/* net/balance/nodal.c - LU factors of a sparse matrix of blocks; see balance.h.
  *
  *   D_k        the block of row k when all before it are eliminated; its own LU factors have pivots
  *   A_ik, A_ki the blocks that link it with a later row i
@@ -16,7 +16,7 @@
 #include <string.h>
 
 #include "core/report.h"
-#include "net/balance/nodal.h"
+#include "net/balance/balance.h"
 
 void hawser__nodal_clear(struct hawser__nodal *blocks)
 {

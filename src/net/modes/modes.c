@@ -12,7 +12,7 @@
 
 #include "core/report.h"
 #include "net/body.h"
-#include "net/statics/solution.h"
+#include "net/statics/solve.h"
 #include "net/modes/symmetry.h"
 #include "net/touch/touch.h"
 

@@ -1,4 +1,4 @@
-/* net/modes/symmetry-map.c - see symmetry-map.h.
+/* net/modes/symmetry-map.c - see symmetry.h.
  *
  * The image of a node of the scene is looked for among the nodes sorted along one direction, which is
  * parallel to no axis that users choose. The image of a cable is one between the images of its
@@ -13,7 +13,7 @@
 #include <string.h>
 
 #include "core/report.h"
-#include "net/modes/symmetry-map.h"
+#include "net/modes/symmetry.h"
 
 static const double direction[3] = {0.5377, 0.7071, 0.4593};
 static const double same_matter = 1e-3;  /* relative difference of stiffness and mass of partners */

@@ -27,7 +27,6 @@
 #include "core/report.h"
 #include "core/vec3.h"
 #include "net/modes/symmetry.h"
-#include "net/modes/symmetry-map.h"
 
 enum { PLANES = 128, /* planes of symmetry that are compared */
        COLUMN = 102 /* LAPACK_COL_MAJOR */ };

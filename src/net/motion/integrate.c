@@ -12,8 +12,8 @@
 #include "net/body.h"
 #include "net/motion/motion-contact.h"
 #include "net/motion/motion-events.h"
-#include "net/motion/motion-probe.h"
-#include "net/statics/solution.h"
+#include "net/motion/motion-ode.h"
+#include "net/statics/solve.h"
 #include "net/touch/touch.h"
 
 enum { ROWS = 10000000, DEFAULT_ROWS = 200 };

@@ -22,10 +22,9 @@
 #include <lapacke.h>
 
 #include "core/report.h"
-#include "core/solve3.h"
 #include "core/vec3.h"
 #include "net/body.h"
-#include "net/motion/motion-body.h"
+#include "net/motion/motion.h"
 
 enum { M = HAWSER__BODY_MOTIONS };
 /* Of its length: nodes nearer to a line are on it. */

@@ -14,7 +14,7 @@
 
 #include "core/paths.h"
 #include "core/report.h"
-#include "core/rows3.h"
+#include "core/vec3.h"
 #include "net/motion/motion.h"
 
 struct hawser__blocks {

@@ -15,7 +15,7 @@
 
 #include "core/report.h"
 #include "net/motion/motion-contact.h"
-#include "net/motion/motion-probe.h"
+#include "net/motion/motion-ode.h"
 
 void hawser__probes_clear(struct hawser__probes *probes)
 {

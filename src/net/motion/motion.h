@@ -21,7 +21,11 @@
 #ifndef HAWSER_NET_STEPS_H
 #define HAWSER_NET_STEPS_H
 
+#include <lapacke.h>
+
 #include <hawser/net_motion.h>
+
+#include "net/body.h"
 #include "net/net.h"
 
 struct hawser__motion_element {
@@ -376,5 +380,56 @@ void hawser__motion_support_accelerations(double (*a)[3], const struct hawser__m
                                           double t);
 /* Harmonic loads at time t, times `factor`, added to wave [nodes][3]. */
 void hawser__motion_waves(double (*wave)[3], const struct hawser__mesh *mesh, double t, double factor);
+
+/* --- motion-body.c: rigid bodies in a step --- */
+
+struct hawser__motion_body {
+	int motions, node;     /* its motions; its hinge, -1: none */
+	int along;             /* its farthest node, if all are on a line with its place; else -1 */
+	double motion[6][6];   /* columns: displacement, turn */
+	double X[3], w[3];     /* m; of the step */
+	double by[6];          /* the last correction: displacement, small turn */
+	double reach;          /* m, the longest arm */
+};
+
+struct hawser__motion_bodies {
+	struct hawser__motion_body *body; /* [bodies] */
+	int bodies, motions;   /* motions: of all */
+	double h;              /* s, of the step */
+	double (*r0)[3], (*r1)[3]; /* [nodes] m: arms of nodes of bodies, at both ends of the step */
+	double (*F)[3], (*answer)[3]; /* [nodes] N: the residual; work space */
+	double (*column)[3];   /* [motions][nodes] answers of all nodes to the motions */
+	double *S, *sum;       /* [motions][motions] column by column; [motions] */
+	lapack_int *pivot;     /* [motions] */
+	struct hawser__hold hold;
+};
+
+/* --- flow.c: how the water flows at the places of a motion: a current over the height and over
+ * time, waves --- */
+
+struct hawser__near;
+struct hawser__water_flow {
+	const struct hawser_water *of;
+	struct hawser__near *near;           /* of a sea, else NULL */
+	struct hawser__support_table series; /* of the current over time; rows 0: none */
+	double t, later[3], rate[3];         /* s; m/s, m/s^2: of that current, beyond that of t = 0 */
+};
+/* At a place. */
+struct hawser__water_there {
+	double u[3], du[3]; /* m/s, m/s^2 */
+	double surface;     /* m */
+};
+
+/* For so many places; to be released also after a failure. */
+enum hawser_status hawser__water_flow_open(struct hawser__water_flow *flow,
+                                           const struct hawser_water *of, int places,
+                                           struct hawser_report *report) HAWSER_MUST_CHECK;
+void hawser__water_flow_clear(struct hawser__water_flow *flow);
+/* The time of what is asked for next. */
+void hawser__water_flow_time(struct hawser__water_flow *flow, double t);
+/* At x [3] (m). place: one of a motion, which moves little, or -1: waves exactly, so that nothing
+ * which comes later depends on this call. */
+void hawser__water_flow_at(struct hawser__water_there *at, const struct hawser__water_flow *flow,
+                           int place, const double x[3]);
 
 #endif

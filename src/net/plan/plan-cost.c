@@ -16,7 +16,7 @@
 #include "core/report.h"
 #include "net/motion/motion.h"
 #include "net/plan/plan.h"
-#include "net/statics/solution.h"
+#include "net/statics/solve.h"
 
 /* Iterations of statics with lengths (3 to 24 on the meshes of bench/net-plan), of the catenaries
  * before (7 to 112), of form finding with its repetitions, and of modes (8 to 21). */

@@ -10,7 +10,7 @@
 #include <math.h>
 
 #include "net/plan/plan.h"
-#include "net/statics/solution.h"
+#include "net/statics/solve.h"
 
 /* Error of positions over the sag, which a drawing does not show; the sag counts as a tenth of the
  * largest one of all cables at least, since a taut cable is displaced by the errors of the others.

@@ -12,7 +12,7 @@
 #include "core/report.h"
 #include "core/vec3.h"
 #include "net/read/read.h"
-#include "scene/wind_read.h"
+#include "scene/tree.h"
 
 /* The flow over the height. */
 static enum hawser_status blow(struct hawser_water *air, const struct hawser_wind *wind,

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "contact/surface_read.h"
+#include "contact/heights.h"
 #include "core/report.h"
 #include "net/net.h"
 #include "net/read/read.h"

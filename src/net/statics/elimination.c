@@ -1,5 +1,5 @@
 /* net/statics/elimination.c - the order in which the unknowns of a mesh are eliminated: see
- * net/statics/elimination.h.
+ * net/statics/solve.h.
  *
  * The unknowns of a node have the same neighbours. So the order is found for the graph of the nodes,
  * which has a third of the vertices and a ninth of the entries of the matrix.
@@ -9,7 +9,7 @@
 
 #include <stdlib.h>
 
-#include "net/statics/elimination.h"
+#include "net/statics/solve.h"
 
 static int is_free(const struct hawser__mesh *mesh, int node)
 {

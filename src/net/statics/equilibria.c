@@ -19,7 +19,7 @@
 
 #include "core/report.h"
 #include "net/body.h"
-#include "net/statics/solution.h"
+#include "net/statics/solve.h"
 
 enum { STARTS = 2000, MOST = 200, BLOCK = 64, ROOM = 64 };
 #define SAME 1e-6     /* places that are as near, over the size, are one */

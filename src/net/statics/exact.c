@@ -9,7 +9,7 @@
 
 #include "core/report.h"
 #include "core/vec3.h"
-#include "net/statics/exact.h"
+#include "net/statics/dual.h"
 
 /* Exact catenaries start a mesh if they are found in so many iterations: another start costs less
  * than more of them. */

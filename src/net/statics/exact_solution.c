@@ -5,8 +5,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "net/statics/exact.h"
-#include "net/statics/solution.h"
+#include "net/statics/dual.h"
+#include "net/statics/solve.h"
 
 static double size_of(const double t[3])
 {

@@ -30,7 +30,7 @@
 #include <lapacke.h>
 
 #include "core/report.h"
-#include "net/statics/form.h"
+#include "net/statics/dual.h"
 
 enum { TRIES = 30, COLUMN = 102 /* LAPACK_COL_MAJOR */ };
 static const double ARMIJO = 1e-4;           /* of the decrease that the slope promises */

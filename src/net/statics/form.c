@@ -16,7 +16,7 @@
 #include <math.h>
 
 #include "core/report.h"
-#include "net/statics/form.h"
+#include "net/statics/dual.h"
 
 enum { MOST = 500 };
 /* Relative changes of tensions, sags and lengths: at which the iteration ends, and that will do. Where

@@ -26,7 +26,7 @@
 
 #include "contact/heights.h"
 #include "core/report.h"
-#include "net/statics/solution.h"
+#include "net/statics/solve.h"
 
 /* Wanted of the tensions, relative; elements are chosen for half of it. */
 static const double TARGET = 1e-3, SAFE = 0.5;

@@ -22,7 +22,7 @@
 #include "core/vec3.h"
 #include "net/body.h"
 #include "net/motion/motion.h"
-#include "net/statics/solution.h"
+#include "net/statics/solve.h"
 #include "net/touch/touch.h"
 
 enum { M = HAWSER__BODY_MOTIONS, ITERATIONS = 200, TRIES = 40, KICKS = 3 };

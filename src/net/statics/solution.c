@@ -11,9 +11,8 @@
 #include "core/report.h"
 #include "core/vec3.h"
 #include "net/body.h"
-#include "net/statics/exact.h"
-#include "net/statics/solution.h"
-#include "net/statics/tension.h"
+#include "net/statics/dual.h"
+#include "net/statics/solve.h"
 #include "net/touch/touch.h"
 #include "net/water/water.h"
 

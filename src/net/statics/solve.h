@@ -3,6 +3,8 @@
 #ifndef HAWSER_NET_SOLVE_H
 #define HAWSER_NET_SOLVE_H
 
+#include <suitesparse/cholmod.h>
+
 #include "core/hold.h"
 #include "net/net.h"
 
@@ -44,7 +46,7 @@ struct hawser__net_work {
 };
 
 /* A method: iterates from mesh->q; *done is 1 if the residual is within the tolerance. NULL: the
- * method has elements of its own (net/statics/exact.h). */
+ * method has elements of its own (net/statics/dual.h). */
 struct hawser__net_method {
 	struct hawser_net_method shown;
 	enum hawser_status (*solve)(struct hawser__net_work *work, int *done,
@@ -110,5 +112,57 @@ void hawser__net_right_loads(struct hawser__net_work *work);
 /* x = loads minus the sum over elements of force[e]*e; those of form finding with their true
  * force. */
 void hawser__net_right(struct hawser__net_work *work, const double *force /* [elements] */);
+
+/* --- elimination.c: the order in which the unknowns of a mesh are eliminated --- */
+
+/* permutation [unknowns]: few entries in the factors. 0 if there is not enough memory. */
+int hawser__elimination(int *permutation, const struct hawser__mesh *mesh, cholmod_common *common);
+
+/* --- tension.c: tensions at the nodes of a mesh, and what obstacles carry at supports --- */
+
+struct hawser__tensions {
+	const struct hawser__mesh *mesh;
+	const struct hawser_net *net;
+	const double (*x)[3];        /* [nodes] m */
+	const double *T;             /* [elements] N */
+	const double (*obstacle)[3]; /* [nodes] N: forces of obstacles; NULL: there are none */
+	const double (*v)[3], (*a)[3]; /* [nodes] m/s, m/s^2; NULL: at rest, without harmonic loads */
+	double t, far;               /* s; far as in struct hawser__motion */
+};
+/* Tension at node i of a cable, from its end `from` (0) on, N. */
+double hawser__tension_at(const struct hawser__tensions *of, int cable, int i);
+/* The vector of that tension, along the cable from its end `from` on. */
+void hawser__tension_vector(double t[3], const struct hawser__tensions *of, int cable, int i);
+/* The least tension between its nodes i and i + 1, N. */
+double hawser__tension_least(const struct hawser__tensions *of, int cable, int i);
+/* The forces of obstacles that touch, added to force [nodes][3]. */
+void hawser__tension_obstacles(double (*force)[3], const struct hawser__mesh *mesh);
+/* What an obstacle carries of the half elements at a node that a support holds on it, N; returns the
+ * number of the obstacle, -1 if there is none. *length0: of these halves, m. */
+int hawser__tension_rests(double force[3], double *length0, const struct hawser__tensions *of,
+                          int node);
+
+/* --- solution.c: what the solutions of meshes and of exact catenaries share --- */
+
+/* Fail for a part without support, with the names of its nodes. */
+enum hawser_status hawser__net_supported(const struct hawser__mesh *mesh, const struct hawser_net *net,
+                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+/* The arrays of st, whose numbers of nodes and cables are set. */
+enum hawser_status hawser__net_statics_open(struct hawser_net_statics *st, size_t elements,
+                                            struct hawser_report *report) HAWSER_MUST_CHECK;
+/* hawser_net_solve by a method, which need not be a row of the table. */
+enum hawser_status hawser__net_solve_by(struct hawser_net_statics *st, const struct hawser_net *net,
+                                        const struct hawser__net_method *method,
+                                        const struct hawser_net_options *options,
+                                        struct hawser_report *report) HAWSER_MUST_CHECK;
+/* The method `catenary`. */
+enum hawser_status hawser__exact_statics(struct hawser_net_statics *st, const struct hawser_net *net,
+                                         const struct hawser_net_options *options,
+                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+/* By exact catenaries, with the unstretched lengths of `st`; *found is 0 if there is no solution, or if
+ * there are obstacles. */
+enum hawser_status hawser__net_exact(struct hawser_net_statics *exact, int *found,
+                                     const struct hawser_net *net, const struct hawser_net_statics *st,
+                                     struct hawser_report *report) HAWSER_MUST_CHECK;
 
 #endif

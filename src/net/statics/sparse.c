@@ -12,7 +12,7 @@
 #include <string.h>
 
 #include "core/report.h"
-#include "net/statics/elimination.h"
+#include "net/statics/solve.h"
 
 enum { ENTRIES = 21, DIRECTIONS = 6 };
 /* Operations per entry of the factors from which CHOLMOD factors by dense blocks. Below it factors

@@ -21,7 +21,7 @@
 #include <string.h>
 
 #include "core/vec3.h"
-#include "net/statics/tension.h"
+#include "net/statics/solve.h"
 #include "net/water/water.h"
 
 /* Of an element: a support this near to an obstacle is on it. */

@@ -1,9 +1,10 @@
-/* net/water/flow.c - see flow.h. SPDX-License-Identifier: GPL-3.0-or-later */
+/* net/water/flow.c - see motion.h. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <string.h>
 
-#include "net/water/flow.h"
+#include "net/motion/motion.h"
+#include "net/water/water.h"
 #include "water/near.h"
 #include "water/water.h"
 

@@ -19,7 +19,6 @@
 #include "core/report.h"
 #include "core/vec3.h"
 #include "net/motion/motion.h"
-#include "net/water/flow.h"
 #include "net/water/water.h"
 
 struct hawser__water_motion {

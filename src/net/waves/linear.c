@@ -20,7 +20,7 @@
 #include "net/touch/touch.h"
 #include "net/water/water.h"
 #include "net/waves/linear.h"
-#include "water/profile.h"
+#include "water/near.h"
 #include "water/water.h"
 
 /* Height over which a line comes out of the water, over its diameter. */

@@ -18,7 +18,7 @@
 #include "core/settle.h"
 #include "core/vec3.h"
 #include "net/waves/linear.h"
-#include "water/linear.h"
+#include "water/water.h"
 
 struct solver {
 	struct hawser_net_waves_options options;

@@ -9,7 +9,7 @@
 
 #include <math.h>
 
-#include "output/drawing/panels.h"
+#include "output/drawing/figure.h"
 #include "output/output.h"
 
 #define MARK "with points pt 7 ps 0.5 lc rgb 'black'" /* of attachments */

@@ -10,7 +10,7 @@
 
 #include "core/report.h"
 #include "output/drawing/animate.h"
-#include "output/drawing/outline.h"
+#include "output/drawing/labels.h"
 #include "output/output.h"
 #include "output/drawing/perspective.h"
 #include "output/drawing/picture_choice.h"

@@ -1,4 +1,4 @@
-/* output/drawing/axis.c - axes of pictures in the units that the user has chosen. See axis.h.
+/* output/drawing/axis.c - axes of pictures in the units that the user has chosen. See units.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "output/drawing/axis.h"
+#include "output/fields/units.h"
 
 static const struct {
 	const char *si, *shown;

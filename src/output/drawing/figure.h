@@ -11,6 +11,8 @@
 #ifndef HAWSER_OUTPUT_FIGURE_H
 #define HAWSER_OUTPUT_FIGURE_H
 
+#include <stdio.h>
+
 #include "output/drawing/perspective.h"
 #include "output/drawing/style.h"
 #include "output/output.h"
@@ -122,5 +124,44 @@ void hawser__figure_abort(struct hawser__figure *figure);
 
 /* map_tongues.c: put x and y of both corners of boxes that fill tongues narrower than a pixel. */
 void hawser__map_tongues(struct hawser__figure *figure, const struct hawser__map_picture *map);
+
+/* --- frames.c: where the panels of a picture are, and the ranges of their axes, for programs
+ * that read values off an SVG picture (the report's script) ---
+ *
+ * gnuplot knows both after each plot only. So the script asks it to print them, with a word by
+ * which they are found among its messages. */
+
+struct hawser__picture;
+
+/* Ask for the panel that was plotted last, if any. */
+void hawser__frames_ask(struct hawser__picture *picture);
+/* 1 if a line of gnuplot's messages is its answer. */
+int hawser__frames_answer(const char *line);
+/* Write the attribute data-panels of an SVG element of that height (px): for each panel "left right
+ * top bottom x0 x1 y0 y1 log", px and units of the axes; log: bit 1: x is logarithmic, bit 2: y is;
+ * panels are separated by ";". `messages` is what gnuplot wrote to standard error, read from its
+ * beginning. */
+void hawser__frames_write(FILE *to, FILE *messages, double height);
+
+/* --- panels.c: layout of pictures with one panel per mode, in rows of up to three --- */
+
+enum { HAWSER__PANELS = 12 }; /* at most */
+
+/* Position of panel k. */
+struct hawser__panels {
+	int panels, columns, rows;
+	double height, bottom, top, left, width, tall;
+};
+struct hawser__panels hawser__panels_arrange(int modes);
+/* Open panel k. Numbers stand below the lowest panels and left of the first column; the title of y once
+ * for all. Places of *frame are not read. */
+void hawser__panels_open(struct hawser__figure *figure, const struct hawser__panels *at, int k,
+                         const struct hawser__panel_frame *frame);
+
+/* Title of the panel of mode k with this frequency (rad/s). */
+void hawser__panels_frequency(FILE *script, int k, double omega, const char *what);
+
+/* Factor, 1, 2 or 5 times a power of ten, that magnifies a component too small to be visible. */
+double hawser__panels_magnify(double mine, double other);
 
 #endif

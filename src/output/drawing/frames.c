@@ -1,9 +1,9 @@
-/* output/drawing/frames.c - see frames.h. SPDX-License-Identifier: GPL-3.0-or-later */
+/* output/drawing/frames.c - see figure.h. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <string.h>
 
-#include "output/drawing/frames.h"
+#include "output/drawing/figure.h"
 #include "output/output.h"
 
 static const char mark[] = "hawser-panel ";

@@ -20,8 +20,7 @@
 #include <unistd.h>
 
 #include "core/report.h"
-#include "output/drawing/frames.h"
-#include "output/drawing/latex.h"
+#include "output/drawing/figure.h"
 #include "output/output.h"
 #include "output/drawing/picture_choice.h"
 #include "output/drawing/style.h"

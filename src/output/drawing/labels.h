@@ -4,6 +4,10 @@
 #ifndef HAWSER_OUTPUT_LABELS_H
 #define HAWSER_OUTPUT_LABELS_H
 
+#include <stdio.h>
+
+#include <hawser/surface.h>
+
 #include "output/drawing/figure.h"
 
 /* The axes of a panel, and the rectangles in it that are occupied. */
@@ -27,5 +31,20 @@ void hawser__labels_line(struct hawser__labels *labels, const double from[2], co
 /* Place the number beside the point, in the colour of that line type, if there is space. */
 void hawser__labels_put(struct hawser__labels *labels, struct hawser__picture *picture, double x,
                         double y, int number, int colour);
+
+/* --- outline.c: outlines of obstacles, as they are seen --- */
+
+/* Puts places into a figure, or into the data of a script, or (both are NULL) adds them to `seen`. */
+struct hawser__pen {
+	struct hawser__figure *figure;
+	FILE *script;
+	struct hawser__box *seen;
+	const struct hawser__eye *eye;
+	double shift[2]; /* m: added to what the eye sees */
+};
+void hawser__pen_put(const struct hawser__pen *pen, const double x[3]);
+/* The outline within the box of the net; a line is ended by an empty one. */
+void hawser__pen_surface(const struct hawser__pen *pen, const struct hawser_surface *of,
+                         const struct hawser__box *box);
 
 #endif

@@ -1,4 +1,4 @@
-/* output/drawing/latex.c - see latex.h.
+/* output/drawing/latex.c - see picture_choice.h.
  *
  * gnuplot's terminal cairolatex writes the drawing as PDF and its texts as they stand, for LaTeX.
  * The texts of all pictures have gnuplot's own markup, so they are translated here, behind gnuplot:
@@ -16,7 +16,7 @@
 
 #include "core/file.h"
 #include "core/report.h"
-#include "output/drawing/latex.h"
+#include "output/drawing/picture_choice.h"
 
 #define MARK '\001' /* before a text that begins with a bracket */
 

@@ -1,9 +1,9 @@
-/* output/drawing/outline.c - see outline.h. SPDX-License-Identifier: GPL-3.0-or-later */
+/* output/drawing/outline.c - see labels.h. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <math.h>
 
-#include "output/drawing/outline.h"
+#include "output/drawing/labels.h"
 
 enum { ROUND = 96, LINES = 6 }; /* sides of a circle; lines of a bed along x, and along z */
 #define LEAST 0.3 /* of the larger side of the box: a plane is drawn no smaller */

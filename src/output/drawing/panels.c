@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#include "output/drawing/panels.h"
+#include "output/drawing/figure.h"
 
 double hawser__panels_magnify(double mine, double other)
 {

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "output/fields/fields_value.h"
+#include "output/fields/fields.h"
 
 static const struct {
 	const char *suffix, *name;

@@ -6,8 +6,8 @@
 #include <string.h>
 
 #include "core/report.h"
-#include "output/fields/fields_units.h"
-#include "output/fields/fields_value.h"
+#include "output/fields/visit.h"
+#include "output/fields/fields.h"
 
 /* The object of which the last part of "certificate.error" is a member; it is created if missing. A
  * name that ends with the separator is that of an array: *key NULL, for an element of it. */
@@ -354,7 +354,6 @@ static void list_json(struct hawser__json *json, json_t *into, const char *key,
 			elements_json(json, place, name, maker, part, streamed);
 	}
 }
-
 
 /* --- places --- */
 

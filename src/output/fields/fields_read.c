@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "output/fields/fields_value.h"
+#include "output/fields/fields.h"
 
 enum { LABELS = 64 }; /* largest number of values of an enumeration */
 

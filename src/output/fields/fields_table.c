@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "output/fields/fields_value.h"
+#include "output/fields/fields.h"
 
 /* Columns in the order of the table; returns their number. */
 static int order(const struct hawser__field *column[HAWSER__COLUMNS],

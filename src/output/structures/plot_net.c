@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#include "output/drawing/outline.h"
+#include "output/drawing/labels.h"
 #include "output/structures/structures.h"
 
 #define WIDTH 16.0 /* cm */

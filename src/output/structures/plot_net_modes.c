@@ -4,7 +4,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
-#include "output/drawing/panels.h"
+#include "output/drawing/figure.h"
 #include "output/drawing/perspective.h"
 #include "output/structures/structures.h"
 

@@ -1,4 +1,4 @@
-/* output/structures/plot_ropeway_modes.c - see plot_ropeway_modes.h. A motion in the plane is
+/* output/structures/plot_ropeway_modes.c - see structures.h. A motion in the plane is
  * drawn along the line and across it as the page shows the line, since heights and distances
  * have different scales; one out of the plane is drawn upwards. A complex shape is turned such
  * that it is largest at t = 0, and drawn then and a quarter of a period later, when a standing
@@ -9,8 +9,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "output/drawing/panels.h"
-#include "output/structures/plot_ropeway_modes.h"
+#include "output/drawing/figure.h"
+#include "output/structures/structures.h"
 
 #define WIDTH 22.0       /* cm: as the pictures of the statics of ropeways */
 #define LEFT_CM 2.8      /* of the first panel: tic labels and the title of the axis */

@@ -1,4 +1,4 @@
-/* output/structures/plot_trajectory.c - see plot_trajectory.h.
+/* output/structures/plot_trajectory.c - see structures.h.
  *
  * The path is seen from above, with equal scales: x to the right and z downwards, since y points to the
  * eye, so that a left turn is one. A panel of the height is there if it changes.
@@ -8,7 +8,7 @@
 
 #include <math.h>
 
-#include "output/structures/plot_trajectory.h"
+#include "output/structures/structures.h"
 #include "output/drawing/figure.h"
 
 #define WIDTH 17.0 /* cm */

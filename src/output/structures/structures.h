@@ -3,6 +3,7 @@
 #ifndef HAWSER_OUTPUT_STRUCTURES_H
 #define HAWSER_OUTPUT_STRUCTURES_H
 
+#include <hawser/line_modes.h>
 #include <hawser/net_modes.h>
 #include <hawser/obstacles.h>
 #include <hawser/rod_motion.h>
@@ -11,6 +12,7 @@
 #include <hawser/transient.h>
 
 #include "output/drawing/figure.h"
+#include "output/output.h"
 
 /* A net in perspective, its cables coloured by their tension; plot_mooring.c: one in water, from two
  * sides. */
@@ -68,6 +70,42 @@ enum hawser_status hawser__plot_tow(const char *path, const struct hawser_tow *t
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
 /* A towed body in time: its way, tilt and tensions. */
 enum hawser_status hawser__plot_tow_motion(const char *path, const struct hawser_tow_motion *motion,
+                                           struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* --- plot_ropeway_modes.c: modes of a rope over sheaves along its profile, a panel each: of a
+ * ropeway, or of a span over obstacles --- */
+
+struct hawser__ropeway_modes_picture {
+	const struct hawser_line_modes *modes;
+	const char *what;        /* "towers", "obstacles": in the legend */
+	int posts;               /* 1: a line below each tower */
+	int towers;
+	const double (*tower)[2]; /* [towers] m, points at which the rope passes them */
+	double end[2][2];        /* m, of the line */
+	int carriers[HAWSER_LINE_LANES];
+	int spans;               /* of all lanes, those of a lane one after the other */
+	const char *const *name; /* [spans] "p0 to p1" */
+	const double *share;     /* [modes->n][spans] of the kinetic energy */
+};
+enum hawser_status hawser__plot_ropeway_modes(const char *path,
+                                              const struct hawser__ropeway_modes_picture *of,
+                                              struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* --- plot_trajectory.c: a path from above, and velocity and acceleration over time --- */
+
+/* A time and the state there. */
+struct hawser__trajectory_point {
+	double t, state[HAWSER_PATH_ORDERS][3];
+};
+
+struct hawser__trajectory_picture {
+	const struct hawser__trajectory_point *point; /* [points] */
+	int points;
+	const struct hawser_waypoint *waypoint;       /* [waypoints] those in the range, or none */
+	int waypoints, first;                         /* number of the first, from 0 */
+};
+enum hawser_status hawser__plot_trajectory(const char *path,
+                                           const struct hawser__trajectory_picture *of,
                                            struct hawser_report *report) HAWSER_MUST_CHECK;
 
 #endif

@@ -1,10 +1,10 @@
-/* response/family/keep.c - see keep.h. The one that was not asked for longest gives way.
+/* response/family/keep.c - see smooth.h. The one that was not asked for longest gives way.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <string.h>
 
-#include "response/family/keep.h"
+#include "response/family/smooth.h"
 
 static enum hawser_status make_one(void *context, struct hawser_rom *rom, double p,
                                    struct hawser_report *report)

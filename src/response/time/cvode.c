@@ -33,7 +33,7 @@
 #include "core/sundials.h"
 #include "response/time/stepper.h"
 #include "rom/terms/history.h"
-#include "rom/build/ramp.h"
+#include "rom/build/model.h"
 
 struct cvode {
 	struct hawser__stepper base;

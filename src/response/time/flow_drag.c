@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "response/time/flow.h"
-#include "response/time/tableau.h"
+#include "response/time/nystrom.h"
 #include "rom/terms/drag.h"
 #include "rom/energy/kernel.h"
 #include "rom/terms/terms.h"

@@ -21,7 +21,7 @@
 #include "response/orbit/rest.h"
 #include "response/time/stepper.h"
 #include "rom/terms/history.h"
-#include "rom/build/ramp.h"
+#include "rom/build/model.h"
 #include "rom/terms/terms.h"
 
 #define WHERE "integrate"

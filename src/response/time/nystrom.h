@@ -1,4 +1,4 @@
-/* response/time/nystrom.h - the formula of tableau.h for u'' = f(u, v, t) - d v.
+/* response/time/nystrom.h - the formula of tableau.c for u'' = f(u, v, t) - d v.
  *
  *    H      step in time; a, b, e5, e3 as in the tableau; e a column of ones
  *    f      slopes: acceleration at the stages, without the damping d of the coordinate itself
@@ -17,7 +17,23 @@
 #ifndef HAWSER_RESPONSE_NYSTROM_H
 #define HAWSER_RESPONSE_NYSTROM_H
 
-#include "response/time/tableau.h"
+/* --- tableau.c: the Runge-Kutta formula of the period map ---
+ *
+ * The method of Dormand and Prince of order 8 with 12 stages, and the two comparison formulas of
+ * orders 5 and 3 for its error estimate (Hairer, Norsett and Wanner, Solving Ordinary
+ * Differential Equations I, 2nd ed., II.5 and II.10, "DOP853"). It is explicit, since the models
+ * are not stiff in the range of a response; of high order, since shooting needs 1e-9 and better;
+ * and has few stages for its order. A test of the order of convergence checks the coefficients. */
+
+#define HAWSER_RK_STAGES 12 /* of DOP853 */
+
+struct hawser__tableau {
+	double a[HAWSER_RK_STAGES][HAWSER_RK_STAGES]; /* strictly lower */
+	double b[HAWSER_RK_STAGES], c[HAWSER_RK_STAGES];
+	double e5[HAWSER_RK_STAGES], e3[HAWSER_RK_STAGES]; /* differences to orders 5 and 3 */
+};
+
+extern const struct hawser__tableau hawser__dop853;
 
 enum {
 	HAWSER_RK_END = HAWSER_RK_STAGES, /* row of the step's end */

@@ -35,7 +35,7 @@
 #include "response/orbit/weights.h"
 #include "response/time/collocated.h"
 #include "rom/terms/history.h"
-#include "rom/build/ramp.h"
+#include "rom/build/model.h"
 
 #define S HAWSER__NODES
 #define MAX_ITERATIONS 10 /* an iteration that needs more is repeated with half the step */

@@ -14,7 +14,7 @@
 #include "core/report.h"
 #include "response/time/stepper.h"
 #include "rom/terms/history.h"
-#include "rom/build/ramp.h"
+#include "rom/build/model.h"
 
 double hawser__stepper_omega(const struct hawser__stepper *stepper, double t)
 {

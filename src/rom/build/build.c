@@ -20,7 +20,7 @@
 #include "core/report.h"
 #include "modes/label.h"
 #include "rom/condense/answer.h"
-#include "rom/condense/load_fields.h"
+#include "rom/condense/fields.h"
 #include "rom/build/build.h"
 #include "rom/terms/drag.h"
 #include "rom/file/entries.h"
@@ -32,7 +32,6 @@
 #include "rom/energy/project.h"
 #include "rom/condense/support.h"
 #include "rom/terms/travel.h"
-#include "rom/terms/wake.h"
 #include "rom/terms/wind.h"
 #include "statics/frame.h"
 

@@ -12,8 +12,10 @@
 
 #include <hawser/rom.h>
 
+#include "core/hold.h"
 #include "modes/driven.h"
 #include "rom/condense/fields.h"
+#include "rom/condense/inertia.h"
 
 /* All scaled. A place is the number of a shape point of the model; behind these come the points of its
  * line, where u is not asked for. At it, u is P, Q, B and slope a, b, c. */
@@ -75,5 +77,49 @@ enum hawser_status hawser__expanded_lift(struct hawser_rom *rom, const struct ha
 enum hawser_status hawser__expanded_fields(struct hawser_rom *rom, const struct hawser__expanded *e,
                                            const struct hawser__answers *answers,
                                            struct hawser_report *report);
+
+/* --- expanded_inertia.c: second-order shapes as coordinates behind the modes of a model from an
+ * expanded energy --- */
+
+/* What the shapes of a model are made of. */
+struct hawser__inertia_by {
+	const void *of;
+	int n;                 /* modes */
+	size_t width;          /* of a displacement, a row */
+	double *second;        /* [pairs][width] what follows the modes */
+	double (*amplitude)(const void *of, int mode);
+	/* Products of displacements in mass; in stiffness, of shapes. */
+	double (*mass)(const void *of, const double *x, const double *y);
+	double (*stiffness)(const void *of, const double *x, const double *y);
+	/* A shape that can vibrate, of what follows; NULL: this itself. */
+	enum hawser_status (*vibrates)(const void *of, double *to, const double *from,
+	                               struct hawser_report *report);
+	/* The part along a shape of the stiffness kappa2 of what follows modes j and k. */
+	double (*part)(const void *of, int j, int k, const double *row, double kappa2);
+};
+
+struct hawser__inertia {
+	struct hawser_rom_inertia found;
+	double *by;            /* [shapes][pairs] what they are made of */
+	double *row;           /* [shapes][width] of the mass 1 */
+	double kappa2[HAWSER__INERTIA_MOST]; /* their stiffness */
+	double *part;          /* [shapes][pairs] of what follows along them, which is taken out of it */
+};
+
+/* Expected amplitude of a mode of the stiffness omega2 and the second and fourth derivatives quad and
+ * own of its own force: under a force over its damping, or of slopes that the expansion bears; turning:
+ * mean square of its slopes. */
+double hawser__inertia_expected(double omega2, double quad, double own, double size, double turning);
+/* Which shapes matter. */
+enum hawser_status hawser__inertia_find(struct hawser__inertia *of, struct hawser__hold *hold,
+                                        const struct hawser__inertia_by *by,
+                                        struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Those shapes. */
+enum hawser_status hawser__inertia_make(struct hawser__inertia *of, struct hawser__hold *hold,
+                                        const struct hawser__inertia_by *by,
+                                        struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Their forces and those on the modes. */
+enum hawser_status hawser__inertia_quads(struct hawser_rom *rom, const struct hawser__inertia *of,
+                                         struct hawser_report *report) HAWSER_MUST_CHECK;
 
 #endif

@@ -24,7 +24,7 @@
 
 #include "core/report.h"
 #include "modes/pairing.h"
-#include "rom/build/expanded_inertia.h"
+#include "rom/build/expanded.h"
 
 static const double allowed = 2e-4; /* relative error of resonance frequencies, as of spans; chosen */
 

@@ -5,9 +5,8 @@
 
 #include <hawser/line_rom.h>
 
-#include "rom/build/expanded_inertia.h"
 #include "rom/build/expanded.h"
-#include "ropeway/expand/expand_modes.h"
+#include "ropeway/expand/expand.h"
 
 /* Add the harmonics of options->load. pull: as of hawser__lexpand_drive, the static response to which
  * is in the shapes of t behind the modes then. line_load.c. */

@@ -16,7 +16,7 @@
 
 #include "core/report.h"
 #include "modes/grid.h"
-#include "rom/terms/contacts.h"
+#include "rom/terms/dampers.h"
 #include "rom/build/line.h"
 
 /* Change of slope of the rope at an end of a piece. */

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "core/report.h"
-#include "rom/terms/contacts.h"
+#include "rom/terms/dampers.h"
 #include "rom/terms/history.h"
 #include "rom/terms/drag.h"
 #include "rom/terms/ends.h"

@@ -30,4 +30,14 @@ struct hawser_harmonic *hawser__rom_harmonic(struct hawser_rom *rom, int k, enum
 void hawser__shapes_global(double *xyz, const struct hawser_rom_shapes *shapes, int p,
                            const double local[3]);
 
+/* --- the forces of a model's ramp (struct hawser_ramp), for the integrators. In forced.c --- */
+
+/* Add the ramp at time t to acceleration [n] and, unless NULL, to its derivatives by_u and by_v
+ * [n][n]. At the end of the ramp, where ds/dt is discontinuous, `over` selects the side. */
+void hawser__rom_ramp(const struct hawser_rom *rom, double *acceleration, double *by_u, double *by_v,
+                      const double *u, const double *v, double t, int over);
+
+/* The contribution of its conservative terms, in s and s^2, to the energy at u. */
+double hawser__rom_ramp_energy(const struct hawser_rom *rom, const double *u, double t);
+
 #endif

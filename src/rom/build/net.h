@@ -7,7 +7,6 @@
 
 #include "net/expand/expand.h"
 #include "rom/build/expanded.h"
-#include "rom/build/expanded_inertia.h"
 
 /* Between two nodes of the mesh, with the strains of two elements. */
 struct hawser__net_place {

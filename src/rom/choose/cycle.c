@@ -19,7 +19,7 @@
 
 #include "core/hold.h"
 #include "core/report.h"
-#include "rom/choose/cycle.h"
+#include "rom/choose/drive.h"
 
 static const double settled = 1e-12;   /* last Newton step relative to the size of the orbit; near
                                         * round-off */

@@ -34,7 +34,6 @@
 #include "core/report.h"
 #include "modes/label.h"
 #include "rom/condense/inertia.h"
-#include "rom/condense/inertia_choice.h"
 #include "rom/condense/basis.h"
 
 enum { MOST = HAWSER__INERTIA_MOST, PAIRS = HAWSER__INERTIA_PAIRS };

@@ -5,7 +5,6 @@
 #include <math.h>
 
 #include "rom/condense/inertia.h"
-#include "rom/condense/inertia_choice.h"
 
 /* Mean square of the slopes of mode j. */
 static double turning(const struct hawser_modes *modes, int j)

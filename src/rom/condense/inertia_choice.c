@@ -1,4 +1,4 @@
-/* rom/condense/inertia_choice.c - see inertia_choice.h; of motions it knows their products alone.
+/* rom/condense/inertia_choice.c - see inertia.h; of motions it knows their products alone.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -9,7 +9,7 @@
 
 #include "core/hold.h"
 #include "core/report.h"
-#include "rom/condense/inertia_choice.h"
+#include "rom/condense/inertia.h"
 
 #define DEPENDENT 1e-10 /* relative mass of linearly dependent motions: far above round-off */
 

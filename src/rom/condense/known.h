@@ -21,4 +21,10 @@ int hawser__rom_answers_load(const struct hawser_rom *rom);
 /* Release rom->known and the harmonics' forces on it. */
 void hawser__rom_known_clear(struct hawser_rom *rom);
 
+/* --- twin.c: the same mode of the cable in two models --- */
+
+/* 1 + the index of coordinate j of `rom` among those of the full-order model `full` of the same
+ * statics, negative if it has the opposite sign there; 0 if `full` does not resolve it. */
+int hawser__twin(const struct hawser_rom *rom, int j, const struct hawser_rom *full);
+
 #endif

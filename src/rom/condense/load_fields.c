@@ -21,7 +21,7 @@
 #include "modes/grid.h"
 #include "rom/build/build.h"
 #include "rom/condense/follow.h"
-#include "rom/condense/load_fields.h"
+#include "rom/condense/fields.h"
 #include "rom/condense/support.h"
 #include "rom/terms/travel.h"
 

@@ -51,7 +51,7 @@
 
 #include "core/report.h"
 #include "rom/condense/order.h"
-#include "rom/condense/twin.h"
+#include "rom/condense/known.h"
 
 #define RESOLVED 0.6  /* fraction of the candidates that the full-order model must resolve; chosen */
 #define ROWS_LEAST 24 /* least number of rows per period; chosen */

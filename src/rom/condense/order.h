@@ -6,7 +6,7 @@
 #include <hawser/choose.h>
 
 #include "core/hold.h"
-#include "rom/energy/relax.h"
+#include "rom/energy/law.h"
 #include "rom/choose/weigh.h"
 
 enum { HAWSER__OMITTED_WAVES = 5 }; /* number of harmonics of dx; chosen */

@@ -32,7 +32,7 @@
 #include "modes/label.h"
 #include "rom/terms/ends.h"
 #include "rom/energy/kernel.h"
-#include "rom/condense/load_fields.h"
+#include "rom/condense/fields.h"
 #include "rom/energy/project.h"
 #include "rom/condense/support.h"
 

@@ -5,7 +5,7 @@
 #include <cblas.h>
 #include <math.h>
 
-#include "rom/condense/twin.h"
+#include "rom/condense/known.h"
 
 #define SAME 1e-3 /* largest difference of shapes and frequencies; chosen */
 

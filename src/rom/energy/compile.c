@@ -18,7 +18,7 @@
 #include "core/report.h"
 #include "rom/file/entries.h"
 #include "rom/energy/kernel.h"
-#include "rom/terms/rates.h"
+#include "rom/terms/terms.h"
 
 /* Largest relative asymmetry of tensors that count as derived from a potential: the round-off of a
  * projection is of order 1e-15. */

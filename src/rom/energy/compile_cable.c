@@ -1,6 +1,6 @@
 /* rom/energy/compile_cable.c - the kernel of a cable's model: tensors, functions, or both.
  *
- * Each task (effort.h) is done from tensors unless functions are estimated to be faster. If functions
+ * Each task (kernel.h) is done from tensors unless functions are estimated to be faster. If functions
  * are faster in all tasks, the tensors are not compiled; they remain lists, for files, exports and what
  * is computed of single entries.
  *

@@ -10,7 +10,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
-#include "rom/energy/effort.h"
+#include "rom/energy/kernel.h"
 
 /* Nanoseconds per call, per n^2, and per operation. Measured with bench/kernel on a Xeon of 2.5 GHz
  * (Cooper Lake), chairlift and deep sag with 3 to 60 modes, condensed and not; the estimates are

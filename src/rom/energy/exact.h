@@ -8,6 +8,7 @@
 #include <hawser/rom.h>
 
 #include "core/hold.h"
+#include "rom/condense/bend.h"
 
 /* The coordinates are separated by plane: `in` of them determine a and b, the other `out` determine
  * c. In space all n of them do both: in = out = n, and `other` is 0. */
@@ -86,5 +87,19 @@ void hawser__exact_strain(const struct hawser_rom_exact *exact, double *strain, 
 /* At point p, for local strains (a, b, c), without the factor of the quadrature weight. */
 struct hawser__stress hawser__exact_stress(const struct hawser_rom_exact *exact, int p, double a,
                                            double b, double c);
+
+/* --- exact_bend.c: bending stiffness in a model with the exact energy --- */
+
+/* Add the stiffness by bending to matrix [n][n], in the order of the model, once the slopes at the
+ * quadrature points are set. Nothing without cable.EI. Statuses: _MEMORY, _NAN. */
+enum hawser_status hawser__exact_bend(double *matrix, const struct hawser_rom_exact *exact,
+                                      const struct hawser_modes *modes,
+                                      struct hawser_report *report);
+
+/* Add to pull [n] the force on the coordinates by bending of a displacement with the strain
+ * [points of the modes' grid][3], which is `at` [points][3] at the quadrature points. */
+enum hawser_status hawser__exact_bend_pull(double *pull, const struct hawser_rom_exact *exact,
+                                           const struct hawser_modes *modes, const double *strain,
+                                           const double *at, struct hawser_report *report);
 
 #endif

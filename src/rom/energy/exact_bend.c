@@ -22,7 +22,7 @@
 
 #include "core/report.h"
 #include "rom/condense/follow.h"
-#include "rom/energy/exact_bend.h"
+#include "rom/energy/exact.h"
 
 /* Rows of a strain: those of bend.h, then sqrt(weight T/g) times b and c on the grid of the modes, and
  * the same at the quadrature points. The product of the first two parts less that of the third is what

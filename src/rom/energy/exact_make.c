@@ -12,7 +12,6 @@
 #include "rom/terms/absorbers.h"
 #include "rom/terms/dampers.h"
 #include "rom/energy/exact.h"
-#include "rom/energy/exact_bend.h"
 
 void hawser__exact_free(struct hawser_rom_exact *exact)
 {

@@ -15,7 +15,7 @@
 #include "rom/energy/kernel.h"
 #include "rom/energy/quartic.h"
 #include "rom/file/plug.h"
-#include "rom/terms/rates.h"
+#include "rom/terms/terms.h"
 
 /* The factors of the rows: u and the products of its components, in the kernel's order of columns.
  * The last block of a run may extend past the end, with zeros for values. */

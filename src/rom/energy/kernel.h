@@ -25,7 +25,37 @@
 #include <hawser/rom.h>
 
 #include "core/hold.h"
-#include "rom/energy/effort.h"
+
+/* --- effort.c: which of the two forms of the energy is evaluated: tensors or functions --- */
+
+/* What is evaluated: a force, or a force with its tangent; at one state, or at each of several in
+ * one call. */
+enum hawser__effort_task {
+	HAWSER__FORCE,
+	HAWSER__TANGENT,
+	HAWSER__FORCES,
+	HAWSER__TANGENTS,
+	HAWSER__TASKS
+};
+
+/* Estimated times in nanoseconds for each task. */
+struct hawser__effort {
+	double tensors[HAWSER__TASKS];
+	double functions[HAWSER__TASKS];
+};
+
+/* The size of a model. */
+struct hawser__size {
+	int n, in, out;        /* coordinates; modes in the plane and out of it */
+	int points;            /* of the grid */
+	int condensed;
+	double cubics;         /* entries of C */
+};
+
+void hawser__effort(struct hawser__effort *effort, const struct hawser__size *size);
+
+/* Additions and multiplications of a force, or of force and tangent, by functions. */
+double hawser__function_flops(const struct hawser__size *size, int tangent);
 
 /* Largest number of coordinates of a model of a cable, and of one from a file: the hot loops store u_l
  * u_m on the stack. */
@@ -90,7 +120,7 @@ struct hawser_rom_kernel {
 	struct hawser__quartic *quartic; /* the same energy as a function (quartic.h); NULL if the model is
 	                       * not of a cable's modes */
 	struct hawser__size size;       /* of the model, if quartic is not NULL */
-	struct hawser__rates *rates;    /* terms in velocities alone (rates.h), or NULL */
+	struct hawser__rates *rates;    /* terms in velocities alone (terms.h), or NULL */
 	int others;                     /* number of terms that are not among them */
 	int *other;                     /* [others] their indices */
 	int by_function[HAWSER__TASKS]; /* 1: quartic is evaluated for this task, else the tensors. If
@@ -168,7 +198,7 @@ enum hawser_status hawser__rom_compile(struct hawser_rom *rom, int bare,
 enum hawser_status hawser__rom_refill(struct hawser_rom *rom, struct hawser_report *report);
 
 /* hawser_rom_compile, with the energy of `modes` as a function in the kernel, which evaluates it in
- * the tasks in which it is faster (effort.h). `condensed` as in project.h. HAWSER_ERR_MEMORY. */
+ * the tasks in which it is faster. `condensed` as in project.h. HAWSER_ERR_MEMORY. */
 enum hawser_status hawser__rom_compile_cable(struct hawser_rom *rom,
                                              const struct hawser_modes *modes,
                                              const struct hawser__condensed *condensed,

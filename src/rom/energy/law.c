@@ -23,7 +23,7 @@
 #include "core/report.h"
 #include "rom/energy/exact.h"
 #include "rom/energy/law.h"
-#include "rom/condense/twin.h"
+#include "rom/condense/known.h"
 
 /* Functions per component of the bases; chosen. The largest that a model may have is 33. */
 static const int functions[HAWSER__LAW_BASES] = {16, 24, 32};

@@ -14,7 +14,7 @@
 #include <lapacke.h>
 #include <string.h>
 
-#include "rom/energy/relax.h"
+#include "rom/energy/law.h"
 
 enum { STEPS = 40, HALVINGS = 12 }; /* most Newton steps; halvings of a step that does not reduce
                                      * the energy; chosen */

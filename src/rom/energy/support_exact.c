@@ -12,7 +12,6 @@
 #include "modes/grid.h"
 #include "modes/label.h"
 #include "rom/energy/exact.h"
-#include "rom/energy/exact_bend.h"
 #include "rom/energy/kernel.h"
 #include "rom/condense/support.h"
 

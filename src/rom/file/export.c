@@ -25,7 +25,7 @@
 #include "core/file.h"
 #include "core/report.h"
 #include "rom/export_text.h" /* made of texts/export.m and export.jl */
-#include "rom/file/rows.h"
+#include "rom/file/auto.h"
 #include "rom/terms/drag.h"
 #include "rom/terms/terms.h"
 

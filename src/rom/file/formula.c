@@ -17,7 +17,7 @@
 #include <string.h>
 
 #include "core/locale.h"
-#include "rom/file/formula.h"
+#include "rom/file/read.h"
 
 #define DEEPEST 50 /* brackets and signs */
 

@@ -10,7 +10,7 @@
 #include <string.h>
 
 #include "core/report.h"
-#include "rom/terms/contacts.h"
+#include "rom/terms/dampers.h"
 #include "rom/build/model.h"
 #include "rom/file/plug.h"
 #include "rom/file/read.h"

@@ -21,7 +21,6 @@
 #include <hawser/plugin.h>
 
 #include "core/report.h"
-#include "rom/file/formula.h"
 #include "rom/energy/kernel.h"
 #include "rom/build/model.h"
 #include "rom/file/plug.h"

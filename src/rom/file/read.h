@@ -5,6 +5,7 @@
 #define HAWSER_ROM_READ_H
 
 #include <jansson.h>
+#include <stddef.h>
 
 #include <hawser/rom_source.h>
 
@@ -98,5 +99,15 @@ enum hawser_status hawser__rom_divide(struct hawser_rom *rom, const double *inve
 enum hawser_status hawser__quads_to_terms(struct hawser_harmonic *h, struct hawser_report *report);
 enum hawser_status hawser__cubics_to_terms(struct hawser_harmonic *h, const struct hawser_cubic *C,
                                            int cubics, struct hawser_report *report);
+
+/* --- formula.c: numbers that a model file gives as texts with named parameters --- */
+
+/* *value of a text such as "1 + 2*eps^2", with the values of parameter [count]. Returns 0, or 1 with
+ * the reason in wrong [size]. */
+int hawser__formula(double *value, const char *text, const struct hawser_parameter *parameter,
+                    int count, char *wrong, size_t size);
+
+/* 1: the text can be the name of a parameter. */
+int hawser__formula_name(const char *name);
 
 #endif

@@ -18,7 +18,6 @@
 #include <string.h>
 
 #include "core/report.h"
-#include "rom/file/formula.h"
 #include "rom/file/read.h"
 
 #define LEAST_RCOND 1e-13 /* of a mass matrix; below, the equations have no digits left; chosen */

@@ -1,11 +1,11 @@
-/* rom/file/rows.c - see rows.h.
+/* rom/file/rows.c - see auto.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-#include "rom/file/rows.h"
+#include "rom/file/auto.h"
 
 struct list {
 	struct hawser__row *row; /* NULL: they are only counted */

@@ -1,4 +1,4 @@
-/* rom/terms/contacts.c - see contacts.h.
+/* rom/terms/contacts.c - see dampers.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -6,7 +6,7 @@
 #include <stdlib.h>
 
 #include "core/report.h"
-#include "rom/terms/contacts.h"
+#include "rom/terms/dampers.h"
 
 enum { MOST = 10000 }; /* sheaves in a file */
 

@@ -5,6 +5,8 @@
 
 #include <hawser/rom.h>
 
+#include "rom/file/read.h"
+
 /* 1 if an attachment has a damper, or a spring. */
 int hawser__has_dampers(const struct hawser_statics *statics);
 int hawser__has_springs(const struct hawser_statics *statics);
@@ -16,5 +18,15 @@ void hawser__dampers_add(double *D, const struct hawser_modes *modes, double alp
 
 /* Stiffness [n][n] of the springs in these modes. */
 void hawser__springs_add(double *K, const struct hawser_modes *modes);
+
+/* --- contacts.c: the angles by which the rope of a model lies on its sheaves --- */
+
+/* Allocate, all zero. */
+enum hawser_status hawser__rom_init_contacts(struct hawser_rom *rom, int count,
+                                             struct hawser_report *report);
+void hawser__rom_contacts_clear(struct hawser_rom_contacts *contacts);
+/* The member `contacts` of a reduced-model file. */
+enum hawser_status hawser__read_contacts(const struct hawser__parser *reader, struct hawser_rom *rom,
+                                         json_t *object);
 
 #endif

@@ -12,7 +12,7 @@
 #include "rom/terms/drag.h"
 #include "rom/terms/history.h"
 #include "rom/energy/kernel.h"
-#include "rom/build/ramp.h"
+#include "rom/build/model.h"
 #include "rom/terms/terms.h"
 #include "rom/terms/vary.h"
 

@@ -21,7 +21,7 @@
 #include "core/hot.h"
 #include "core/vec3.h"
 #include "rom/terms/morison.h"
-#include "water/regular.h"
+#include "water/near.h"
 #include "water/water.h"
 
 enum { ELEMENTS = 8, ROWS = 6*ELEMENTS, MOST = HAWSER__MORISON_MOST };

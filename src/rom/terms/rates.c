@@ -15,7 +15,7 @@
 
 #include "core/hold.h"
 #include "rom/energy/kernel.h"
-#include "rom/terms/rates.h"
+#include "rom/terms/terms.h"
 
 enum {
 	FEW = 20,    /* terms that are as fast one by one; chosen */

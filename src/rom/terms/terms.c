@@ -5,7 +5,7 @@
  *    term     value * product of x_i;  d/dx_i = value * product of the others, once for each occurrence
  *
  * The compiled kernel (kernel.h) has the terms of cables, of second and third order in the
- * coordinates, and those of winds (rates.h). Others are the exception and are evaluated one by one.
+ * coordinates, and those of winds (terms.h). Others are the exception and are evaluated one by one.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -19,7 +19,7 @@
 #include "rom/energy/kernel.h"
 #include "rom/file/plug.h"
 #include "rom/terms/drag.h"
-#include "rom/terms/rates.h"
+#include "rom/terms/terms.h"
 
 int hawser__rom_more(const struct hawser_rom *rom)
 {

@@ -31,7 +31,7 @@
 #include "modes/complex/wind.h"
 #include "rom/energy/kernel.h"
 #include "rom/file/read.h"
-#include "rom/terms/wake.h"
+#include "rom/terms/wind.h"
 
 /* Least part of a mode's inertia across the flow. */
 static const double moves = 0.01;

@@ -17,4 +17,11 @@ struct hawser__flow_points;
 enum hawser_status hawser__wind_take(struct hawser_rom *rom, struct hawser__flow_points *flow,
                                      int whole, struct hawser_report *report);
 
+/* --- wake.c: oscillators for the vortices behind a cable --- */
+
+/* Append them to a model with these modes that is not compiled yet; nothing if the scene has none.
+ * HAWSER_ERR_ARGUMENT (no speed, too many coordinates), HAWSER_ERR_MEMORY. */
+enum hawser_status hawser__wake_add(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                    const struct hawser_scene *scene, struct hawser_report *report);
+
 #endif

@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "core/report.h"
-#include "ropeway/expand/expand_modes.h"
+#include "ropeway/expand/expand.h"
 
 /* --- products --- */
 

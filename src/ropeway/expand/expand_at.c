@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#include "ropeway/expand/expand_modes.h"
+#include "ropeway/expand/expand.h"
 
 size_t hawser__lexpand_width(const struct hawser__lmode *rope)
 {

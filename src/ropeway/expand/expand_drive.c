@@ -16,7 +16,7 @@
 #include <stdlib.h>
 
 #include "core/report.h"
-#include "ropeway/expand/expand_modes.h"
+#include "ropeway/expand/expand.h"
 
 /* Whether the segment is at the end of a lane that moves. */
 static int moves(const struct hawser__lmode_segment *s, const struct hawser__lmode *rope,

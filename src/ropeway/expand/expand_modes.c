@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "core/report.h"
-#include "ropeway/expand/expand_modes.h"
+#include "ropeway/expand/expand.h"
 
 /* Gauss quadrature with the nodes of a grid for twice the frequency integrates products of four
  * waves. */

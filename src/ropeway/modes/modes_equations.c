@@ -24,7 +24,7 @@
 
 #include "core/hold.h"
 #include "core/report.h"
-#include "ropeway/modes/segment.h"
+#include "ropeway/modes/modes.h"
 
 /* A motion of borders whose stiffness is less than this part of what the rope pulls at them has none:
  * the round-off of the statics leaves some 1e-13, and the softest carriage has some 1e-6. */

@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "core/report.h"
-#include "ropeway/modes/running.h"
+#include "ropeway/modes/modes.h"
 
 void hawser_line_modes_clear(struct hawser_line_modes *modes)
 {

@@ -20,7 +20,7 @@
 
 #include "core/hold.h"
 #include "core/report.h"
-#include "ropeway/modes/plan.h"
+#include "ropeway/modes/modes.h"
 
 /* Arcs shorter than this part of the unit of length are points. */
 static const double shortest = 1e-12;

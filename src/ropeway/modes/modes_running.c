@@ -30,7 +30,7 @@
 
 #include "core/hold.h"
 #include "core/report.h"
-#include "ropeway/modes/running.h"
+#include "ropeway/modes/modes.h"
 
 /* Rounds on the first grids, and on the fine ones; further modes that speed up their convergence. */
 enum { ROUNDS = 60, FINE_ROUNDS = 3, GUARD = 2 };

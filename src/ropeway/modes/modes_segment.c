@@ -9,7 +9,7 @@
 
 #include "core/hold.h"
 #include "core/report.h"
-#include "ropeway/modes/segment.h"
+#include "ropeway/modes/modes.h"
 
 /* out [D][points] = C F. */
 void hawser__segment_gradient(double *out, const double *F, const struct hawser__lmode_segment *s)

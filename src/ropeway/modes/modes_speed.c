@@ -6,7 +6,7 @@
 #include <stdlib.h>
 
 #include "core/report.h"
-#include "ropeway/modes/running.h"
+#include "ropeway/modes/modes.h"
 
 /* Modes at rest that are the start beyond those asked for; tries with more of them; largest number of
  * nodes more in an element than at first. */

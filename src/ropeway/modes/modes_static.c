@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "core/hold.h"
-#include "ropeway/modes/segment.h"
+#include "ropeway/modes/modes.h"
 
 /* Work space of a solution, within t->work. */
 struct spaces {

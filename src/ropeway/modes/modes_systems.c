@@ -6,7 +6,7 @@
 
 #include "core/grow.h"
 #include "core/report.h"
-#include "ropeway/modes/plan.h"
+#include "ropeway/modes/modes.h"
 
 static int root_of(const struct hawser__lmode_draft *t, int chain)
 {

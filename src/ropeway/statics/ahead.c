@@ -14,7 +14,7 @@
 #include <math.h>
 #include <stddef.h>
 
-#include "ropeway/statics/march.h"
+#include "ropeway/statics/line.h"
 
 /* A place on the path, and the sheave that sets it (-1: none). */
 struct place {

@@ -13,7 +13,7 @@
 #include <string.h>
 
 #include "core/report.h"
-#include "ropeway/statics/frame.h"
+#include "ropeway/statics/line.h"
 
 /* Where the rope touches a sheave. Pieces without length are not in the list: then it is the end of
  * a piece that is at the sheave's circle. */

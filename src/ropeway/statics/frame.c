@@ -17,7 +17,7 @@
 #include <hawser/statics.h>
 
 #include "core/report.h"
-#include "ropeway/statics/frame.h"
+#include "ropeway/statics/line.h"
 
 static const double *place(const struct hawser_ropeway *rw, int i)
 {

@@ -29,7 +29,6 @@
 
 #include "continuation/false_position.h"
 #include "core/report.h"
-#include "ropeway/statics/history.h"
 #include "ropeway/statics/line.h"
 
 /* Steps between two stops; rounds over all circles, the first with secant steps: ten are usual;

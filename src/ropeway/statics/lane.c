@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "core/report.h"
-#include "ropeway/statics/frame.h"
+#include "ropeway/statics/line.h"
 
 enum { CARRIERS = 100000 }; /* most of a lane: more is a mistake in the spacing */
 

@@ -17,8 +17,7 @@
 
 #include <hawser/obstacles.h>
 #include "core/report.h"
-#include "ropeway/statics/frame.h"
-#include "ropeway/statics/history.h"
+#include "ropeway/statics/line.h"
 
 #define STEP 2.0  /* factor of the tension by which the length changes more than by round-off */
 #define MOST 1e-3 /* largest error of the tensions: three digits */

@@ -16,7 +16,7 @@
 #include "continuation/false_position.h"
 #include "core/report.h"
 #include "core/settle.h"
-#include "ropeway/statics/frame.h"
+#include "ropeway/statics/line.h"
 
 #define PI 3.14159265358979323846 /* to the digits of a double */
 #define CLOSED 1e-10 /* accepted error of the loop's length over itself: some 1e-5 of the strain */

@@ -14,7 +14,7 @@
 
 #include "core/report.h"
 #include "core/share.h"
-#include "ropeway/statics/frame.h"
+#include "ropeway/statics/line.h"
 
 enum { MOST = 100000, ENVELOPE = HAWSER_ROPEWAY_ENVELOPE, OF_LANE = 2, OF_ALL = 5,
        OF_TOWER = sizeof(struct hawser_ropeway_tower_range)/sizeof(struct hawser_ropeway_range),

@@ -12,7 +12,7 @@
 #include <hawser/transient.h>
 
 #include "core/report.h"
-#include "ropeway/statics/frame.h"
+#include "ropeway/statics/line.h"
 
 enum { POINTS = 201, MOST = 100000 }; /* rows by default, for a smooth curve; more are a mistake */
 

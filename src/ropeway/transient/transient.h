@@ -11,7 +11,7 @@
 #include <hawser/transient.h>
 
 #include "core/hold.h"
-#include "ropeway/statics/frame.h"
+#include "ropeway/statics/line.h"
 
 /* What a span has from the statics of a phase. */
 struct hawser__slow_span {

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
-#include "scene/page/example.h"
+#include "scene/page/schema.h"
 
 const char hawser__scene_example[] =
 	"# A chairlift span under a harmonic load on its middle half.\n"

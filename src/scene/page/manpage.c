@@ -17,7 +17,7 @@
 
 #include <hawser/plausible.h>
 
-#include "scene/page/example.h"
+#include "scene/page/schema.h"
 #include "scene/tree_keys.h"
 
 /* Backslashes, and hyphens as minus. */

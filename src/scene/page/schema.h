@@ -47,4 +47,8 @@ json_t *hawser__schema_of(struct hawser__schema *schema, const char *path);
 /* schema_span.c: a cable, or a beam. */
 json_t *hawser__schema_span(struct hawser__schema *schema, int beam);
 
+/* --- example.c: the complete scene that hawser-scene(5) shows; a test reads it --- */
+
+extern const char hawser__scene_example[];
+
 #endif

@@ -15,7 +15,7 @@
 #include <stdlib.h>
 
 #include "core/report.h"
-#include "study/hill/mathieu.h"
+#include "study/hill/hill.h"
 
 #define BEYOND 30 /* harmonics beyond the turning point: with them the truncation error is below
                    * round-off for small epsilon */

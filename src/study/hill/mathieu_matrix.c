@@ -1,4 +1,4 @@
-/* study/hill/mathieu_matrix.c - see mathieu.h.
+/* study/hill/mathieu_matrix.c - see hill.h.
  *
  * At a boundary the motion is x = sum over k of x_k exp(i k t), k odd or even, and harmonic balance
  * without truncation reads
@@ -34,7 +34,7 @@
 #include <complex.h>
 #include <math.h>
 
-#include "study/hill/mathieu.h"
+#include "study/hill/hill.h"
 
 #define NARROW 1e-3  /* width of a tongue below which f is not used: its square is then 1e-6, so
                       * that f keeps ten digits */

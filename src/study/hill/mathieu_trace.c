@@ -1,5 +1,5 @@
 /* study/hill/mathieu_trace.c - the boundaries of Mathieu's equation over a rectangle, tongue by tongue
- * (mathieu.h).
+ * (hill.h).
  *
  *    p   parameter along a boundary. Without damping, and for tongue 0, p is epsilon. With damping a
  *        tongue begins at its tip, |epsilon| = opens, and |epsilon| = opens + p^2; the lower boundary
@@ -18,7 +18,6 @@
 #include "core/progress.h"
 #include "core/report.h"
 #include "study/hill/hill.h"
-#include "study/hill/mathieu.h"
 
 #define FIRST 64          /* initial number of parts of a boundary; chosen */
 #define DEEPEST 40        /* largest number of times a part is halved; chosen, beyond what a step

@@ -21,7 +21,7 @@
 #include <hawser/decay.h>
 
 #include "core/report.h"
-#include "study/identify/least_squares.h"
+#include "study/identify/identify.h"
 
 #define CLEAR 0.2 /* smallest extreme that is used, relative to the largest deflection; chosen:
                    * smaller ones are near the noise */

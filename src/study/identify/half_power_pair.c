@@ -10,7 +10,7 @@
 #include <gsl/gsl_cdf.h>
 
 #include "study/identify/half_power.h"
-#include "study/identify/least_squares.h"
+#include "study/identify/identify.h"
 
 enum { EQUAL = HAWSER__HALF_EQUAL, SHAPES = HAWSER__HALF_SHAPES, MOST = HAWSER__HALF_MOST };
 /* FEWEST: points that correlated ones count as at least. Steps of the fit, the first ones from each

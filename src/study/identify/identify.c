@@ -16,7 +16,6 @@
 
 #include "core/report.h"
 #include "study/identify/identify.h"
-#include "study/identify/least_squares.h"
 
 #define LEAST_STEP 1e-9 /* of x; its derivatives have 8 digits, intervals are never that small */
 

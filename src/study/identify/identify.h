@@ -4,6 +4,7 @@
 #define HAWSER_STUDY_IDENTIFY_H
 
 #include <hawser/identify.h>
+#include <hawser/status.h>
 
 /* A mode by its number in its plane, from 1; number 0: none. */
 struct hawser__mate {
@@ -70,5 +71,23 @@ int hawser__fit_given(const struct hawser_measured *measured);
 enum hawser_status hawser__fit_finish(struct hawser_identified *identified, struct hawser__fit *fit,
                                       const struct hawser__identify_end *best, double confidence,
                                       struct hawser_report *report);
+
+/* --- least_squares.c: nonlinear least squares by Levenberg and Marquardt's method --- */
+
+struct hawser__least_squares {
+	int unknowns, count; /* count >= unknowns */
+	/* Residuals r [count] at x [unknowns] or, with r NULL, their derivatives J [unknowns][count].
+	 * HAWSER_ERR_MEMORY ends the fit; after another status from residuals x is not accepted. */
+	enum hawser_status (*residuals)(void *context, double *r, double *J, const double *x);
+	void *context;
+	double least_step; /* the fit has converged if a step changes no unknown by more than this */
+	int steps;         /* largest number */
+};
+
+/* Improve x [unknowns] from where it is. *sum: the sum of squares there. *steps: those made; if it is
+ * problem->steps, the fit has not converged. The status is that of `residuals` at the beginning, of
+ * the derivatives, or HAWSER_ERR_MEMORY. */
+enum hawser_status hawser__least_squares(double *x, double *sum, int *steps,
+                                         const struct hawser__least_squares *problem);
 
 #endif

@@ -1,4 +1,4 @@
-/* study/identify/least_squares.c - see study/identify/least_squares.h.
+/* study/identify/least_squares.c - see study/identify/identify.h.
  *
  *    r, J    residuals and their derivatives; a "row" of J are the derivatives by one unknown
  *    d       step: least squares of r + J d and sqrt(damp) |J_a| d_a for each unknown a
@@ -21,7 +21,7 @@
 #include <lapacke.h>
 
 #include "core/report.h"
-#include "study/identify/least_squares.h"
+#include "study/identify/identify.h"
 
 #define FIRST_DAMPING 1e-3  /* Marquardt's 0.01 or less: starts are near */
 #define MORE_DAMPING 8.0    /* factor after a step that failed; Marquardt has 10 */

@@ -23,7 +23,7 @@
 #include "core/report.h"
 #include "modes/grid.h"
 #include "modes/label.h"
-#include "response/family/keep.h"
+#include "response/family/smooth.h"
 #include "rom/energy/kernel.h"
 
 #define SURE 0.75  /* least overlap by which a mode is recognised: its square is above a half; chosen */

@@ -10,7 +10,7 @@
 
 #include "core/report.h"
 #include "response/floquet/linear_margin.h"
-#include "study/map/map_quantity.h"
+#include "study/map/map_cable.h"
 
 #define MOST_LOG 700.0 /* largest logarithm of a multiplier's modulus, near the range of double */
 

@@ -12,7 +12,7 @@
 #include "core/progress.h"
 #include "core/report.h"
 #include "core/share.h"
-#include "study/map/map_rows_mapper.h"
+#include "study/map/map_rows.h"
 
 #define SURE_SECS 1.0  /* shortest time from which the remaining time is estimated; chosen */
 enum { SETTINGS = 320 };

@@ -12,8 +12,12 @@
 #ifndef HAWSER_STUDY_MAP_ROWS_H
 #define HAWSER_STUDY_MAP_ROWS_H
 
+#include <stdatomic.h>
+
 #include <hawser/frf.h>
 #include <hawser/map.h>
+
+#include "study/map/map.h"
 
 /* What a row has at a value of the parameter. */
 struct hawser__map_answer {
@@ -100,5 +104,59 @@ enum hawser_status hawser__map_rows(struct hawser_map *map, const struct hawser_
 /* map_rows_lines.c: boundaries and segments from the rows [rows], which are at `fixed` [rows]. */
 enum hawser_status hawser__map_rows_lines(struct hawser_map *map, const struct hawser__map_row *row,
                                           int rows, int along, struct hawser_report *report);
+
+/* --- map_rows_file.c: the rows of a map in its checkpoint --- */
+
+struct hawser__map_rows_file {
+	struct hawser__map_checkpoint checkpoint;
+	struct hawser__map_row *row; /* [rows] */
+	int rows;
+	struct hawser__map_row *open; /* row that is being read, or NULL */
+	int answers;                  /* of this row */
+};
+
+/* Open or create the file; rows that are in it become ready. `fixed`, `at` and `count` of the rows
+ * [rows] are set. Statuses of hawser__map_checkpoint_open. */
+enum hawser_status hawser__map_rows_file_open(struct hawser__map_rows_file *file, const char *path,
+                                              const char *identity, const char *settings,
+                                              struct hawser__map_row *row, int rows,
+                                              struct hawser_report *report);
+/* Put a row into the text that hawser__map_checkpoint_flush appends. */
+enum hawser_status hawser__map_rows_file_add(struct hawser__map_rows_file *file,
+                                             const struct hawser__map_row *row,
+                                             struct hawser_report *report);
+
+/* --- what a map by rows is computed with: map_rows.c, and its tasks, map_rows_ranks.c --- */
+
+struct hawser__rows_mapper {
+	struct hawser_map *map;
+	const struct hawser_map_field *field;
+	const struct hawser_map_options *options;
+	struct hawser__map_row *row; /* [rows] */
+	struct hawser__map_seed **seed; /* [rows][] of the rows */
+	int rows, along;
+	double *x, *y;               /* [rows] for the field's `prepare` */
+	void **worker;               /* [threads] */
+	int threads;
+	struct hawser__map_rows_file file;
+	double began;
+	long done, fresh;
+	atomic_int stop;
+	long *pending, all;          /* [all] the rows that are not ready */
+};
+
+/* map_rows.c: tell the progress; not 0: stop. */
+int hawser__rows_told_to_stop(struct hawser__rows_mapper *mapper);
+/* map_rows.c: the status of a row in which a point has no value, if the map is strict. */
+enum hawser_status hawser__rows_refuse(const struct hawser__rows_mapper *mapper,
+                                       const struct hawser__map_row *row,
+                                       struct hawser_report *report);
+/* map_rows_across.c: the seeds of the rows, from curves along the other coordinate. */
+enum hawser_status hawser__rows_across(struct hawser__rows_mapper *mapper,
+                                       struct hawser_report *report);
+/* map_rows_ranks.c: compute the rows that are not ready, by all threads and ranks; or, in a worker,
+ * compute for rank 0 until it ends. */
+enum hawser_status hawser__rows_compute(struct hawser__rows_mapper *mapper, const char *settings,
+                                        struct hawser_report *report);
 
 #endif

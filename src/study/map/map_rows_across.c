@@ -10,7 +10,7 @@
 
 #include "core/grow.h"
 #include "core/report.h"
-#include "study/map/map_rows_mapper.h"
+#include "study/map/map_rows.h"
 
 enum hawser_status hawser__map_row_at(struct hawser__map_row *row, const struct hawser_rom *rom,
                                       double omega, const struct hawser_progress *progress,

@@ -12,7 +12,7 @@
 
 #include "core/grow.h"
 #include "core/report.h"
-#include "study/map/map_rows_file.h"
+#include "study/map/map_rows.h"
 
 enum kind { BEGIN, ANSWER, TURN, END };
 enum { MARKS = 6 };

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 
 #include "core/report.h"
-#include "study/map/map_rows_mapper.h"
+#include "study/map/map_rows.h"
 
 enum { TEXT = 640 }; /* characters of a reason, as of a report */
 

@@ -8,7 +8,7 @@
 #include <hawser/scene_family.h>
 
 #include "core/report.h"
-#include "response/family/keep.h"
+#include "response/family/smooth.h"
 #include "rom/build/net.h"
 
 struct net_family {
