@@ -221,6 +221,7 @@ enum hawser_status hawser__trace_begin(struct hawser__trace *trace)
 	if ((status = hawser__trace_determined(trace, &trace->here)))
 		return status;
 	memcpy(trace->start_y, trace->here.y, (size_t)orbit->size*sizeof(double));
+	memcpy(trace->start_t, trace->here.t, (size_t)orbit->size*sizeof(double));
 	trace->known = 1;
 	trace->curve.ds = fmin(FIRST_STEP, hawser__trace_longest(trace));
 	status = hawser__record_point(trace->frf, trace->amplitude, &trace->here, orbit,

@@ -184,6 +184,7 @@ enum hawser_status hawser__about_response(struct hawser__about *about, const str
 		                      HAWSER_SHOWN(rom, omega), raised.load);
 	if (!status) {
 		about->error = orbit->ops->error(orbit, correction.residual);
+		hawser__balance_transform((struct hawser__balance *)orbit);
 		status = take(about, rom, (const struct hawser__balance *)orbit, omega, report);
 	}
 	close_orbit(orbit, y);
