@@ -132,6 +132,7 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/motion/film_net.c \
 	%D%/motion/warnings_net.c \
 	%D%/model/exact.c \
+	%D%/model/exact_plane.c \
 	%D%/model/exact.h \
 	%D%/model/film_ropeway.c \
 	%D%/model/fixed.c \
