@@ -26,6 +26,9 @@
 #define MOST_ENRICHED 4        /* finer discretisations of one orbit, each of which has to reduce */
 #define ENRICHED_ERROR 0.5     /* its error by this factor; both chosen */
 #define WORTH 0.02             /* part of a range above which a time left is told; chosen */
+#define CUT_CONTRACTION 3.0    /* borne by the corrector between two points of the branch, where no
+                                * other one is: the second step has what a stiff coordinate follows
+                                * by in the second order, as large as the first; chosen */
 #define WORST_ERROR 0.05       /* largest estimated relative error of an accepted orbit; chosen */
 
 /* Part of the range that is done and time left: folds turn back, and the furthest place counts. Not
@@ -268,7 +271,10 @@ enum hawser_status hawser__trace_cut(struct hawser__trace *trace, double bound)
 	                                   &metric);
 	enum hawser_status status;
 
-	if ((status = hawser__trace_settle(trace, &trace->scratch, side, trace->here.t, &failed)))
+	orbit->patience = CUT_CONTRACTION;
+	status = hawser__trace_settle(trace, &trace->scratch, side, trace->here.t, &failed);
+	orbit->patience = 0.0;
+	if (status)
 		return status;
 	if (failed)
 		return hawser__fail_at(trace->report, HAWSER_ERR_CONVERGENCE, "frf",
