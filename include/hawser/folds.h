@@ -32,7 +32,8 @@ enum hawser_folds_end {
 	HAWSER_FOLDS_CLOSED,      /* the curve returned to its start */
 	HAWSER_FOLDS_MAX_POINTS,  /* the curve has max_points points */
 	HAWSER_FOLDS_INTERRUPTED, /* progress.function asked for it */
-	HAWSER_FOLDS_FAILED       /* the corrector failed; the curve's message says where */
+	HAWSER_FOLDS_FAILED,      /* the corrector failed; the curve's message says where */
+	HAWSER_FOLDS_WORK         /* the search took `most_work` */
 };
 const char *hawser_folds_end_name(enum hawser_folds_end end);
 
@@ -135,6 +136,7 @@ struct hawser_folds {
 	struct hawser_folds_lost *lost_at; /* [lost] */
 	struct hawser_folds_starts starts;
 	int interrupted;
+	int costly;                       /* 1: it ended at options->most_work */
 	char note[240];                   /* which parts of the search are incomplete, or "" */
 	long solves;                      /* number of linear systems factorised */
 };
@@ -150,9 +152,11 @@ struct hawser_folds_options {
 	double step_max;           /* largest change of Omega in a step, relative to the range; 0: 0.02 */
 	int most_unstable;         /* end a response at another load than the nominal one at the first point
 	                            * with more unstable multipliers: `note` says so; 0: no limit */
+	double most_work;          /* of all responses and curves, s (hawser_orbit_work): they end there,
+	                            * and the search is `costly`; 0: no limit */
 	int skip_isolas;           /* 1: do not trace detached curves at the nominal load */
 	int starts;                /* number of pseudo-random motions from which detached curves are looked
-	                            * for as well; 0: 96; or HAWSER_NONE */
+	                            * for as well; 0: 96, or fewer where they take long; or HAWSER_NONE */
 	const struct hawser_frf_options *first; /* NULL, or where the response at the nominal load begins:
 	                            * its start, along and begin. It is followed to both sides, and no
 	                            * others are searched for folds */

@@ -23,10 +23,11 @@ static const struct settings defaults = {
 	.method = "balance", .load_from = 0.01, .load_to = 2.0,
 	.starts = -1, .unstable = 2,
 };
-enum { STARTS = 96 };
 /* Of cli_exact_range: of a footbridge 9, and 1 or more for each of the starts, which are therefore
  * left out of a search with the exact energy that nobody asked for. */
 static const double work = 10.0, work_start = 1.0;
+/* Work, s as counted, of a search with a model that may be off by more than 100 %; chosen. */
+static const double glance = 5.0;
 
 static const struct cli_option options[] = {
 	CLI_RANGE_OPTIONS("end of the range at which responses begin (0.6w1)",
@@ -70,6 +71,7 @@ static enum hawser_status trace(struct hawser_folds *folds, const struct setting
 {
 	struct cli_watch watch = {.progress = {.quiet = settings->common.quiet}};
 	struct hawser_folds_options choice = {.method = NULL};
+	int meaningless = cli_exact_failed(result->model, &result->model->error);
 	enum hawser_status status;
 
 	choice.from = result->from;
@@ -80,11 +82,13 @@ static enum hawser_status trace(struct hawser_folds *folds, const struct setting
 	choice.tolerance = cli_tolerance(settings->tolerance, result->model);
 	if (settings->points > 0)
 		choice.max_points = settings->points;
+	else if (!result->model->rom.exact)
+		choice.most_work = meaningless ? glance : CLI_BEARABLE;
 	choice.first = first;
 	choice.most_unstable = settings->unstable;
 	choice.skip_isolas = settings->no_isolas;
-	choice.starts = settings->starts > 0 ? settings->starts
-	                : settings->starts < 0 && !result->model->exact.functions ? STARTS : HAWSER_NONE;
+	if (settings->starts >= 0 || result->model->exact.functions || meaningless)
+		choice.starts = settings->starts > 0 ? settings->starts : HAWSER_NONE;
 	choice.progress = (struct hawser_progress){cli_watch, &watch};
 	status = hawser_folds_trace(folds, &result->model->rom, &choice, report);
 	cli_progress_end(&watch.progress);
@@ -130,7 +134,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (!status)
 		status = cli_model_load(&model, &settings->common, settings->n, report);
 	if (!status)
-		status = cli_exact_as(&model, settings->label, report);
+		status = cli_label_exact(&model, settings->label, report);
 	if (!status)
 		status = cli_range(&result.from, &result.to, settings->from, settings->to, "folds", &model,
 		                   report);
@@ -146,6 +150,9 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		status = open_label(&label, &first, &along, settings, &result, report);
 	if (!status)
 		status = trace(&folds, settings, &result, label.state ? &first : NULL, report);
+	if (!status && folds.costly)
+		cli_warn("time: the search takes more than is done unasked, and ends there: fewer modes (-n) "
+		         "or a narrower range take less, --max-points N goes on");
 	if (!status) {
 		cli_exact_range_warn(&model);
 		cli_range_warn(&model, cli_range_reach(NULL, &model, folds.coordinate, folds.points,

@@ -407,7 +407,7 @@ static enum hawser_status curves(const struct settings *settings, struct hawser_
 	if (!status)
 		status = cli_over_load(&model, &settings->common, settings->n, settings->over, report);
 	if (!status)
-		status = cli_exact_as(&model, settings->label ? settings->label
+		status = cli_label_exact(&model, settings->label ? settings->label
 		                      : cli_switch_elsewhere(settings->switched) ? settings->switched
 		                      : settings->resume ? settings->resume : settings->start, report);
 	if (!status && given_label(settings))

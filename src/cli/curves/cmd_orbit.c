@@ -268,7 +268,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (!status)
 		status = cli_model_load(&model, &settings->common, settings->n, report);
 	if (!status)
-		status = cli_exact_as(&model, settings->label, report);
+		status = cli_label_exact(&model, settings->label, report);
 	if (!status && settings->animate && !(model.made && model.made->by->animate))
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "orbit",
 		                      "--animate is for nets and ropeways, and %s is none",

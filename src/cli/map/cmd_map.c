@@ -347,7 +347,7 @@ static enum hawser_status open_label(struct cli_label *label, struct hawser_map_
 	enum hawser_status status = cli_model_load(&model, &settings->common, settings->n, report);
 
 	if (!status)
-		status = cli_exact_as(&model, settings->label, report);
+		status = cli_label_exact(&model, settings->label, report);
 	if (!status)
 		status = cli_label_open(label, "from-label", settings->label, over, &model,
 		                        &settings->common, report);

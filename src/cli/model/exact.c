@@ -13,9 +13,7 @@
 #include <string.h>
 
 #include "cli/model/exact.h"
-#include "cli/model/label.h"
 #include "cli/frame/progress.h"
-#include "cli/model/state.h"
 #include "cli/frame/view.h"
 
 /* The longest step of its curves, relative to the range (hawser__accuracy_settle). */
@@ -33,11 +31,16 @@ static int has_accuracy(const struct cli_model *model)
 	return hawser_scene_written(&model->scene, "model.accuracy");
 }
 
+/* Whether the error over a range can be estimated: that of a span of condensed modes. */
+static int is_judged(const struct cli_model *model)
+{
+	return model->has_scene && !model->made && !model->automatic && !model->rom.exact &&
+	       model->scene.model.condense == HAWSER_CONDENSE_STATIC;
+}
+
 int cli_exact_calls(const struct cli_model *model, const struct cli_model_error *error)
 {
-	return model->has_scene && !model->made && !model->automatic &&
-	       model->scene.model.energy == HAWSER_ENERGY_AUTO &&
-	       model->scene.model.condense == HAWSER_CONDENSE_STATIC &&
+	return is_judged(model) && model->scene.model.energy == HAWSER_ENERGY_AUTO &&
 	       (!error || (error->stated && hawser_accuracy_poor(&error->fixed, has_accuracy(model)
 	                                                          ? model->scene.model.accuracy : 0.0)));
 }
@@ -306,14 +309,6 @@ static enum hawser_status judge(struct hawser_frf *frf, struct cli_model *model,
 	return status == HAWSER_ERR_MEMORY ? status : HAWSER_OK;
 }
 
-/* Whether its error over a range can be estimated: that of a span of condensed modes. */
-static int is_judged(const struct cli_model *model)
-{
-	return model->has_scene && !model->made && !model->automatic && !model->rom.exact &&
-	       model->scene.model.energy != HAWSER_ENERGY_EXACT &&
-	       model->scene.model.condense == HAWSER_CONDENSE_STATIC;
-}
-
 enum hawser_status cli_exact_range(struct cli_model *model, double from, double to, double after,
                                    const struct cli_common *common, struct hawser_report *report)
 {
@@ -379,42 +374,6 @@ const struct hawser__field cli_exact_field[] = {
 	{"", NULL, "", HAWSER__PART_OF(struct cli_model, error, cli_fixed_field)},
 	HAWSER__END,
 };
-
-/* Functions a component of the full-order model of a JSON result; 0: none, or no such file. */
-static int functions_of(const char *path)
-{
-	json_t *root = NULL;
-	const json_t *keys, *energy;
-	int functions = 0;
-
-	if (cli_state_root(&root, path, NULL))
-		return 0;
-	keys = json_object_get(json_object_get(root, "scene"), "model");
-	energy = json_object_get(keys, "energy");
-	if (json_is_string(energy) && strcmp(json_string_value(energy), "exact") == 0)
-		functions = (int)json_integer_value(json_object_get(keys, "basis"));
-	json_decref(root);
-	return functions;
-}
-
-enum hawser_status cli_exact_as(struct cli_model *model, const char *text, struct hawser_report *report)
-{
-	char path[4096];
-	int functions;
-
-	if (!text || strcmp(text, "-") == 0 || !model->has_scene || model->automatic ||
-	    model->scene.model.energy != HAWSER_ENERGY_AUTO)
-		return HAWSER_OK;
-	if (!cli_label_split(path, sizeof path, text))
-		snprintf(path, sizeof path, "%s", text);
-	functions = functions_of(path);
-	if (functions <= 0)
-		return HAWSER_OK;
-	model->scene.model.energy = HAWSER_ENERGY_EXACT;
-	model->scene.model.basis = functions;
-	hawser_rom_clear(&model->rom);
-	return hawser_rom_build_full(&model->rom, &model->statics, &model->scene, functions, report);
-}
 
 static int unfinished(char *text, size_t size, const struct cli_model *model)
 {

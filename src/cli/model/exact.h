@@ -45,10 +45,6 @@ enum hawser_status cli_exact_plane(const struct cli_plane *plane, struct cli_mod
                                    struct hawser_report *report) HAWSER_MUST_CHECK;
 void cli_exact_range_comments(struct hawser__table *table, const struct cli_model *model);
 void cli_exact_range_warn(const struct cli_model *model);
-/* Where a result (TEXT: FILE or FILE#LABEL, or NULL) is of the exact energy and the scene leaves the
- * energy open, make the model of the result: its states are of that one. */
-enum hawser_status cli_exact_as(struct cli_model *model, const char *text,
-                                struct hawser_report *report) HAWSER_MUST_CHECK;
 /* Says on standard error why the exact energy was not taken where it was called for. */
 void cli_exact_warn(const struct cli_model *model);
 /* What was done, and why. */

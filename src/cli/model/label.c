@@ -396,3 +396,40 @@ enum hawser_status cli_label_kept(const struct cli_label *label, const struct ha
 	                    "size: its modes may have another order or sign", label->option, text,
 	                    sqrt(off)/fmax(sqrt(size), 1e-300));
 }
+
+/* Functions a component of the full-order model of a JSON result; 0: none, or no such file. */
+static int functions_of(const char *path)
+{
+	json_t *root = NULL;
+	const json_t *keys, *energy;
+	int functions = 0;
+
+	if (cli_state_root(&root, path, NULL))
+		return 0;
+	keys = json_object_get(json_object_get(root, "scene"), "model");
+	energy = json_object_get(keys, "energy");
+	if (json_is_string(energy) && strcmp(json_string_value(energy), "exact") == 0)
+		functions = (int)json_integer_value(json_object_get(keys, "basis"));
+	json_decref(root);
+	return functions;
+}
+
+enum hawser_status cli_label_exact(struct cli_model *model, const char *text,
+                                   struct hawser_report *report)
+{
+	char path[4096];
+	int functions;
+
+	if (!text || strcmp(text, "-") == 0 || !model->has_scene || model->automatic ||
+	    model->scene.model.energy != HAWSER_ENERGY_AUTO)
+		return HAWSER_OK;
+	if (!cli_label_split(path, sizeof path, text))
+		snprintf(path, sizeof path, "%s", text);
+	functions = functions_of(path);
+	if (functions <= 0)
+		return HAWSER_OK;
+	model->scene.model.energy = HAWSER_ENERGY_EXACT;
+	model->scene.model.basis = functions;
+	hawser_rom_clear(&model->rom);
+	return hawser_rom_build_full(&model->rom, &model->statics, &model->scene, functions, report);
+}

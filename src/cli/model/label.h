@@ -64,4 +64,9 @@ enum hawser_status cli_label_begin(struct hawser_frf_options *choice, double *al
 enum hawser_status cli_label_kept(const struct cli_label *label, const struct hawser_frf *frf,
                                   const char *text, struct hawser_report *report) HAWSER_MUST_CHECK;
 
+/* Where a result (TEXT: FILE or FILE#LABEL, or NULL) is of the exact energy and the scene leaves the
+ * energy open, make the model of the result: its states are of that one. */
+enum hawser_status cli_label_exact(struct cli_model *model, const char *text,
+                                   struct hawser_report *report) HAWSER_MUST_CHECK;
+
 #endif

@@ -413,7 +413,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (!status)
 		status = cli_model_load(&model, &settings->common, settings->n, report);
 	if (!status)
-		status = cli_exact_as(&model, settings->initial ? settings->initial : settings->resume, report);
+		status = cli_label_exact(&model, settings->initial ? settings->initial : settings->resume,
+		                         report);
 	if (!status && (settings->load || settings->motion))
 		status = cli_load_history(&model, settings->load, settings->motion, report);
 	if (!status && settings->load && settings->omega && model.rom.harmonics == 0)

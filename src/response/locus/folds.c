@@ -159,7 +159,8 @@ static double least_of(const struct hawser__fold_list *list, const double *range
 /* Whether the list ended before its curve did. */
 static int unfinished(const struct hawser__fold_list *list)
 {
-	return list->end == HAWSER_FOLDS_MAX_POINTS || list->end == HAWSER_FOLDS_FAILED;
+	return list->end == HAWSER_FOLDS_MAX_POINTS || list->end == HAWSER_FOLDS_FAILED ||
+	       list->end == HAWSER_FOLDS_WORK;
 }
 
 /* Add the curve to the result. A known curve is left out, unless it reaches lower loads or an
@@ -315,7 +316,7 @@ static enum hawser_status nominal_load(struct hawser__fold_search *search)
 	if (status)
 		return status;
 	folds->interrupted = folds->response.end == HAWSER_END_INTERRUPTED;
-	if (folds->response.end == HAWSER_END_MAX_POINTS)
+	if (hawser__fold_limited(&folds->response))
 		hawser__fold_note(search, HAWSER__FOLDS_CUT, 1.0,
 		                  HAWSER_SHOWN(search->rom, folds->response.point[
 		                               folds->response.points - 1].omega),
@@ -368,7 +369,7 @@ static enum hawser_status none(const struct hawser__fold_search *search)
 	const struct hawser_folds *folds = search->folds;
 	const struct hawser_folds_options *options = search->options;
 
-	if (folds->lost == 0 && (folds->response.end == HAWSER_END_MAX_POINTS || !folds->searched))
+	if (folds->lost == 0 && (hawser__fold_limited(&folds->response) || !folds->searched))
 		return hawser__fail(search->report, HAWSER_ERR_CONVERGENCE, "folds",
 		                    "no fold was found, but %s: raise --max-points, change --tolerance "
 		                    "or narrow the range",
@@ -403,7 +404,8 @@ static enum hawser_status search_responses(struct hawser__fold_search *search)
 	hawser__fold_part(search, LEVELS, ISOLAS);
 	if (!status && !search->options->skip_isolas && !folds->interrupted)
 		status = hawser__fold_isolas(search);
-	if (!status && !search->options->skip_isolas && !folds->interrupted)
+	if (!status && !search->options->skip_isolas && !folds->interrupted &&
+	    hawser__walk_left(&search->walk) > 0.0)
 		status = hawser__fold_starts(search);
 	return status;
 }
@@ -415,6 +417,7 @@ static enum hawser_status search_curves(struct hawser__fold_search *search)
 
 	hawser__fold_part(search, 0.0, search->options->first ? 1.0 : NOMINAL);
 	status = search->options->first ? given_response(search) : search_responses(search);
+	folds->costly = hawser__walk_left(&search->walk) <= 0.0;
 	if (status || folds->interrupted)
 		return status;
 	if (folds->curves == 0)
@@ -431,7 +434,7 @@ enum hawser_status hawser_folds_trace(struct hawser_folds *folds, const struct h
 {
 	struct hawser_folds_options settled = *options;
 	struct hawser__fold_search search = {.folds = folds, .rom = rom, .options = &settled,
-		.report = report};
+		.unasked = options->starts == 0, .report = report};
 	enum hawser_status status;
 
 	*folds = (struct hawser_folds){.n = rom->n, .probes = rom->shapes.points};

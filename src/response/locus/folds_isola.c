@@ -158,7 +158,8 @@ enum hawser_status hawser__fold_isolas(struct hawser__fold_search *search)
 {
 	struct hawser_folds *folds = search->folds;
 	/* the list of events grows in this loop */
-	for (int e = 0; e < folds->events && !folds->interrupted; e++) {
+	for (int e = 0; e < folds->events && !folds->interrupted &&
+	     hawser__walk_left(&search->walk) > 0.0; e++) {
 		double omega = folds->event[e].omega;
 		int failed, found = 0;
 		enum hawser_status status;

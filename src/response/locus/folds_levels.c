@@ -86,7 +86,7 @@ static enum hawser_status respond(struct hawser__fold_search *search, struct haw
 	}
 	*same = watch.same;
 	search->cut += !status && frf->end == HAWSER_END_UNSTABLE;
-	*failed = status || frf->end == HAWSER_END_MAX_POINTS;
+	*failed = status || hawser__fold_limited(frf);
 	search->folds->interrupted |= !status && !watch.same && frf->end == HAWSER_END_INTERRUPTED;
 	if (load->factor < 1.0 && load->factor >= least(search->folds))
 		return HAWSER_OK; /* a fold at a lower load is known: this failure has no effect */
@@ -201,7 +201,7 @@ enum hawser_status hawser__fold_levels(struct hawser__fold_search *search)
 	double floor = search->options->load_from, load = search->options->load_to;
 	int done = load <= floor, cut = 0, first = 1;
 
-	while (!done && !folds->interrupted) {
+	while (!done && !folds->interrupted && !(hawser__walk_left(&search->walk) <= 0.0)) {
 		struct hawser__fold_level level;
 		enum hawser_status status;
 
@@ -218,7 +218,7 @@ enum hawser_status hawser__fold_levels(struct hawser__fold_search *search)
 		folds->nearly_linear = level.linear && load < least(folds);
 		done = folds->nearly_linear || load <= floor;
 	}
-	folds->searched = !cut && !folds->interrupted;
+	folds->searched = done && !cut && !folds->interrupted;
 	if (search->cut > 0)
 		hawser__fold_note(search, "%d responses at other loads ended where more than %d multipliers "
 		                  "are unstable, and folds beyond are found only where a curve leads there "

@@ -226,7 +226,7 @@ enum hawser_status hawser__list_join(struct hawser_folds *folds,
 /* crossings of the nominal load, cusps and the like */
 static const char *const kind_name[] = {"nominal", "cusp", "isola-centre", "simple-bifurcation"};
 static const char *const end_name[] = {"end of the frequency range", "end of the load range",
-	"curve closed", "max-points", "interrupted", "failed"};
+	"curve closed", "max-points", "interrupted", "failed", "most work"};
 
 static const char *const least_name[] = {"cusp", "isola-centre", "simple-bifurcation",
 	"end of the frequency range", "end of the load range", "bound"};

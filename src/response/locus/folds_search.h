@@ -23,6 +23,7 @@ struct hawser__fold_search {
 	struct hawser__fold_known known;    /* points of the known curves */
 	int unfinished; /* 1: a curve ended because the corrector failed or a limit was reached */
 	int for_folds;  /* 1: of the present response only the folds are of interest */
+	int unasked;    /* 1: nobody said from how many motions detached curves are looked for */
 	int cut;        /* responses that ended at options->most_unstable */
 	double window[2]; /* scaled Omega: the range with margins */
 	double part[2]; /* of the whole search, of the responses at the present load */
@@ -97,6 +98,12 @@ enum hawser_status hawser__fold_note_level(struct hawser__fold_search *search, d
 enum hawser_status hawser__fold_levels(struct hawser__fold_search *search);
 /* folds_levels.c: the least load of the result. */
 void hawser__fold_least(struct hawser__fold_search *search);
+
+/* Whether a response ended at a limit. */
+static inline int hawser__fold_limited(const struct hawser_frf *frf)
+{
+	return frf->end == HAWSER_END_MAX_POINTS || frf->end == HAWSER_END_WORK;
+}
 
 /* folds.c: number of folds among the events of a response. */
 int hawser__fold_count(const struct hawser_frf *frf);

@@ -9,6 +9,9 @@
 #include "response/locus/folds_search.h"
 #include "response/branch/trace.h"
 
+/* Work of a response where all that may be done is done already, s: of its first orbit. */
+static const double least_work = 1e-9;
+
 /* The equations of a fold have the unknowns of harmonic balance. */
 static void keep_fold(void *context, const struct hawser_frf_event *event,
                       const struct hawser__orbit *orbit, const double *y)
@@ -27,10 +30,14 @@ enum hawser_status hawser__fold_trace(struct hawser__fold_search *search, struct
 {
 	const struct hawser__trace_watch watch = {.event = keep_fold, .context = search,
 		.for_folds = search->for_folds};
+	struct hawser_frf_options limited = *choice;
 	enum hawser_status status;
 
 	hawser__store_clear(&search->seeds);
-	status = hawser__frf_trace(frf, rom, choice, &watch, report);
+	if (search->options->most_work > 0.0)
+		limited.most_work = fmax(hawser__walk_left(&search->walk), least_work);
+	status = hawser__frf_trace(frf, rom, &limited, &watch, report);
+	search->walk.work += hawser_orbit_work(&frf->cost, rom);
 	return search->seeds.failed ? hawser__no_memory(report, "folds") : status;
 }
 

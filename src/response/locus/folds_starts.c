@@ -37,6 +37,9 @@
 #define TRY 10        /* periods between looks at it; chosen */
 #define SETTLED 1e-3  /* relative change over a period of a settled motion: Newton's method goes on */
 #define FINER 2       /* steps of a period relative to those of small motions; chosen */
+#define FEWEST 8      /* frequencies; chosen */
+#define UNASKED 8.0   /* s, as counted (hawser_orbit_work): motions that nobody asked for take no more,
+                       * at fewer frequencies; chosen */
 #define ALIKE 1e-4    /* largest relative difference of amplitudes of the same orbit; chosen, above the
                        * errors of orbits and below their distances */
 #define SAME_POINT 1e-6 /* relative difference of Omega of two branch points that are one; chosen */
@@ -189,12 +192,40 @@ static void random_state(struct hunt *hunt, double *x)
 	}
 }
 
+static int steps_at(const struct hunt *hunt, double omega)
+{
+	return FINER*hawser__shooting_steps(hunt->search->rom, omega, 1);
+}
+
+/* The frequency g of a grid of `count`. */
+static double frequency(const struct hunt *hunt, int g, int count)
+{
+	const struct hawser__fold_walk *walk = &hunt->search->walk;
+
+	return walk->omega_lo + (walk->omega_hi - walk->omega_lo)*(g + 0.5)/count;
+}
+
+/* Number of frequencies: fewer if nobody asked and motions that don't settle take too long. */
+static int frequencies(const struct hunt *hunt)
+{
+	const struct hawser__fold_search *search = hunt->search;
+	int count = (search->options->starts + AT_EACH - 1)/AT_EACH;
+	struct hawser_orbit_cost cost = {.flops = 0.0};
+
+	for (int g = 0; g < count; g++)
+		cost.flops += (double)AT_EACH*PERIODS*steps_at(hunt, frequency(hunt, g, count))*
+		              hawser__flow_flops(&hunt->flow, 0);
+	if (search->unasked)
+		count = (int)fmax(fmin(FEWEST, count),
+		                  count*fmin(1.0, UNASKED/hawser_orbit_work(&cost, search->rom)));
+	return count;
+}
+
 /* The motions from AT_EACH pseudo-random states until each has settled: they differ in nothing else, so
  * that they are integrated side by side. One that grows without bound is not finite at its end. */
 static void settle(struct hunt *hunt, double omega)
 {
-	int m = 2*hunt->search->rom->n, moving = AT_EACH;
-	int steps = FINER*hawser__shooting_steps(hunt->search->rom, omega, 1);
+	int m = 2*hunt->search->rom->n, moving = AT_EACH, steps = steps_at(hunt, omega);
 	struct hawser__stretch period = {.h = 2.0*M_PI/steps, .steps = steps, .count = AT_EACH};
 	double *now = hunt->now;
 	int settled[AT_EACH] = {0};
@@ -316,7 +347,7 @@ enum hawser_status hawser__fold_starts(struct hawser__fold_search *search)
 {
 	struct hawser_folds *folds = search->folds;
 	struct hunt hunt = {.search = search};
-	int n = folds->n, grid = (search->options->starts + AT_EACH - 1)/AT_EACH;
+	int n = folds->n, grid = 0;
 	enum hawser_status status = hawser__flow_init(&hunt.flow, search->rom, search->report);
 
 	hunt.s = calloc((size_t)n, (3 + 3*2*AT_EACH)*sizeof *hunt.s);
@@ -328,16 +359,15 @@ enum hawser_status hawser__fold_starts(struct hawser__fold_search *search)
 		hunt.before = hunt.start + AT_EACH*2*n;
 		hunt.now = hunt.before + AT_EACH*2*n;
 		amplitudes(&hunt);
+		grid = frequencies(&hunt);
 	}
 	for (int g = 0; !status && g < grid && !ended(&hunt); g++) {
-		double lo = search->walk.omega_lo, hi = search->walk.omega_hi;
-
 		hawser__fold_part(search, STARTS_PART + (1.0 - STARTS_PART)*g/grid,
 		                  STARTS_PART + (1.0 - STARTS_PART)*(g + 1)/grid);
 		if (hawser__fold_told_to_stop(search, "detached curves", "frequencies", g))
 			break;
 		folds->starts.frequencies++;
-		status = at_frequency(&hunt, lo + (hi - lo)*(g + 0.5)/grid);
+		status = at_frequency(&hunt, frequency(&hunt, g, grid));
 	}
 	for (int i = 0; i < hunt.besides; i++)
 		hawser_frf_clear(&hunt.beside[i]);

@@ -126,6 +126,7 @@ static int factor(struct hawser__fold *fold)
 	}
 	fold->A[(size_t)P*row + P] = 0.0;
 	fold->solves++;
+	fold->balance.base.cost.dense += 2.0/3.0*pow(row, 3.0);
 	return LAPACKE_dgetrf_work(LAPACK_COL_MAJOR, row, row, fold->A, row, fold->pivot) != 0;
 }
 

@@ -179,13 +179,23 @@ static void along(double *row, int size, int place)
 
 /* --- the operations of a step --- */
 
+double hawser__walk_left(const struct hawser__fold_walk *walk)
+{
+	const struct hawser__orbit *orbit = &walk->fold->balance.base;
+
+	return walk->options->most_work > 0.0
+	       ? walk->options->most_work - walk->work - hawser_orbit_work(&orbit->cost, orbit->rom)
+	       : INFINITY;
+}
+
 static enum hawser_status prepare(void *owner, int *ended)
 {
 	struct hawser__fold_walk *walk = owner;
+	int costly = hawser__walk_left(walk) <= 0.0;
 
-	*ended = walk->list->points >= walk->options->max_points;
+	*ended = costly || walk->list->points >= walk->options->max_points;
 	if (*ended)
-		walk->list->end = HAWSER_FOLDS_MAX_POINTS;
+		walk->list->end = costly ? HAWSER_FOLDS_WORK : HAWSER_FOLDS_MAX_POINTS;
 	hawser__walk_metric(walk, walk->here.z);
 	return HAWSER_OK;
 }

@@ -66,6 +66,7 @@ struct hawser__fold_walk {
 	                                * ends */
 	int known;                 /* number of stations before here, and here itself */
 	int stopped;
+	double work;               /* of the responses so far, s, as counted (hawser_orbit_work) */
 	const char *stage;
 	struct hawser__span span;  /* of the whole search */
 	struct hawser_report *report;
@@ -83,6 +84,9 @@ static inline int hawser__fold_width(const struct hawser__fold_list *list)
 }
 
 /* --- folds_walk.c --- */
+
+/* Work that is left for responses and curves, s; INFINITY: it has no limit. */
+double hawser__walk_left(const struct hawser__fold_walk *walk);
 
 enum hawser_status hawser__walk_open(struct hawser__fold_walk *walk, struct hawser__fold *fold,
                                      const struct hawser_folds_options *options,

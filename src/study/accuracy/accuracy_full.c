@@ -169,6 +169,16 @@ static enum hawser_status bound_error(double *error, const struct hawser__traced
 	return status;
 }
 
+/* Whether what follows a draft is more than can be borne. Where the error of a response is wanted,
+ * nothing does. */
+static int is_costly(const struct hawser__draft *draft, const struct hawser_accuracy_options *options,
+                     double work)
+{
+	return options->bearable > 0.0 && !options->partial && !options->response &&
+	       work + hawser__draft_follows(options, draft->rom.n, draft->points, draft->work) >
+	       options->bearable;
+}
+
 /* The first bases of which two agree: *chosen is the smaller one, *moved the distance of the two,
  * error [2] that of the smaller one, of all and of the largest peaks, and *checked the coordinates of
  * the larger. If no two agree, the last ones. */
@@ -232,6 +242,8 @@ static enum hawser_status choose(struct hawser__draft *chosen, double *moved, do
 		}
 		hawser__draft_clear(chosen);
 		*chosen = next;
+		if (is_costly(chosen, options, *work)) /* and so is any larger basis */
+			break;
 	}
 	hawser__traced_give(&traced, chosen);
 	hawser__traced_clear(&traced);

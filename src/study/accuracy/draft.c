@@ -72,16 +72,18 @@ static double so_far(const struct hawser__draft_watch *watch, int points, double
 }
 
 /* Whether a draft is more than can be borne, of which a part is of no use either. The range of one that
- * follows a part ends there, so that what it needs is known to a factor. */
+ * follows a part ends there, so that what it needs is known to a factor. What is foreseen with more
+ * points than were expected is the least. */
 static int is_costly(const struct hawser__draft_watch *watch, int points, double work)
 {
 	double bearable = watch->options->bearable, spent = watch->before + work;
+	double doubt = points < watch->expected ? DOUBT : 1.0;
 
 	if (isfinite(watch->a->until))
 		return spent > DOUBT*bearable;
 	if (watch->options->partial)
 		return points < FIRST_POINTS && spent > bearable;
-	return fmax(spent, watch->a->foreseen/DOUBT) > bearable;
+	return fmax(spent, watch->a->foreseen/doubt) > bearable;
 }
 
 /* Whether the curve has turned back and come no farther in as much work as it took to get there, or
