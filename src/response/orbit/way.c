@@ -194,6 +194,17 @@ int hawser__climb_turned(const struct hawser__climb *climb)
 	return climb->load <= (1.0 - DIP)*climb->peak && climb->peak > 0.0;
 }
 
+/* The greatest load between the last orbit and one at this load and `step` behind it, where the curve has
+ * the direction t: by parabolas through both, with the slopes of both. */
+static double crest(const struct hawser__climb *climb, double load, const double *t, double step,
+                    int count)
+{
+	double rise = climb->t[count], fall = -t[count]/cblas_ddot(count + 1, climb->row, 1, t, 1);
+	double part = 0.5*step/(rise + fall);
+
+	return rise > 0.0 && fall > 0.0 ? fmax(climb->load + rise*rise*part, load + fall*fall*part) : load;
+}
+
 /* The last orbit again, at its load, with the harmonics that the next one has, and the direction there.
  * Returns what correct_at does. */
 static int begin_again(double *y, struct hawser__climb *climb, struct hawser__orbit *orbit,
@@ -246,7 +257,9 @@ static int follow_arc(double *y, struct hawser__climb *climb, struct hawser__orb
 		if (!failed)
 			hawser__orbit_tangent(orbit, climb->guess);
 		failed = 0;
-		if ((off > STRAY && off*step > SHIFT) || (y[count] >= 1.0 && climb->guess[count] < 0.0)) {
+		if ((off > STRAY && off*step > SHIFT) || (climb->guess[count] < 0.0 &&
+		                                              crest(climb, y[count], climb->guess, step,
+		                                                    count) >= 1.0)) {
 			if (isfinite(off) && off*step > SAME*shift &&
 			    (failed = begin_again(y, climb, orbit, correction, omega, report)))
 				return failed;
