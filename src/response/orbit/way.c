@@ -172,17 +172,17 @@ static void step_back(struct hawser__climb *climb, const struct hawser__raised *
 
 /* Correct y in the plane of the row; returns what correct_at does. */
 static int correct_arc(double *y, struct hawser__climb *climb, struct hawser__orbit *orbit,
-                       struct hawser__correction *correction, double omega,
+                       struct hawser__correction *correction, double omega, double rough,
                        struct hawser_report *report)
 {
 	for (int again = 1; again;) {
 		enum hawser_status status;
 
 		orbit->ops->metric(orbit, y);
-		if (hawser__orbit_correct(orbit, y, correction, climb->row, HAWSER__ON_THE_WAY) ||
+		if (hawser__orbit_correct(orbit, y, correction, climb->row, rough) ||
 		    !(y[orbit->size - 1] > 0.0))
 			return 1;
-		status = orbit->ops->refine(orbit, &again, HAWSER__ON_THE_WAY, omega, report);
+		status = orbit->ops->refine(orbit, &again, rough, omega, report);
 		if (status)
 			return status == HAWSER_ERR_MEMORY ? 3 : 2;
 	}
@@ -208,7 +208,7 @@ static double crest(const struct hawser__climb *climb, double load, const double
 /* The last orbit again, at its load, with the harmonics that the next one has, and the direction there.
  * Returns what correct_at does. */
 static int begin_again(double *y, struct hawser__climb *climb, struct hawser__orbit *orbit,
-                       struct hawser__correction *correction, double omega,
+                       struct hawser__correction *correction, double omega, double rough,
                        struct hawser_report *report)
 {
 	int failed;
@@ -216,7 +216,7 @@ static int begin_again(double *y, struct hawser__climb *climb, struct hawser__or
 	memcpy(y, climb->good, (size_t)orbit->size*sizeof *y);
 	memset(climb->row, 0, (size_t)orbit->size*sizeof *climb->row);
 	climb->row[orbit->size - 1] = 1.0;
-	failed = correct_arc(y, climb, orbit, correction, omega, report);
+	failed = correct_arc(y, climb, orbit, correction, omega, rough, report);
 	if (failed)
 		return failed;
 	memcpy(climb->good, y, (size_t)orbit->size*sizeof *y);
@@ -250,7 +250,7 @@ static int follow_arc(double *y, struct hawser__climb *climb, struct hawser__orb
 
 		for (int i = 0; i <= count; i++)
 			y[i] = climb->guess[i] = climb->good[i] + step*climb->t[i];
-		failed = correct_arc(y, climb, orbit, correction, omega, report);
+		failed = correct_arc(y, climb, orbit, correction, omega, raised->rough, report);
 		off = failed ? INFINITY : hawser__orbit_distance(y, climb->guess, count)/step;
 		if (failed > 1)
 			return failed;
@@ -261,7 +261,7 @@ static int follow_arc(double *y, struct hawser__climb *climb, struct hawser__orb
 		                                              crest(climb, y[count], climb->guess, step,
 		                                                    count) >= 1.0)) {
 			if (isfinite(off) && off*step > SAME*shift &&
-			    (failed = begin_again(y, climb, orbit, correction, omega, report)))
+			    (failed = begin_again(y, climb, orbit, correction, omega, raised->rough, report)))
 				return failed;
 			shift = isfinite(off) && off*step <= SAME*shift ? off*step : INFINITY;
 			step *= 0.5;
