@@ -164,8 +164,8 @@ static void close_orbit(struct hawser__orbit *orbit, double *y)
  * ones. */
 static enum hawser_status find(struct hawser__orbit **orbit, double **y,
                                struct hawser__correction *correction, double tolerance,
-                               struct hawser__raised *raised, const struct hawser_rom *rom, double omega,
-                               struct hawser_report *report)
+                               struct hawser__raised *raised, const struct hawser_rom *rom,
+                               double omega, struct hawser_report *report)
 {
 	enum hawser_status status = open_orbit(orbit, y, rom, omega, report);
 

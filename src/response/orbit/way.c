@@ -27,8 +27,8 @@
 #define BEND 0.1        /* that for which the next step is meant */
 #define SHIFT 0.02      /* distance, relative to the orbit, by which rough orbits are off the curve
                          * where it turns sharply, however short the step is */
-#define SAME 0.9        /* a shorter step that fails by this part of the shift of the one before, or more: the
-                         * orbits have not the same harmonics; chosen */
+#define SAME 0.9        /* a shorter step that fails by this part of the shift of the one before, or
+                         * more: the orbits have not the same harmonics; chosen */
 #define DIP 0.06        /* a fold after which the load falls by less is passed, relative to the load */
 
 int hawser__way_add(struct hawser__way *way, double load, const double *y, int count)
@@ -194,8 +194,8 @@ int hawser__climb_turned(const struct hawser__climb *climb)
 	return climb->load <= (1.0 - DIP)*climb->peak && climb->peak > 0.0;
 }
 
-/* The greatest load between the last orbit and one at this load and `step` behind it, where the curve has
- * the direction t: by parabolas through both, with the slopes of both. */
+/* The greatest load between the last orbit and one at this load and `step` behind it, where the curve
+ * has the direction t: by parabolas through both, with the slopes of both. */
 static double crest(const struct hawser__climb *climb, double load, const double *t, double step,
                     int count)
 {
