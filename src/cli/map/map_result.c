@@ -146,7 +146,6 @@ static void comments(struct hawser__table *table, const void *of)
 	cli_condensed_comment(table, &map->condensed);
 	cli_tongues_comment(table, &map->narrow);
 	cli_judged_comment(table, &result->judged);
-	cli_judged_comment(table, &result->judged);
 	cli_exact_range_comments(table, result->model);
 	for (int k = 1; k < HAWSER_MAP_CODES; k++)
 		if (map->count[k] > 0)

@@ -27,6 +27,7 @@
 #include "rom/terms/terms.h"
 
 #define TOLERANCE 1e-8 /* of the orbit: well below the 1e-10 of multipliers; chosen */
+#define FINE 1e-5      /* of the orbits on the way where rough ones lose it; chosen */
 #define NOTHING 1e-13   /* harmonics of T below this times Omega^2 change no exponent by more than the
                          * error of the orbit; chosen */
 
@@ -159,6 +160,29 @@ static void close_orbit(struct hawser__orbit *orbit, double *y)
 		orbit->ops->clear(orbit);
 }
 
+/* Open the orbit and find the response, with rough orbits on the way, and where they lose it with fine
+ * ones. */
+static enum hawser_status find(struct hawser__orbit **orbit, double **y,
+                               struct hawser__correction *correction, double tolerance,
+                               struct hawser__raised *raised, const struct hawser_rom *rom,
+                               double omega, struct hawser_report *report)
+{
+	enum hawser_status status = open_orbit(orbit, y, rom, omega, report);
+
+	raised->rough = HAWSER__ON_THE_WAY;
+	if (!status)
+		status = respond(*y, *orbit, correction, tolerance, raised, omega, report);
+	if (status != HAWSER_ERR_CONVERGENCE || raised->load < 0.0 || raised->turned)
+		return status;
+	close_orbit(*orbit, *y);
+	if (raised->way)
+		hawser__way_clear(raised->way);
+	raised->rough = FINE;
+	raised->guide = NULL;
+	status = open_orbit(orbit, y, rom, omega, report);
+	return status ? status : respond(*y, *orbit, correction, tolerance, raised, omega, report);
+}
+
 enum hawser_status hawser__about_response(struct hawser__about *about, const struct hawser_rom *rom,
                                           double omega, struct hawser_report *report)
 {
@@ -166,11 +190,10 @@ enum hawser_status hawser__about_response(struct hawser__about *about, const str
 	struct hawser__raised raised = {.guide = about->guide};
 	struct hawser__orbit *orbit;
 	double *y;
-	enum hawser_status status = open_orbit(&orbit, &y, rom, omega, report);
+	enum hawser_status status = find(&orbit, &y, &correction, about->tolerance > 0.0 ? about->tolerance
+	                                                                                 : TOLERANCE,
+	                                 &raised, rom, omega, report);
 
-	if (!status)
-		status = respond(y, orbit, &correction, about->tolerance > 0.0 ? about->tolerance : TOLERANCE,
-		                 &raised, omega, report);
 	if (status == HAWSER_ERR_CONVERGENCE && raised.load >= 0.0)
 		status = hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "about",
 		                      raised.turned
@@ -198,10 +221,9 @@ enum hawser_status hawser__about_way(struct hawser__way *way, const struct hawse
 	struct hawser__raised raised = {.way = way, .guide = guide};
 	struct hawser__orbit *orbit;
 	double *y;
-	enum hawser_status status = open_orbit(&orbit, &y, rom, omega, report);
+	enum hawser_status status = find(&orbit, &y, &correction, HAWSER__ON_THE_WAY, &raised, rom, omega,
+	                                 report);
 
-	if (!status)
-		status = respond(y, orbit, &correction, HAWSER__ON_THE_WAY, &raised, omega, report);
 	close_orbit(orbit, y);
 	return status == HAWSER_ERR_MEMORY ? status : HAWSER_OK;
 }

@@ -145,9 +145,10 @@ static int correct_at(double *y, struct hawser__orbit *orbit,
  * ratio of the next step to this one. Returns what correct_at does. */
 static int correct_lone(double *y, struct hawser__orbit *orbit, double *growth,
                         struct hawser__correction *correction, const double *guess, double omega,
-                        double tolerance, int whole, struct hawser_report *report)
+                        double tolerance, double rough, int whole,
+                        struct hawser_report *report)
 {
-	int failed = correct_at(y, orbit, correction, omega, fmax(tolerance, HAWSER__ON_THE_WAY), report);
+	int failed = correct_at(y, orbit, correction, omega, fmax(tolerance, rough), report);
 	double off = failed ? 0.0 : hawser__orbit_distance(y, guess, orbit->size - 1);
 
 	if (failed || !(off <= NEAR))
@@ -172,7 +173,7 @@ static int follow(struct hawser__climb *climb, double *y, struct hawser__orbit *
 		hawser__way_predict(y, guide, next, here, climb->good, count);
 		memcpy(climb->guess, y, (size_t)count*sizeof *y);
 		failed = correct_lone(y, orbit, &climb->growth, correction, climb->guess, omega, tolerance,
-		                      load == 1.0, report);
+		                      raised->rough, load == 1.0, report);
 		if (!failed) {
 			failed = hawser__climb_pass(climb, y, load, orbit, raised);
 			here = next;
@@ -242,7 +243,7 @@ static enum hawser_status raise_load(double *y, struct hawser__orbit *orbit, int
 		memcpy(climb.guess, y, (size_t)orbit->size*sizeof *y);
 		*failed = raised->lone
 		          ? correct_lone(y, orbit, &climb.growth, correction, climb.guess, omega, tolerance,
-		                         next == 1.0, report)
+		                         raised->rough, next == 1.0, report)
 		          : correct_at(y, orbit, correction, omega, tolerance, report);
 		if (!*failed) {
 			climb.step = climb.growth*(next - climb.load);
@@ -337,7 +338,7 @@ enum hawser_status hawser__start(double *y, struct hawser__orbit *orbit,
 	               : linear_response(y, orbit, omega, report);
 	if (status)
 		return status;
-	failed = correct_at(y, orbit, correction, omega, raised->lone ? fmax(tolerance, HAWSER__ON_THE_WAY)
+	failed = correct_at(y, orbit, correction, omega, raised->lone ? fmax(tolerance, raised->rough)
 	                                                              : tolerance, report);
 	if (failed == 3)
 		return HAWSER_ERR_MEMORY;

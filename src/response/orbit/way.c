@@ -27,6 +27,8 @@
 #define BEND 0.1        /* that for which the next step is meant */
 #define SHIFT 0.02      /* distance, relative to the orbit, by which rough orbits are off the curve
                          * where it turns sharply, however short the step is */
+#define SAME 0.9        /* a shorter step that fails by this part of the shift of the one before, or
+                         * more: the orbits have not the same harmonics; chosen */
 #define DIP 0.06        /* a fold after which the load falls by less is passed, relative to the load */
 
 int hawser__way_add(struct hawser__way *way, double load, const double *y, int count)
@@ -170,17 +172,17 @@ static void step_back(struct hawser__climb *climb, const struct hawser__raised *
 
 /* Correct y in the plane of the row; returns what correct_at does. */
 static int correct_arc(double *y, struct hawser__climb *climb, struct hawser__orbit *orbit,
-                       struct hawser__correction *correction, double omega,
+                       struct hawser__correction *correction, double omega, double rough,
                        struct hawser_report *report)
 {
 	for (int again = 1; again;) {
 		enum hawser_status status;
 
 		orbit->ops->metric(orbit, y);
-		if (hawser__orbit_correct(orbit, y, correction, climb->row, HAWSER__ON_THE_WAY) ||
+		if (hawser__orbit_correct(orbit, y, correction, climb->row, rough) ||
 		    !(y[orbit->size - 1] > 0.0))
 			return 1;
-		status = orbit->ops->refine(orbit, &again, HAWSER__ON_THE_WAY, omega, report);
+		status = orbit->ops->refine(orbit, &again, rough, omega, report);
 		if (status)
 			return status == HAWSER_ERR_MEMORY ? 3 : 2;
 	}
@@ -192,13 +194,48 @@ int hawser__climb_turned(const struct hawser__climb *climb)
 	return climb->load <= (1.0 - DIP)*climb->peak && climb->peak > 0.0;
 }
 
+/* The greatest load between the last orbit and one at this load and `step` behind it, where the curve
+ * has the direction t: by parabolas through both, with the slopes of both. */
+static double crest(const struct hawser__climb *climb, double load, const double *t, double step,
+                    int count)
+{
+	double rise = climb->t[count], fall = -t[count]/cblas_ddot(count + 1, climb->row, 1, t, 1);
+	double part = 0.5*step/(rise + fall);
+
+	return rise > 0.0 && fall > 0.0 ? fmax(climb->load + rise*rise*part, load + fall*fall*part) : load;
+}
+
+/* The last orbit again, at its load, with the harmonics that the next one has, and the direction there.
+ * Returns what correct_at does. */
+static int begin_again(double *y, struct hawser__climb *climb, struct hawser__orbit *orbit,
+                       struct hawser__correction *correction, double omega, double rough,
+                       struct hawser_report *report)
+{
+	int failed;
+
+	memcpy(y, climb->good, (size_t)orbit->size*sizeof *y);
+	memset(climb->row, 0, (size_t)orbit->size*sizeof *climb->row);
+	climb->row[orbit->size - 1] = 1.0;
+	failed = correct_arc(y, climb, orbit, correction, omega, rough, report);
+	if (failed)
+		return failed;
+	memcpy(climb->good, y, (size_t)orbit->size*sizeof *y);
+	memcpy(climb->guess, climb->t, (size_t)orbit->size*sizeof *y);
+	failed = begin_arc(climb, orbit);
+	if (!failed && cblas_ddot(orbit->size - 1, climb->t, 1, climb->guess, 1) < 0.0) {
+		cblas_dscal(orbit->size, -1.0, climb->t, 1);
+		cblas_dscal(orbit->size, -1.0, climb->row, 1);
+	}
+	return failed;
+}
+
 /* See start.h; the parameter of the orbit is the load. */
 static int follow_arc(double *y, struct hawser__climb *climb, struct hawser__orbit *orbit,
                       struct hawser__correction *correction, double omega,
                       const struct hawser__raised *raised, struct hawser_report *report)
 {
 	int count = orbit->size - 1, failed = begin_arc(climb, orbit);
-	double step = ARC;
+	double step = ARC, shift = INFINITY; /* by which the last step failed, relative to the orbit */
 
 	if (!failed && behind(climb, count)) {
 		step_back(climb, raised);
@@ -213,17 +250,24 @@ static int follow_arc(double *y, struct hawser__climb *climb, struct hawser__orb
 
 		for (int i = 0; i <= count; i++)
 			y[i] = climb->guess[i] = climb->good[i] + step*climb->t[i];
-		failed = correct_arc(y, climb, orbit, correction, omega, report);
+		failed = correct_arc(y, climb, orbit, correction, omega, raised->rough, report);
 		off = failed ? INFINITY : hawser__orbit_distance(y, climb->guess, count)/step;
 		if (failed > 1)
 			return failed;
 		if (!failed)
 			hawser__orbit_tangent(orbit, climb->guess);
 		failed = 0;
-		if ((off > STRAY && off*step > SHIFT) || (y[count] >= 1.0 && climb->guess[count] < 0.0)) {
+		if ((off > STRAY && off*step > SHIFT) || (climb->guess[count] < 0.0 &&
+		                                              crest(climb, y[count], climb->guess, step,
+		                                                    count) >= 1.0)) {
+			if (isfinite(off) && off*step > SAME*shift &&
+			    (failed = begin_again(y, climb, orbit, correction, omega, raised->rough, report)))
+				return failed;
+			shift = isfinite(off) && off*step <= SAME*shift ? off*step : INFINITY;
 			step *= 0.5;
 			continue;
 		}
+		shift = INFINITY;
 		if (y[count] >= 1.0) {
 			double part = (1.0 - before)/(y[count] - before);
 
