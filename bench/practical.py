@@ -3,8 +3,9 @@
 #
 # Random conductors, stays, guys, spans of chairlifts, mooring lines in air, hoist ropes and cables of footbridges, in
 # turn, each near its first or second resonance: `hawser frf` with all defaults against the exact energy on MORE
-# functions a component than that took itself, at least FEWEST. A scene depends on the seed and its number alone. With a
-# WORD of EXTRA the kinds of cables for which that is usual have it besides, such as a damper near the lower end.
+# functions a component than that took itself, at least FEWEST. A scene depends on the seed and its number alone. With
+# WORDs of EXTRA, such as absorber+masses, the kinds of cables for which these are usual have them besides; with a number,
+# each scene has so many of them, which are drawn.
 #
 # Both largest peaks and all folds of a stable branch: a line each scene with the seconds of processor time, the largest
 # true error of these (of an amplitude or a frequency, relative), the stated error, and what is wrong. "lost": a peak or
@@ -44,49 +45,117 @@ KINDS = {
 }
 
 
+# What a word adds: a damping ratio, and what it writes into sections of the scene. A load by itself has the section "load".
 def damper(chance, of):
     """A third to three times as large as is best for the first mode of a taut string."""
     at = chance.uniform(0.01, 0.05)
     size = logarithmic(chance, 0.03, 0.3)*of["rho"]*of["chord"]*of["omega"]/at
-    return 0.5*at, f"attach: [{{at: {at:.4g}, damper: [0, {size:.5g}, {size:.5g}]}}]\n"
+    return 0.5*at, {"attach": f"{{at: {at:.4g}, damper: [0, {size:.5g}, {size:.5g}]}}"}
 
 
 def deck(chance, of):
     turn, moved = chance.uniform(0.0, math.pi), of["swing"]*of["ratio"]
-    return None, f"support: {{B: {{motion: [0, {moved*math.cos(turn):.5g}, {moved*math.sin(turn):.5g}]}}}}\n"
+    return 0.0, {"support": f"B: {{motion: [0, {moved*math.cos(turn):.5g}, {moved*math.sin(turn):.5g}]}}", "load": ""}
 
 
 def wind(chance, of):
-    return 0.0, (f"wind: {{speed: {chance.uniform(3, 20):.4g}, density: 1.225, diameter: {0.02*math.sqrt(of['rho']):.4g}, "
-                 f"drag: [{chance.uniform(0.7, 1.2):.3g}]}}\n")
+    return 0.0, {"wind": f"speed: {chance.uniform(3, 20):.4g}, density: 1.225, "
+                         f"diameter: {0.02*math.sqrt(of['rho']):.4g}, drag: [{chance.uniform(0.7, 1.2):.3g}]"}
+
+
+def steady(chance, of):
+    return of["omega"]*of["chord"]/math.pi*chance.uniform(0.02, 0.3)
+
+
+def travel(chance, of):
+    return 0.0, {"travel": f"speed: {steady(chance, of):.5g}, hold: tension"}
 
 
 def speed(chance, of):
-    steady = of["omega"]*of["chord"]/math.pi*chance.uniform(0.02, 0.3)
-    return 0.0, (f"travel: {{speed: {steady:.5g}, fluctuation: {steady*chance.uniform(0.01, 0.1):.4g}, "
-                 f"hold: tension}}\n")
+    mean = steady(chance, of)
+    return 0.0, {"travel": f"speed: {mean:.5g}, fluctuation: {mean*chance.uniform(0.01, 0.1):.4g}, hold: tension"}
 
 
 def absorber(chance, of):
     mass, at = of["rho"]*of["chord"]*chance.uniform(0.005, 0.03), chance.uniform(0.1, 0.5)
     k = mass*of["omega"]**2*chance.uniform(0.8, 1.2)
-    return 0.02, (f"attach: [{{at: {at:.4g}, absorber_mass: {mass:.5g}, absorber_stiffness: {k:.5g}, "
-                  f"absorber_damping: {0.2*mass*of['omega']:.5g}, absorber_direction: [0, 1, 0]}}]\n")
+    return 0.02, {"attach": f"{{at: {at:.4g}, absorber_mass: {mass:.5g}, absorber_stiffness: {k:.5g}, "
+                            f"absorber_damping: {0.2*mass*of['omega']:.5g}, absorber_direction: [0, 1, 0]}}"}
 
 
 def supports(chance, of):
     k = ", ".join(f"{of['H']/of['chord']*logarithmic(chance, 30, 1000):.5g}" for _ in range(3))
-    return 0.0, f"support: {{B: {{stiffness: [{k}]}}}}\n"
+    return 0.0, {"support": f"B: {{stiffness: [{k}]}}"}
 
 
-# word: the kinds of cables, and a function that gives the damping ratio that it adds, or None where it takes the place of
-# the load, and its lines
+def masses(chance, of):
+    mass, at = of["rho"]*of["chord"]*logarithmic(chance, 0.003, 0.1), chance.uniform(0.1, 0.9)
+    return 0.0, {"attach": f"{{at: {at:.4g}, mass: {mass:.5g}}}"}
+
+
+def springs(chance, of):
+    k, at = of["H"]/of["chord"]*logarithmic(chance, 0.1, 10), chance.uniform(0.05, 0.95)
+    return 0.0, {"attach": f"{{at: {at:.4g}, spring: [0, {k:.5g}, {k:.5g}]}}"}
+
+
+def bending(chance, of):
+    """Boundary layers of 1e-3 to 0.03 of the length."""
+    end = chance.choice(("", "A: clamped, B: clamped", "B: clamped"))
+    layer = of["chord"]*logarithmic(chance, 1e-3, 0.03)
+    return 0.0, {"cable": f"EI: {of['H']*layer**2:.5g}", **({"ends": end} if end else {})}
+
+
+def ice(chance, of):
+    return 0.0, {"load.static": f"mass: {of['rho']*chance.uniform(0.1, 0.8):.4g}"}
+
+
+def gale(chance, of):
+    return 0.0, {"load.static": f"per_length: [0, 0, {9.81*of['rho']*chance.uniform(0.1, 0.8):.4g}]"}
+
+
+def temperature(chance, of):
+    return 0.0, {"temperature": f"change: {chance.uniform(-40, 40):.3g}, expansion: 1.2e-5"}
+
+
+def drag(chance, of):
+    return 0.0, {"damping": f"drag: {logarithmic(chance, 0.1, 1.0)*0.02*math.sqrt(of['rho']):.4g}"}
+
+
+def wave(chance, of):
+    return 0.0, {"loads": f"{{per_length: [0, {0.3*of['q']:.4g}, 0], wave: {of['chord']*chance.uniform(0.3, 2):.4g}}}"}
+
+
+# word: the kinds of cables, and a function that gives what it adds
 EXTRA = {"damper": (("stay", "guy"), damper), "deck": (("stay", "footbridge"), deck),
          "wind": (("conductor", "stay", "guy", "chairlift"), wind), "speed": (("chairlift", "hoist"), speed),
-         "absorber": (("stay", "conductor"), absorber), "supports": (("conductor", "stay", "guy"), supports)}
+         "absorber": (("stay", "conductor"), absorber), "supports": (("conductor", "stay", "guy"), supports),
+         "masses": (KINDS, masses), "springs": (KINDS, springs), "bending": (KINDS, bending), "ice": (KINDS, ice),
+         "gale": (KINDS, gale), "temperature": (KINDS, temperature), "drag": (KINDS, drag), "wave": (KINDS, wave),
+         "travel": (("chairlift", "hoist"), travel)}
+# each with these at most once: what contradicts another
+ALONE = {"deck", "supports"}, {"wind", "gale"}, {"wind", "deck", "speed", "travel", "supports", "drag"}, {
+    "bending", "speed", "travel", "supports"}, {"speed", "travel", "deck", "supports"}, {"ice", "gale"}
 
 
-def draw(chance, kind, extra=None):
+def kinds_of(words):
+    return [kind for kind in KINDS if all(kind in EXTRA[word][0] for word in words)]
+
+
+def some(chance, count):
+    """Words that go together."""
+    while True:
+        words = chance.sample(sorted(EXTRA), count)
+        if kinds_of(words) and all(len(one & set(words)) < 2 for one in ALONE):
+            return words
+
+
+def section(name, parts):
+    if name in ("attach", "loads"):
+        return f"{name}: [{', '.join(parts)}]\n"
+    return f"{name}: {{{', '.join(parts)}}}\n"
+
+
+def draw(chance, kind, extra=()):
     stiff, mass, long, slope, sags, ratios, across = KINDS[kind]
     rho = logarithmic(chance, *mass)
     chord = chance.uniform(*long)
@@ -101,13 +170,21 @@ def draw(chance, kind, extra=None):
     omega = math.pi/chord*math.sqrt(H/math.cos(angle)/rho)
     q = swing*0.25*math.pi*rho*omega*omega*2.0*ratio
     turn = chance.uniform(*across)*0.5*math.pi
-    of = {"rho": rho, "chord": chord, "H": H, "ratio": ratio, "swing": swing, "omega": omega}
-    more, lines = EXTRA[extra][1](chance, of) if extra else (0.0, "")
-    q *= 1.0 + (more or 0.0)/ratio
-    text = (f"cable: {{EA: {1e6*rho*chance.uniform(*stiff):.6g}, rho: {rho:.6g}}}\nspan: {{d: {d:.6g}, h: {h:.6g}}}\n"
-            f"tension: {{H: {H:.6g}}}\ndamping: {{ratio: {ratio:.4g}}}\n{lines}")
-    if more is not None:
-        text += f"load: {{frame: local, per_length: [0, {q*math.cos(turn):.5g}, {q*math.sin(turn):.5g}]}}\n"
+    of = {"rho": rho, "chord": chord, "H": H, "ratio": ratio, "swing": swing, "omega": omega, "q": q}
+    parts = {}
+    for word in extra:
+        more, lines = EXTRA[word][1](chance, of)
+        q += of["q"]*more/ratio
+        for name, text in lines.items():
+            parts.setdefault(name, []).append(text)
+    EA = 1e6*rho*chance.uniform(*stiff)
+    first = {"cable": [f"EA: {EA:.6g}, rho: {rho:.6g}"], "span": [f"d: {d:.6g}, h: {h:.6g}"], "tension": [f"H: {H:.6g}"],
+             "damping": [f"ratio: {ratio:.4g}"]}
+    load = [] if "load" in parts else [f"frame: local, per_length: [0, {q*math.cos(turn):.5g}, {q*math.sin(turn):.5g}]"]
+    still = parts.pop("load.static", [])
+    parts["load"] = load + ([f"static: {{{', '.join(still)}}}"] if still else [])
+    text = "".join(section(name, first.get(name, []) + parts.get(name, []))
+                   for name in dict.fromkeys([*first, *parts]) if first.get(name) or parts.get(name))
     return text, chance.choice((1, 1, 2))
 
 
@@ -192,18 +269,21 @@ def model(answer):
 def main():
     hawser = os.path.abspath(sys.argv[1])
     count, seed, first = (int(sys.argv[k]) if len(sys.argv) > k else default for k, default in ((2, 40), (3, 1), (4, 0)))
-    extra = sys.argv[5] if len(sys.argv) > 5 else None
-    kinds = EXTRA[extra][0] if extra else list(KINDS)
+    asked = sys.argv[5] if len(sys.argv) > 5 else ""
+    words = [] if asked.isdigit() else asked.split("+") if asked else []
     folder = tempfile.mkdtemp()
     scene = os.path.join(folder, "scene.yaml")
     beyond = losses = left = 0
     seconds, ratios = [], []
     for number in range(first, first + count):
+        chance = random.Random(seed*100003 + number)
+        these = some(chance, int(asked)) if asked.isdigit() else words
+        kinds = kinds_of(these)
         kind = kinds[number % len(kinds)]
-        text, mode = draw(random.Random(seed*100003 + number), kind, extra)
+        text, mode = draw(chance, kind, these)
         with open(scene, "w", encoding="utf-8") as stream:
             stream.write(text)
-        head = f"{number:3d} {kind:10s} w{mode}"
+        head = f"{number:3d} {kind:10s} w{mode}" + (f" {'+'.join(these):24s}" if asked.isdigit() else "")
         own, why, took = respond(hawser, folder, scene, about(mode))
         seconds.append(took)
         if not own:

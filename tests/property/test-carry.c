@@ -72,10 +72,10 @@ static void compare(struct hawser_rom *rom, const double *map)
 	ok(!hawser__carry(&frf[2], &lost, &rom[1], &orbits, mark, marks, map, &options, &report) && !lost &&
 	   frf[2].points == marks, "%d counterparts, lost %d: %s", frf[2].points, lost, report.message);
 	ok(!hawser__curve_copy(&curve[2], &frf[2], &report) &&
-	   !hawser__curve_points_distance(&carried, &curve[0], NULL, NULL, &curve[2], NULL, &report) &&
-	   !hawser__curve_points_distance(&peaks, &curve[0], mark, NULL, &curve[2], NULL, &report) &&
+	   !hawser__curve_points_distance(&carried, &curve[0], NULL, NULL, &curve[2], 0, &report) &&
+	   !hawser__curve_points_distance(&peaks, &curve[0], mark, NULL, &curve[2], 0, &report) &&
 	   !hawser__curve_distance(&apart, &curve[0], &curve[1], &report) &&
-	   !hawser__curve_points_distance(&again, &curve[1], NULL, NULL, &curve[2], NULL, &report),
+	   !hawser__curve_points_distance(&again, &curve[1], NULL, NULL, &curve[2], 0, &report),
 	   "distances");
 	/* the curves also differ by what is between their points; three times the distance is stated */
 	ok(carried < 1.1*apart && apart < 2.0*carried, "%.3e by marks, %.3e by curves", carried, apart);
@@ -102,7 +102,8 @@ static void heights(void)
 	const double higher = 1e-3, shift = 0.015;
 	double arc[POINTS], value[4*POINTS] = {0.0}, beside[4*MARKS] = {0.0}, distance = 0.0;
 	const int mark[MARKS] = {18, 20, 22};
-	struct hawser__drawn_curve curve = {POINTS, 3, arc, value}, other = {MARKS, 3, arc, beside};
+	struct hawser__drawn_curve curve = {.points = POINTS, .width = 3, .arc = arc, .value = value};
+	struct hawser__drawn_curve other = {.points = MARKS, .width = 3, .arc = arc, .value = beside};
 
 	for (int i = 0; i < POINTS; i++) {
 		arc[i] = 0.1*(i - 20) - 0.037;
@@ -116,7 +117,7 @@ static void heights(void)
 		beside[4*k + 3] = (1.0 + higher)/(1.0 + (s - shift)*(s - shift));
 	}
 	/* nearest to the top the two differ by a third of that */
-	ok(!hawser__curve_points_distance(&distance, &curve, mark, NULL, &other, NULL, &report),
+	ok(!hawser__curve_points_distance(&distance, &curve, mark, NULL, &other, 0, &report),
 	   "distance");
 	ok(fabs(distance/higher - 1.0) < 0.15, "peak higher by %.3g, read %.3g", higher, distance);
 }

@@ -82,8 +82,7 @@ enum hawser_status cli_certify(struct cli_frf_result *result, struct hawser_repo
 		own.own.seconds = NAN;
 	if (result->frf->branch <= 1 || shown->own.count == 0)
 		*shown = own;
-	if (!isfinite(own.own.distance) ||
-	    (own.own.refused > 0 && !isfinite(error->fixed.estimated)))
+	if (!isfinite(own.own.distance))
 		return status;
 	error->corrected = 1;
 	error->before = error->compared ? NAN : error->fixed.estimated;
@@ -91,8 +90,8 @@ enum hawser_status cli_certify(struct cli_frf_result *result, struct hawser_repo
 	known = error->fixed.estimated;
 	error->fixed.estimated = fmin(own.own.error, 1.0);
 	error->fixed.largest = own.own.largest;
-	if (own.own.refused > 0) {
-		error->fixed.estimated = fmax(known, error->fixed.estimated);
+	if (own.own.refused > 0) { /* of which nothing is known but that they are far away */
+		error->fixed.estimated = isfinite(known) ? fmax(known, error->fixed.estimated) : 1.0;
 		error->fixed.largest = 0.0;
 	}
 	return HAWSER_OK;

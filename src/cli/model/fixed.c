@@ -212,8 +212,9 @@ void cli_fixed_comments(struct hawser__table *table, const struct cli_model_erro
 		return;
 	}
 	if (error->corrected)
-		hawser__table_comment(table, "%serror of the model: %s%.2g of %s, corrected in the mesh",
-		                      branch, largest, fixed->estimated, of);
+		hawser__table_comment(table, "%serror of the model: %s%s%.2g of %s, corrected in the mesh",
+		                      branch, fixed->estimated < 1.0 ? "" : "more than ", largest,
+		                      fixed->estimated, of);
 	if (error->corrected && !isfinite(error->before))
 		return;
 	if (error->compared) {
@@ -264,8 +265,8 @@ static void warn(const struct cli_model_error *error, int number)
 	if (number > 1)
 		snprintf(branch, sizeof branch, "branch %d: ", number);
 	if (error->corrected)
-		snprintf(text, sizeof text, "%s are off by %.0f %%, corrected in the mesh: %s", error->about,
-		         100.0*error->fixed.estimated, error->advice);
+		snprintf(text, sizeof text, "%s are off by %s%.0f %%, corrected in the mesh: %s", error->about,
+		         more, 100.0*error->fixed.estimated, error->advice);
 	else if (error->compared)
 		snprintf(text, sizeof text, "%s%s may be off by %s%.0f %%: so far is the model of another "
 		         "size: a larger one (model.basis) may be closer", branch, error->about, more,

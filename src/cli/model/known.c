@@ -95,8 +95,7 @@ double cli_modes_end(const struct cli_model *model)
 		return fmax(top/multiple(rom), least*model->natural[0]);
 	if (!modes || modes->n == 0 || model->naturals == 0)
 		return INFINITY;
-	/* the highest frequencies may be those of second-order shapes */
-	top = last*(model->rom.inertia.shapes > 0 ? modes->mode[modes->n - 1].omega : top);
+	top = last*modes->mode[modes->n - 1].omega;
 	return model->made->breaking > 0.0 ? fmin(top, model->made->breaking/cli_per_omega(model)) : top;
 }
 

@@ -61,12 +61,16 @@ int cli_linear(double *K, double *D, const struct hawser_rom *rom)
 	return turns;
 }
 
-/* Static shapes of dampers (labels of rom/build/build.c) are coordinates without mode, which K and the
- * mass do not couple with modes. Wakes (rom/terms/wake.c) are no motions of the cable. */
+/* Static shapes of dampers and of condensed modes (labels of rom/build) are coordinates without mode,
+ * which K and the mass do not couple with modes. Wakes (rom/terms/wake.c) are no motions of the cable. */
 static int is_shape(const struct hawser_rom *rom, size_t j)
 {
-	return rom->label && rom->label[j] && (strncmp(rom->label[j], "damper shape", 12) == 0 ||
-	                                       strncmp(rom->label[j], "wake ", 5) == 0);
+	static const char *const shape[] = {"damper shape", "second-order shape", "wake "};
+	int is = 0;
+
+	for (size_t k = 0; k < sizeof shape/sizeof *shape && rom->label && rom->label[j]; k++)
+		is |= strncmp(rom->label[j], shape[k], strlen(shape[k])) == 0;
+	return is;
 }
 
 /* part [count][count]: the rows and columns of all [n][n] that are modes; returns their number. */

@@ -50,6 +50,7 @@
                          * are read there */
 #define LOCATING 0.2    /* of what can be borne, for the peaks of a draft; chosen */
 #define AT_LEAST 0.5    /* of what can be borne, for the response whatever the drafts took; chosen */
+#define OF_BASIS 0.3    /* of the distance of a response from a draft, by the basis of that; chosen */
 #define PART 0.1        /* of the accuracy: error of a basis, and */
 #define EACH 6          /* fewest functions between attachments, where the error of a response is
                          * wanted, which is mostly far below the accuracy; chosen */
@@ -105,6 +106,17 @@ static int retry(enum hawser_status status, int *functions, struct hawser_frf_op
 	return *functions < hawser__accuracy_largest(options->most_functions, &a->modes.statics);
 }
 
+/* Whether the distance of a response is rather that of the draft from the next basis, and a draft of
+ * that one can be borne. */
+static int is_rough(const struct condensed *condensed, double moved,
+                    const struct hawser__draft *chosen, const struct hawser__draft *next, double work,
+                    double bearable)
+{
+	double drawn = chosen->work*pow((double)next->rom.n/chosen->rom.n, 3.0);
+
+	return condensed->lent && moved > OF_BASIS*condensed->off && work + drawn < AT_LEAST*bearable;
+}
+
 /* The error of a basis that is small enough. */
 static double enough_of(const struct condensed *condensed, const struct hawser_accuracy *a)
 {
@@ -155,14 +167,12 @@ static enum hawser_status bound_error(double *error, const struct hawser__traced
 	if (!status && last.rom.n > 0)
 		status = hawser__draft_carry(&last, &away, traced, &of->modes->statics, settled, report);
 	for (int k = 0; k < 2; k++) {
-		const int *column = k ? traced->largest : NULL;
-
 		if (!status && k)
 			status = hawser__curve_points_distance(&moved, curve, traced->mark, own, &next->curve,
-			                                       column, report);
+			                                       k, report);
 		if (!status && away <= NEAR)
 			status = hawser__curve_points_distance(&beyond, curve, traced->mark, &next->curve,
-			                                       &last.curve, column, report);
+			                                       &last.curve, k, report);
 		error[k] = fmin(HAWSER__SAFETY_BASIS*moved, MARGIN*moved + HAWSER__SAFETY_BASIS*beyond);
 	}
 	hawser__draft_clear(&last);
@@ -208,14 +218,17 @@ static enum hawser_status choose(struct hawser__draft *chosen, double *moved, do
 		if (traced.functions)
 			status = hawser__draft_carry(&next, &away, &traced, &a->modes.statics, frf, report);
 		*work += next.work;
-		if (!status && away <= NEAR) {
-			next.points = chosen->points;
-			next.work = chosen->work*pow((double)next.rom.n/chosen->rom.n, 2.0);
+		if (!status && away <= NEAR)
 			status = hawser__curve_points_distance(moved, &traced.curve, traced.mark,
 			                                       chosen->curve.points ? &chosen->curve : NULL,
-			                                       &next.curve, NULL, report);
+			                                       &next.curve, 0, report);
+		if (!status && away <= NEAR &&
+		    !is_rough(condensed, *moved, chosen, &next, *work, options->bearable)) {
+			next.points = chosen->points;
+			next.work = chosen->work*pow((double)next.rom.n/chosen->rom.n, 2.0);
 			condensed->off += *moved;
 		} else if (!status) {
+			away = INFINITY;
 			status = hawser__draft_draw(&next, moved, &traced, chosen, a, options, frf, *work, report);
 			*work += next.work;
 			again = !(options->bearable > 0.0 && *work >= options->bearable) &&
@@ -318,9 +331,9 @@ static void claim(struct hawser_accuracy *a, const double *error, const int *col
 
 	hawser__largest_peaks(largest, &a->frf, marks->item, marks->count);
 	for (int k = 0; k < 2; k++) {
-		int own = hawser__peak_column(&largest[k]);
+		int own = 1 + hawser__peak_column(&largest[k]);
 
-		same &= own >= 0 && (own == column[0] || own == column[1]);
+		same &= own > 0 && (own == column[0] || own == column[1]);
 	}
 	hawser__accuracy_claim(a, error[same], marks);
 	a->largest = same ? a->estimated : 0.0;

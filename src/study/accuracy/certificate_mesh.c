@@ -126,11 +126,11 @@ struct hawser__corrector hawser__finite_corrector(struct hawser__finite *finite)
 /* --- meshes --- */
 
 /* The same damping ratio for n modes phi [n][unknowns] of a mesh. */
-static enum hawser_status set_ratio(struct hawser__finites *w, int number, const double *phi,
+static enum hawser_status set_ratio(struct hawser__finites *w, int number,
+                                    const struct hawser__mesh *mesh, const double *phi,
                                     const double *omega, int n, struct hawser_report *report)
 {
 	struct hawser__finite_mesh *to = &w->mesh[number];
-	const struct hawser__mesh *mesh = number ? &to->own : &w->source.modal.mesh;
 	size_t unknowns = (size_t)mesh->unknowns, all = 3*(size_t)mesh->nodes;
 	double *own = hawser__numbers(unknowns, 1);
 
@@ -151,21 +151,30 @@ static enum hawser_status set_ratio(struct hawser__finites *w, int number, const
 	return own && !w->hold.short_of_memory ? HAWSER_OK : hawser__no_memory(report, "certificate");
 }
 
-/* Of all modes of the mesh, the ones along the cable too, as models with the exact energy have it. */
+/* Of all modes of the mesh, the ones along the cable too, as models with the exact energy have it; with
+ * the absorbers held, as of spans (rom/terms/absorbers.c). */
 static enum hawser_status rate_all(struct hawser__finites *w, int number, struct hawser_report *report)
 {
-	const struct hawser__mesh *mesh = number ? &w->mesh[number].own : &w->source.modal.mesh;
+	struct hawser__mesh mesh = number ? w->mesh[number].own : w->source.modal.mesh;
 	const struct hawser_net *net = number ? &w->mesh[number].net : &w->fine;
+	int (*unknown)[3] = hawser__hold(&w->hold, (size_t)mesh.nodes, sizeof *unknown);
 	struct hawser__eigen eigen;
-	enum hawser_status status = hawser__eigen_open(&eigen, mesh, w->mesh[number].T, net,
-	                                               -mesh->unknowns, report);
+	enum hawser_status status;
 
+	if (!unknown)
+		return hawser__no_memory(report, "certificate");
+	memcpy(unknown, mesh.unknown, (size_t)mesh.nodes*sizeof *unknown);
+	for (int i = 0; i < mesh.absorbers; i++)
+		unknown[mesh.absorber[i].at][mesh.absorber[i].axis] = -1;
+	mesh.unknown = unknown;
+	hawser__mesh_number(&mesh);
+	status = hawser__eigen_open(&eigen, &mesh, w->mesh[number].T, net, -mesh.unknowns, report);
 	if (!status)
 		status = hawser__eigen_dense(&eigen, report);
 	for (int j = 0; j < eigen.found && !status; j++)
 		eigen.value[j] = sqrt(eigen.value[j]);
 	if (!status)
-		status = set_ratio(w, number, eigen.x, eigen.value, eigen.found, report);
+		status = set_ratio(w, number, &mesh, eigen.x, eigen.value, eigen.found, report);
 	hawser__eigen_clear(&eigen);
 	return status;
 }
@@ -188,7 +197,7 @@ static enum hawser_status rate_kept(struct hawser__finites *w, int number, struc
 				(size_t)fine->unknown[number ? w->mesh[number].from[node] : node][k]];
 	}
 	if (!status)
-		status = set_ratio(w, number, phi, omega, source->n, report);
+		status = set_ratio(w, number, own, phi, omega, source->n, report);
 	free(phi);
 	free(omega);
 	return status;

@@ -150,10 +150,6 @@ static enum hawser_status check(const struct hawser_scene *scene, const struct h
 		const struct hawser_attachment *at = &scene->attach[statics->attached[i].index];
 		const double *e = at->absorber_direction;
 
-		if (at->absorber_mass > 0.0 && scene->damping.kind == HAWSER_DAMPING_RATIO)
-			return hawser__fail(report, HAWSER_ERR_SCENE, "certificate", "%s: damping ratios are "
-			                    "those of the modes with the absorbers held, which a mesh has not: "
-			                    "give damping.alpha", scene->name);
 		if (at->absorber_mass > 0.0 && (e[0] != 0.0) + (e[1] != 0.0) + (e[2] != 0.0) > 1)
 			return hawser__fail(report, HAWSER_ERR_SCENE, "certificate", "%s: the stroke of an "
 			                    "absorber is compared along an axis: its absorber_direction is "

@@ -10,7 +10,6 @@
 #include "core/report.h"
 #include "rom/energy/full_map.h"
 #include "study/accuracy/draft.h"
-#include "study/accuracy/landmark.h"
 
 #define LONG 0.2        /* largest step of a curve for comparison, relative to the range; chosen */
 #define CARRIED 0.3     /* work of the marks in the next basis over that of a draft; chosen */
@@ -39,7 +38,7 @@ void hawser__traced_clear(struct hawser__traced *traced)
 
 void hawser__traced_give(struct hawser__traced *traced, struct hawser__draft *chosen)
 {
-	memcpy(chosen->largest, traced->largest, sizeof chosen->largest);
+	memcpy(chosen->largest, traced->curve.largest, sizeof chosen->largest);
 	if (traced->functions == 0 || traced->functions != chosen->functions)
 		return;
 	chosen->orbits = traced->orbits;
@@ -204,8 +203,6 @@ static enum hawser_status draw(struct hawser__draft *draft, struct hawser__trace
 	                                    draft->rom.n, .drafts = 1};
 	struct hawser_frf_options frf = *settled;
 	struct hawser_report why = {.message = ""};
-	struct hawser_landmark *peak, largest[2];
-	int peaks;
 	struct hawser__trace_watch keep;
 	enum hawser_status status;
 
@@ -236,13 +233,6 @@ static enum hawser_status draw(struct hawser__draft *draft, struct hawser__trace
 		traced->curve = part(&traced->curve, log(a->until), settled->to > settled->from ? 1.0 : -1.0);
 	traced->functions = draft->functions;
 	traced->end = a->frf.end;
-	status = hawser_landmarks(&peak, &peaks, &a->frf, NULL, report);
-	if (status)
-		return status;
-	hawser__largest_peaks(largest, &a->frf, peak, peaks);
-	for (int k = 0; k < 2; k++)
-		traced->largest[k] = hawser__peak_column(&largest[k]);
-	free(peak);
 	return hawser__curve_marks(traced->mark, &traced->marks, &traced->curve, report);
 }
 
@@ -275,7 +265,7 @@ enum hawser_status hawser__draft_carry(struct hawser__draft *draft, double *away
 		status = hawser__curve_copy(&draft->curve, &found, report);
 	if (!status && !lost)
 		status = hawser__curve_points_distance(away, &traced->curve, traced->mark, NULL,
-		                                       &draft->curve, NULL, report);
+		                                       &draft->curve, 0, report);
 	hawser_frf_clear(&found);
 	return status;
 }

@@ -20,7 +20,7 @@ struct hawser__draft {
 	struct hawser__orbits orbits;
 	int functions, points;
 	double work;
-	int largest[2];    /* of the traced curve, when the search has left it */
+	int largest[2];    /* columns of the peaks of the traced curve, when the search has left it */
 };
 
 /* The last curve that was traced, and the orbits at its marks. */
@@ -29,7 +29,6 @@ struct hawser__traced {
 	struct hawser__orbits orbits;
 	enum hawser_frf_end end;
 	int functions, *mark, marks;
-	int largest[2]; /* displacements with the largest peaks (landmark.h) */
 };
 
 /* What a trace is watched for. */

@@ -28,6 +28,7 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "study/accuracy/landmark.h"
 #include "study/compare/curve.h"
 
 enum { PARTS = 6 };             /* segments into which each segment of a curve is refined; chosen */
@@ -38,13 +39,30 @@ static const double apart = 0.4, small = 0.02; /* arclength between two marks, r
 static const double counted_peak = 0.2; /* smallest that counts, of the component; as of landmarks */
 static const double singular = 1e-6; /* smallest determinant, of equations scaled to 1; chosen */
 static const double faintest = 0.5; /* smallest relevant component, relative to the largest one:
-                                     * peaks are compared down to the same size */
+                                     * peaks are compared down to the same size, and the two largest
+                                     * ones: other components may be larger at an end of the range */
 
 void hawser__curve_clear(struct hawser__drawn_curve *curve)
 {
 	free(curve->arc);
 	free(curve->value);
 	*curve = (struct hawser__drawn_curve){0};
+}
+
+static enum hawser_status find_largest(struct hawser__drawn_curve *curve,
+                                       const struct hawser_frf *frf, struct hawser_report *report)
+{
+	struct hawser_landmark *peak, largest[2];
+	int peaks;
+	enum hawser_status status = hawser_landmarks(&peak, &peaks, frf, NULL, report);
+
+	if (status)
+		return status;
+	hawser__largest_peaks(largest, frf, peak, peaks);
+	for (int k = 0; k < 2; k++)
+		curve->largest[k] = largest[k].probe < 0 ? 0 : 1 + hawser__peak_column(&largest[k]);
+	free(peak);
+	return HAWSER_OK;
 }
 
 enum hawser_status hawser__curve_copy(struct hawser__drawn_curve *curve, const struct hawser_frf *frf,
@@ -64,7 +82,7 @@ enum hawser_status hawser__curve_copy(struct hawser__drawn_curve *curve, const s
 		row[0] = log(frf->point[i].omega);
 		memcpy(row + 1, frf->probe + i*width, width*sizeof *row);
 	}
-	return HAWSER_OK;
+	return find_largest(curve, frf, report);
 }
 
 static double at(const struct hawser__drawn_curve *curve, int i, int column)
@@ -79,6 +97,26 @@ static double largest(const struct hawser__drawn_curve *curve, int column)
 	for (int i = 0; i < curve->points; i++)
 		most = fmax(most, at(curve, i, column));
 	return most;
+}
+
+static int is_peak(const struct hawser__drawn_curve *curve, int column)
+{
+	return column == curve->largest[0] || column == curve->largest[1];
+}
+
+/* Whether a component counts; scale, most: its largest value, and that of all. */
+static int counts(const struct hawser__drawn_curve *curve, int column, double scale, double most)
+{
+	return scale > 0.0 && (scale >= faintest*most || is_peak(curve, column));
+}
+
+int hawser__curve_reaches(const struct hawser__drawn_curve *curve, int column, double part)
+{
+	double most = 0.0;
+
+	for (int c = 1; c <= curve->width; c++)
+		most = fmax(most, largest(curve, c));
+	return largest(curve, column) >= part*most || is_peak(curve, column);
 }
 
 /* Derivative by arc at point i of the parabola through it and its neighbours; at an end, through the
@@ -239,7 +277,7 @@ enum hawser_status hawser__curve_distance(double *distance, const struct hawser_
 	for (int c = 1; !status && c <= width; c++) {
 		double scale = fmax(largest(a, c), largest(b, c));
 
-		if (scale > 0.0 && scale >= faintest*most)
+		if (counts(a, c, scale, most) || counts(b, c, scale, most))
 			status = compare(distance, a, b, c, scale, report);
 	}
 	return status;
@@ -327,7 +365,7 @@ enum hawser_status hawser__curve_points_distance(double *distance,
                                                  const int *at_point,
                                                  const struct hawser__drawn_curve *a,
                                                  const struct hawser__drawn_curve *b,
-                                                 const int *column, struct hawser_report *report)
+                                                 int peaks, struct hawser_report *report)
 {
 	double ends[2] = {HUGE_VAL, -HUGE_VAL}, most = 0.0;
 	enum hawser_status status = HAWSER_OK;
@@ -340,8 +378,7 @@ enum hawser_status hawser__curve_points_distance(double *distance,
 		double scale = largest(curve, c);
 		struct line line = {0};
 
-		if (!(scale > 0.0 && scale >= faintest*most) ||
-		    (column && c - 1 != column[0] && c - 1 != column[1]))
+		if (!counts(curve, c, scale, most) || (peaks && !is_peak(curve, c)))
 			continue;
 		if (refine(&line, curve, c, scale))
 			status = hawser__no_memory(report, "study");
@@ -381,7 +418,7 @@ enum hawser_status hawser__curve_marks(int *marks, int *count, const struct haws
 		double size = 0.0;
 
 		for (int c = 1; c <= curve->width; c++)
-			if (scale[c] > 0.0 && scale[c] >= faintest*most) {
+			if (counts(curve, c, scale[c], most)) {
 				size = fmax(size, at(curve, i, c)/scale[c]);
 				mark |= turns(curve, i, c);
 			}

@@ -20,8 +20,8 @@
 
 static const struct hawser_landmark_options strong = {
 	.smallest = 0.2, .faintest = 0.5, .prominence = 0.1};
-static const struct hawser_landmark_options weak = {
-	.smallest = 0.15, .faintest = 0.4, .prominence = 0.02};
+static const double faint = 0.4; /* smallest component that may have partners, relative; chosen */
+static const struct hawser_landmark_options weak = {.smallest = 0.15, .prominence = 0.02};
 
 static int same(const struct hawser_landmark *a, const struct hawser_landmark *b)
 {
@@ -33,7 +33,7 @@ static int same(const struct hawser_landmark *a, const struct hawser_landmark *b
 static enum hawser_status mark_strong(struct hawser__marks *marks, const struct hawser_frf *frf,
                                       struct hawser_report *report)
 {
-	struct hawser_landmark *list;
+	struct hawser_landmark *list, largest[2];
 	int count;
 	enum hawser_status status = hawser_landmarks(&list, &count, frf, &strong, report);
 
@@ -44,8 +44,26 @@ static enum hawser_status mark_strong(struct hawser__marks *marks, const struct 
 		for (int k = 0; k < count; k++)
 			if (same(&marks->item[i], &list[k]))
 				marks->strong[i] = 1;
+	hawser__largest_peaks(largest, frf, marks->item, marks->count);
+	for (int i = 0; marks->strong && i < marks->count; i++)
+		marks->strong[i] |= same(&marks->item[i], &largest[0]) || same(&marks->item[i], &largest[1]);
 	free(list);
 	return marks->strong ? HAWSER_OK : hawser__no_memory(report, "accuracy");
+}
+
+/* Without peaks of faint components. */
+static void drop_faint(struct hawser__marks *marks)
+{
+	int count = 0;
+
+	for (int i = 0; i < marks->count; i++) {
+		const struct hawser_landmark *item = &marks->item[i];
+
+		if (item->probe < 0 ||
+		    hawser__curve_reaches(&marks->curve, 1 + hawser__peak_column(item), faint))
+			marks->item[count++] = *item;
+	}
+	marks->count = count;
 }
 
 enum hawser_status hawser__marks_find(struct hawser__marks *marks, const struct hawser_frf *frf,
@@ -59,6 +77,7 @@ enum hawser_status hawser__marks_find(struct hawser__marks *marks, const struct 
 	status = hawser__curve_copy(&marks->curve, frf, report);
 	if (!status)
 		status = hawser_landmarks(&marks->item, &marks->count, frf, &weak, report);
+	drop_faint(marks);
 	if (!status)
 		status = mark_strong(marks, frf, report);
 	if (!status && rom) {
