@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/ranks.h"
+#include "core/bytes.h"
 
 void hawser__bytes_reserve(struct hawser__bytes *bytes, size_t length)
 {

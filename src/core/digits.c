@@ -18,7 +18,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/locale.h"
+#include "core/digits.h"
 
 enum { DIGITS = 17 };
 #define LOWEST 10000000000000000u /* 10^16, the smallest integer of 17 digits */

@@ -3,7 +3,9 @@ noinst_LTLIBRARIES += %D%/libcore.la
 	%D%/append.c \
 	%D%/append.h \
 	%D%/bytes.c \
+	%D%/bytes.h \
 	%D%/digits.c \
+	%D%/digits.h \
 	%D%/file.c \
 	%D%/file.h \
 	%D%/grow.h \
@@ -21,6 +23,7 @@ noinst_LTLIBRARIES += %D%/libcore.la
 	%D%/ranks.c \
 	%D%/ranks.h \
 	%D%/ranks_packet.c \
+	%D%/ranks_packet.h \
 	%D%/ranks_serve.c \
 	%D%/report.h \
 	%D%/settle.h \
@@ -28,6 +31,7 @@ noinst_LTLIBRARIES += %D%/libcore.la
 	%D%/share.h \
 	%D%/vec3.h \
 	%D%/spelling.c \
+	%D%/spelling.h \
 	%D%/status.c \
 	%D%/sundials.c \
 	%D%/sundials.h

@@ -17,7 +17,7 @@
 #include <time.h>
 
 #include "core/progress.h"
-#include "core/ranks.h"
+#include "core/ranks_packet.h"
 #include "core/report.h"
 #include "core/share.h"
 

@@ -17,43 +17,8 @@
 #ifndef HAWSER_CORE_RANKS_H
 #define HAWSER_CORE_RANKS_H
 
-#include <stddef.h>
-
 #include <hawser/status.h>
-
-/* --- bytes.c: a sequence of bytes that grows, and reading it again --- */
-
-/* All zero: empty. Without memory it stays as it is and `short_of_memory` is set, after which nothing
- * is added, so that a writer asks once, at the end. */
-struct hawser__bytes {
-	unsigned char *at; /* [used] */
-	size_t used, room;
-	int short_of_memory;
-};
-/* Have room for `length` bytes in all. */
-void hawser__bytes_reserve(struct hawser__bytes *bytes, size_t length);
-void hawser__bytes_add(struct hawser__bytes *bytes, const void *from, size_t length);
-void hawser__bytes_add_long(struct hawser__bytes *bytes, long number);
-void hawser__bytes_add_double(struct hawser__bytes *bytes, double number);
-/* The length, then the characters without '\0'; NULL as an empty text. */
-void hawser__bytes_add_text(struct hawser__bytes *bytes, const char *text);
-/* Nothing in it, with the same room: for the next message. */
-void hawser__bytes_empty(struct hawser__bytes *bytes);
-void hawser__bytes_clear(struct hawser__bytes *bytes);
-
-/* What is left to be read. Beyond the end numbers are 0, and `bad` is set. */
-struct hawser__extract {
-	const unsigned char *at; /* [left] */
-	size_t left;
-	int bad;
-};
-void hawser__extract_read(void *to, struct hawser__extract *view, size_t length);
-long hawser__extract_long(struct hawser__extract *view);
-double hawser__extract_double(struct hawser__extract *view);
-/* A text written by hawser__bytes_add_text into to [size], cut at its end. */
-void hawser__extract_text(char *to, size_t size, struct hawser__extract *view);
-/* A part that begins with its length, as hawser__bytes_add_text writes it. */
-struct hawser__extract hawser__extract_part(struct hawser__extract *view);
+#include "core/bytes.h"
 
 struct hawser__task {
 	long number;
@@ -134,21 +99,5 @@ void hawser__ranks_serve(struct hawser__ranks *ranks, const struct hawser__tasks
                          enum hawser_status status, const struct hawser_report *report);
 /* Rank 0: end the workers; without a call of hawser__ranks_run too. `tasks` may be NULL. */
 void hawser__ranks_end(struct hawser__ranks *ranks, const struct hawser__tasks *tasks);
-
-/* --- ranks_packet.c: packets of tasks and their answers as messages ---
- *
- * WORK     first, count, then each question ANSWER   first, count, s of wall time, then for each
- * task its status and its answer or its message READY    status, identity or message: a worker's
- * first message END      rank 0's last one LAST     a worker's last one */
-
-enum { HAWSER__WORK = 1, HAWSER__ANSWER, HAWSER__READY, HAWSER__END_PACKET, HAWSER__LAST_PACKET };
-
-/* *message becomes the packet of tasks first to first + count - 1. */
-enum hawser_status hawser__packet_ask(struct hawser__bytes *message, const struct hawser__tasks *tasks,
-                                      long first, int count, struct hawser_report *report);
-/* *answers becomes the message with the answers to the packet, computed by `threads` threads, which are
- * workers `worker` on. Failures are in the message. */
-void hawser__packet_work(struct hawser__bytes *answers, const struct hawser__bytes *packet,
-                         const struct hawser__tasks *tasks, int threads, int worker);
 
 #endif

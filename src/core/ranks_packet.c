@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 #include "core/progress.h"
-#include "core/ranks.h"
+#include "core/ranks_packet.h"
 #include "core/report.h"
 #include "core/share.h"
 

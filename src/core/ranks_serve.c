@@ -9,7 +9,7 @@
 #include <time.h>
 
 #include "core/progress.h"
-#include "core/ranks.h"
+#include "core/ranks_packet.h"
 #include "core/report.h"
 
 #define LOOK_SECS 1.0 /* between two looks whether rank 0 is there; chosen */

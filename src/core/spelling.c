@@ -6,7 +6,7 @@
 #include <ctype.h>
 #include <string.h>
 
-#include "core/append.h"
+#include "core/spelling.h"
 
 enum { LONGEST = 63, EDIT = 2, CASE = 1 };
 

@@ -9,6 +9,7 @@
 #include <hawser/document.h>
 
 #include "core/append.h"
+#include "core/spelling.h"
 #include "scene/tree_keys.h"
 
 #define TABLE(name, NAME) &hawser__tree_of_##name,

@@ -7,7 +7,7 @@
 #include <ctype.h>
 #include <strings.h>
 
-#include "core/append.h"
+#include "core/spelling.h"
 #include "scene/reader.h"
 
 const char *hawser__shown(char shown[HAWSER__SHOWN], const char *text)

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/locale.h"
+#include "core/digits.h"
 #include "tests/tap.h"
 
 static struct hawser__powers powers;

@@ -7,7 +7,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-#include "core/append.h"
+#include "core/spelling.h"
 #include "scene/keys.h"
 #include "tests/tap.h"
 

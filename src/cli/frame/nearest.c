@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "cli/frame/cli.h"
-#include "core/append.h"
+#include "core/spelling.h"
 
 const char *cli_nearest(const char *name, const char *const *names, int count)
 {

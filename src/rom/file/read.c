@@ -12,6 +12,7 @@
 
 #include "core/append.h"
 #include "core/report.h"
+#include "core/spelling.h"
 #include "rom/energy/kernel.h"
 #include "rom/build/model.h"
 #include "rom/file/read.h"

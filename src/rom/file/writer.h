@@ -6,7 +6,7 @@
 #include <stddef.h>
 #include <stdio.h>
 
-#include "core/locale.h"
+#include "core/digits.h"
 
 enum hawser__layout {
 	HAWSER__WRITE_FILE,    /* an object; values without lists or objects in them are on one line */
