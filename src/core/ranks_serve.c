@@ -61,7 +61,7 @@ void hawser__ranks_serve(struct hawser__ranks *ranks, const struct hawser__tasks
 	hawser__bytes_add_long(&answers, (long)status);
 	hawser__bytes_add_text(&answers, status ? report->message : tasks->identity);
 	answer(ranks, &answers);
-	while (kind != HAWSER__END_PACKET && !ranks->lost) {
+	while (kind != HAWSER__END && !ranks->lost) {
 		struct hawser__extract view;
 
 		if (!await(ranks, &from, &message, LOOK_SECS)) {
@@ -94,7 +94,7 @@ void hawser__ranks_end(struct hawser__ranks *ranks, const struct hawser__tasks *
 	if (ranks->rank != 0 || ranks->ended || ranks->lost)
 		return;
 	ranks->ended = 1;
-	hawser__bytes_add_long(&message, HAWSER__END_PACKET);
+	hawser__bytes_add_long(&message, HAWSER__END);
 	for (int r = 1; r < ranks->count; r++)
 		if (ranks->by.send(ranks->by.context, r, message.at, message.used, &report))
 			ranks->lost = 1;
