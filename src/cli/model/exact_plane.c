@@ -2,7 +2,7 @@
  * where they are not good enough.
  *
  * Where an axis is a key of the scene, the responses over the frequencies are followed at its ends and
- * in its middle, and the largest error is stated: of conductor.yaml it is 0.056 at -30 K and 0.26 at
+ * in its middle, and the largest error is stated: of conductor.yaml it is 0.056 at -30 K and 0.11 at
  * 20 K.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
