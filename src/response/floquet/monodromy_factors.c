@@ -105,24 +105,6 @@ double hawser__factors_error(const double *log_modulus, const double *argument, 
 	return worst;
 }
 
-/* The kind of pair i, whose eigenvector is the columns i and i + 1 of v [m][m]: displacements, which
- * are scaled, and velocities. */
-static double kind_of(const struct hawser__monodromy *monodromy, const struct hawser__component *c,
-                      const double *v, int i)
-{
-	int m = 2*c->w, w = c->w;
-	const double *re = v + (size_t)i*m, *im = re + m;
-	double form = 0.0, norm = 0.0;
-
-	for (int p = 0; p < w; p++) {
-		double weight = 1.0/monodromy->scale[c->member[p]];
-
-		form += 2.0*weight*(re[p]*im[w + p] - im[p]*re[w + p]);
-		norm += weight*(re[p]*re[p] + im[p]*im[p] + re[w + p]*re[w + p] + im[w + p]*im[w + p]);
-	}
-	return form/norm;
-}
-
 /* Eigenvalues of a single factor (overwritten): the QR algorithm of LAPACK is more reliable than
  * the periodic one. The rows of the factor are columns there, and the vectors from the left those of
  * the factor from the right, for the conjugate. */
@@ -144,7 +126,8 @@ static enum hawser_status eigenvalues(struct hawser__monodromy *monodromy, doubl
 		log_modulus[i] = log(hypot(re[i], im[i]));
 		argument[i] = atan2(im[i], re[i]);
 		if (monodromy->kinds && im[i] > 0.0)
-			kind[i] = kind[i + 1] = kind_of(monodromy, c, v, i);
+			kind[i] = kind[i + 1] = hawser__floquet_kind(v + (size_t)i*m, monodromy->scale,
+			                                             c->member, c->w);
 	}
 	return HAWSER_OK;
 }
