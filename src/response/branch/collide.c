@@ -51,8 +51,7 @@
 #define COUPLED 2.0     /* factor on the growth that follows from the kinds at one station; chosen */
 #define CLOSE 1.0       /* distance at both ends, rad, above which pairs do not collide within a
                          * step; chosen */
-#define MOVES 8.0       /* the same, relative to the sum of the largest distances that both pairs move
-                         * between two stations; chosen */
+#define MOVES 8.0       /* the same, over what both pairs move at most between stations; chosen */
 
 /* The number of real multipliers near 1, or near -1 (negative: 1). *rank_th becomes the logarithm of
  * that with this rank, 0 for the largest: a station lists its multipliers by falling modulus. */
@@ -108,12 +107,13 @@ static double apart(double complex lambda)
 	return fmax(0.0, fmax(-cimag(lambda), cimag(lambda) - M_PI));
 }
 
-/* An argument beyond 0 or pi is that of the conjugate. */
-static double complex reflect(double complex lambda)
+/* Where a pair that was at `from` is expected: beyond 0 or pi, a complex one at the conjugate. */
+static double complex reflect(double complex lambda, double complex from)
 {
 	double angle = fabs(cimag(lambda));
 
-	return creal(lambda) + I*(angle > M_PI ? 2.0*M_PI - angle : angle);
+	return apart(from) > 0.0 ? lambda
+	       : creal(lambda) + I*(angle > M_PI ? 2.0*M_PI - angle : angle);
 }
 
 /* The index of what is next to z, of those that are numbers and, unless `partner` is NULL, have none
@@ -471,7 +471,7 @@ int hawser__collide(int *followed, const struct hawser__station *const station[4
 			if (k == 0)
 				rate[i] = I*station[0]->turning[index_of(station[0], m, here[i])];
 			else
-				expected[i] = reflect(before[i] + rate[i]*(s[k] - s[k - 1]));
+				expected[i] = reflect(before[i] + rate[i]*(s[k] - s[k - 1]), before[i]);
 		if (k > 0 && count > 0 && match(here, expected, expected + count, count) > TURN)
 			count = 0;
 		for (int i = 0; k > 0 && i < count; i++) {

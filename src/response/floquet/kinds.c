@@ -1,9 +1,5 @@
-/* response/floquet/kinds.c - the kinds of multipliers (floquet.h), by the eigenvectors of the product
- * of transition matrices.
- *
- * Kinds need no digits: the product is formed at once, with displacements scaled by their
- * frequencies, and each multiplier of the periodic QR algorithm takes the kind of the eigenvalue that
- * is nearest to it.
+/* response/floquet/kinds.c - multipliers and their kinds (floquet.h) from one matrix, the product over
+ * the period, by LAPACK's QR algorithm.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -18,8 +14,7 @@
 #include "rom/terms/terms.h"
 
 #define POTENTIAL 1e-9 /* largest asymmetry of forces that derive from a potential, relative; chosen */
-#define LARGEST 1e8    /* norm of the product above which round-off hides its eigenvalues; chosen */
-#define SAME 1e-3      /* distance of two logarithms up to which they are of one multiplier; chosen */
+#define LARGEST 1e4    /* norm of the product over the smallest multiplier; leaves twelve digits */
 
 /* Whether K and D are symmetric, and D is constant. */
 static int has_kinds(const struct hawser_rom *rom)
@@ -38,7 +33,9 @@ static int has_kinds(const struct hawser_rom *rom)
 	return 1;
 }
 
-double hawser__floquet_kind(const double *v, const double *scale, const int *member, int w)
+/* That of the eigenvector v [2][2 w], real and imaginary part, of w displacements, which are multiplied
+ * by their frequencies scale[p], or scale[member[p]], and velocities. */
+static double kind_of(const double *v, const double *scale, const int *member, int w)
 {
 	const double *re = v, *im = v + 2*(size_t)w;
 	double form = 0.0, norm = 0.0;
@@ -65,48 +62,43 @@ static void multiply_all(double *product, double *room, const double *segment, i
 	}
 }
 
-/* Index of the eigenvalue re + i im [m] with this logarithm, or -1. */
-static int find(const double *re, const double *im, int m, double log_modulus, double argument)
+/* The rows of the product are columns there, and the vectors from the left those of the product from
+ * the right, for the conjugate. */
+int hawser__floquet_vectors(double *log_modulus, double *argument, double *kind, double *product, int m,
+                            const double *scale, const int *member, double *v, double *work)
 {
-	int best = -1;
-	double least = SAME;
+	double *re = work, *im = re + m, *own = im + m, unused;
+	int info = LAPACKE_dgeev_work(LAPACK_COL_MAJOR, kind ? 'V' : 'N', 'N', m, product, m, re, im, v, m,
+	                              &unused, 1, own, HAWSER__EIGEN_WORK*m);
 
-	for (int i = 0; i < m; i++) {
-		double off = im[i] > 0.0 ? hypot(log(hypot(re[i], im[i])) - log_modulus,
-		                                 atan2(im[i], re[i]) - argument) : INFINITY;
-
-		if (off < least) {
-			least = off;
-			best = i;
-		}
+	for (int i = 0; i < m && !info; i++) {
+		log_modulus[i] = log(hypot(re[i], im[i]));
+		argument[i] = atan2(im[i], re[i]);
+		if (kind && im[i] > 0.0)
+			kind[i] = kind[i + 1] = kind_of(v + (size_t)i*m, scale, member, m/2);
 	}
-	return best;
+	return info;
 }
 
-void hawser__floquet_kinds(double *kind, double *work, const double *segment, int segments,
-                           const double *log_modulus, const double *argument,
-                           const struct hawser_rom *rom, double omega)
+int hawser__floquet_directly(double *log_modulus, double *argument, double *kind, double *work,
+                             const double *segment, int segments, const struct hawser_rom *rom,
+                             double omega)
 {
 	int n = rom->n, m = 2*n;
-	double *product = work, *v = product + (size_t)m*m, *scale = v + (size_t)m*m;
-	double *re = scale + m, *im = re + m, *own = im + m, unused;
+	double *product = work, *scale = product + (size_t)m*m, *room = scale + m, damping = 0.0;
 
 	memset(kind, 0, (size_t)m*sizeof *kind);
-	if (!has_kinds(rom))
-		return;
-	multiply_all(product, v, segment, segments, m);
+	multiply_all(product, room, segment, segments, m);
 	for (int j = 0; j < m; j++)
 		scale[j] = j < n ? sqrt(fmax(rom->K[(size_t)j*(n + 1)], omega*omega)) : 1.0;
 	for (int e = 0; e < m*m; e++)
 		product[e] *= scale[e/m]/scale[e%m];
-	if (!(cblas_dnrm2(m*m, product, 1) < LARGEST) ||
-	    LAPACKE_dgeev_work(LAPACK_COL_MAJOR, 'V', 'N', m, product, m, re, im, v, m, &unused, 1, own,
-	                       HAWSER__EIGEN_WORK*m))
-		return;
-	for (int i = 0; i < m; i++) {
-		int at = find(re, im, m, log_modulus[i], fabs(argument[i]));
-
-		if (at >= 0)
-			kind[i] = hawser__floquet_kind(v + (size_t)at*m, scale, NULL, n);
-	}
+	for (int j = 0; j < n; j++)
+		damping = fmax(damping, rom->D[(size_t)j*(n + 1)]);
+	if (!(cblas_dnrm2(m*m, product, 1)*exp(damping*2.0*M_PI/omega) < LARGEST) ||
+	    hawser__floquet_vectors(log_modulus, argument, has_kinds(rom) ? kind : NULL, product, m, scale,
+	                            NULL, room, room + (size_t)m*m))
+		return 0;
+	hawser__floquet_sort(log_modulus, argument, kind, m);
+	return 1;
 }

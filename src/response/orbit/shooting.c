@@ -395,6 +395,12 @@ static enum hawser_status product_multipliers(struct hawser__orbit *orbit,
 	int order = orbit->m;
 	enum hawser_status status;
 
+	if (!orbit->freely &&
+	    hawser__floquet_directly(orbit->log_modulus, orbit->argument, orbit->kind, shooting->reduced,
+	                             shooting->A, shooting->segments, orbit->rom, shooting->omega)) {
+		hawser__orbit_idle(orbit, order);
+		return HAWSER_OK;
+	}
 	for (int tries = harmless(shooting);; tries++) {
 		int count = shooting->segments;
 
@@ -416,14 +422,10 @@ static enum hawser_status product_multipliers(struct hawser__orbit *orbit,
  * the variational equations. At rest the orbit gives no criterion for the steps. */
 static enum hawser_status multipliers(struct hawser__orbit *orbit, struct hawser_report *report)
 {
-	const struct hawser__shooting *shooting = (struct hawser__shooting *)orbit;
 	enum hawser_status status = product_multipliers(orbit, report);
-	double omega = shooting->omega;
+	double omega = ((struct hawser__shooting *)orbit)->omega;
 
 	orbit->product_error = orbit->product_round_off = ROUND_OFF*orbit->m;
-	if (!status && !orbit->freely)
-		hawser__floquet_kinds(orbit->kind, shooting->reduced, shooting->A, shooting->segments,
-		                      orbit->log_modulus, orbit->argument, orbit->rom, omega);
 	if (!status)
 		orbit->product_error += fmin(LARGEST_GAP, orbit->mesh > 0.0
 		                             ? hawser__orbit_liouville(orbit, omega) : LARGEST_GAP);
