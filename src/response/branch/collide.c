@@ -489,7 +489,7 @@ int hawser__collide(int *followed, const struct hawser__station *const station[4
 		int alone = grows_alone(lambda, count, i, s, within, step);
 
 		found = alone && undecided;
-		*followed &= !alone;
+		*followed &= !alone && within[i] >= 0.0;
 		for (int j = 0; j < i && !found; j++)
 			found = near_by(lambda + step*count, count, i, j, move[i] + move[j]) &&
 			        !are_apart(lambda, count, i, j, station, within, step, m) &&
