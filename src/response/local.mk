@@ -107,6 +107,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/time/integrate.c \
 	%D%/time/integrate_error.c \
 	%D%/branch/judge.c \
+	%D%/floquet/kinds.c \
 	%D%/floquet/linear.c \
 	%D%/time/lyapunov.c \
 	%D%/floquet/linear_margin.h \

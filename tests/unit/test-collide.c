@@ -18,6 +18,7 @@
 
 static struct hawser__station station[4];
 static double logs[4][2*PAIRS], arguments[4][2*PAIRS], bounds[4][2*PAIRS], kinds[4][2*PAIRS];
+static double turning[4][2*PAIRS];
 static double arc[4] = {0.0, 0.385, 0.77, 1.155};
 static int followed;
 
@@ -34,13 +35,14 @@ static void set_pair(int k, int i, double log_modulus, double argument)
 static int collide(int step)
 {
 	const struct hawser__station *all[4];
-	double complex work[6*PAIRS];
+	double complex work[7*PAIRS];
 
 	for (int k = 0; k < 4; k++) {
 		station[k].log_modulus = logs[k];
 		station[k].argument = arguments[k];
 		station[k].bound = bounds[k];
 		station[k].kind = kinds[k];
+		station[k].turning = memset(turning[k], 0, sizeof turning[k]);
 		station[k].arc = arc[k];
 		all[k] = &station[k];
 	}

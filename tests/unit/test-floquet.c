@@ -7,6 +7,7 @@
 
 #include <hawser/orbit.h>
 
+#include "response/floquet/monodromy.h"
 #include "response/orbit/shooting.h"
 #include "rom/build/model.h"
 #include "tests/tap.h"
@@ -104,6 +105,50 @@ static void check_stress(void)
 	   shooting.base.log_modulus[0]/(2*M_PI));
 	close_to(shooting.base.log_modulus[1]/(2*M_PI), -24.0, 1e-10, "exponent -24");
 	hawser__shooting_release(&shooting);
+	hawser_rom_clear(&rom);
+}
+
+/* The kinds of the multipliers of a parametric model at rest: by the product of the segments
+ * and by that of the steps. A damping that is not symmetric leaves none. */
+static void check_kinds(void)
+{
+	enum { N = 3, M = 2*N, S = 4 };
+	const double K[N*N] = {1.3, 0.1, 0.0, 0.1, 4.1, 0.2, 0.0, 0.2, 9.7}, omega = 2.93;
+	double T[3*N*N] = {0.0}, log_modulus[M], argument[M], y[S*M + 1] = {0}, worst = 0.0, least = 2.0;
+	struct hawser__shooting shooting;
+	struct hawser__monodromy monodromy;
+	struct hawser_rom rom;
+
+	if (hawser__rom_init(&rom, N, NULL) || hawser__monodromy_init(&monodromy, N, NULL))
+		return;
+	rom.harmonics = 1;
+	rom.harmonic = calloc(1, sizeof *rom.harmonic);
+	rom.harmonic[0] = (struct hawser_harmonic){.k = 1, .phase = HAWSER_COS,
+		.K = calloc(N*N, sizeof(double))};
+	for (int e = 0; e < N*N; e++) {
+		rom.K[e] = K[e];
+		rom.D[e] = e%(N + 1) ? 0.0 : 0.03;
+		T[e] = 2.0*K[e];
+		T[N*N + e] = rom.harmonic[0].K[e] = 0.3*K[e];
+	}
+	y[S*M] = omega;
+	ok(!hawser_rom_compile(&rom, NULL) && !hawser__shooting_init(&shooting, &rom, S, 40, NULL) &&
+	   !hawser__monodromy_multipliers(&monodromy, log_modulus, argument, &rom, T, 1, omega, NULL),
+	   "three coordinates");
+	shooting.base.ops->defects(&shooting.base, y, 1);
+	ok(!shooting.base.ops->multipliers(&shooting.base, NULL), "multipliers");
+	for (int i = 0; i < M; i++)
+		for (int j = 0; j < M; j++)
+			if (fabs(shooting.base.argument[i] - argument[j]) < 1e-6) {
+				worst = fmax(worst, fabs(shooting.base.kind[i] - monodromy.kind[j]));
+				least = fmin(least, fabs(monodromy.kind[j]));
+			}
+	ok(worst < 1e-2 && least > 0.5 && least < 1.0, "kinds from %.4f on differ by %.1e", least, worst);
+	rom.D[1] += 0.01;
+	(void)shooting.base.ops->multipliers(&shooting.base, NULL);
+	ok(shooting.base.kind[0] == 0.0, "damping that is not symmetric: kind %g", shooting.base.kind[0]);
+	hawser__shooting_release(&shooting);
+	hawser__monodromy_release(&monodromy);
 	hawser_rom_clear(&rom);
 }
 
@@ -221,5 +266,6 @@ CASE(unit_floquet)
 	check_many(1000);
 	check_many(4096);
 	check_errors();
+	check_kinds();
 	return done_testing();
 }

@@ -51,8 +51,7 @@
 #define COUPLED 2.0     /* factor on the growth that follows from the kinds at one station; chosen */
 #define CLOSE 1.0       /* distance at both ends, rad, above which pairs do not collide within a
                          * step; chosen */
-#define MOVES 8.0       /* the same, relative to the sum of the largest distances that both pairs move
-                         * between two stations; chosen */
+#define MOVES 8.0       /* the same, over what both pairs move at most between stations; chosen */
 
 /* The number of real multipliers near 1, or near -1 (negative: 1). *rank_th becomes the logarithm of
  * that with this rank, 0 for the largest: a station lists its multipliers by falling modulus. */
@@ -108,18 +107,17 @@ static double apart(double complex lambda)
 	return fmax(0.0, fmax(-cimag(lambda), cimag(lambda) - M_PI));
 }
 
-/* An argument beyond 0 or pi is that of the conjugate. */
-static double complex reflect(double complex lambda)
+/* Where a pair that was at `from` is expected: beyond 0 or pi, a complex one at the conjugate. */
+static double complex reflect(double complex lambda, double complex from)
 {
 	double angle = fabs(cimag(lambda));
 
-	return creal(lambda) + I*(angle > M_PI ? 2.0*M_PI - angle : angle);
+	return apart(from) > 0.0 ? lambda
+	       : creal(lambda) + I*(angle > M_PI ? 2.0*M_PI - angle : angle);
 }
 
 /* The index of what is next to z, of those that are numbers and, unless `partner` is NULL, have none
- * yet; -1: none. Arguments turn by the step; moduli of pairs that don't take part in anything hardly
- * change, and tell them apart where their damping differs (a conductor with a damping ratio: a third of
- * the alarms were of pairs that had been exchanged). */
+ * yet; -1: none. Moduli hardly change, and tell pairs apart where their damping differs. */
 static int nearest_to(double complex z, const double complex *of, const double complex *partner,
                       int count)
 {
@@ -165,6 +163,17 @@ static double match(double complex *next, const double complex *expected, double
 	}
 	memcpy(next, room, (size_t)count*sizeof *next);
 	return worst;
+}
+
+/* The rate of a pair from one station to the next, `along` apart, where it was expected at from + rate
+ * along: that of the conjugate if it has passed 0 or pi. */
+static double complex rate_of(double complex from, double complex to, double complex rate, double along)
+{
+	double angle = cimag(from + rate*along);
+	int passed = apart(from) == 0.0 && apart(to) == 0.0 && (angle < 0.0 || angle > M_PI);
+
+	return !passed ? (to - from)/along
+	       : conj(conj(to) + (angle > M_PI ? 2.0*M_PI*I : 0.0) - from)/along;
 }
 
 /* Interpolate values g [4] at the four stations at arclengths s: value at `at`, and *error, the
@@ -443,7 +452,7 @@ static int grows_alone(const double complex *lambda, int count, int i, const dou
 int hawser__collide(int *followed, const struct hawser__station *const station[4], int step, int m,
                     double complex *lambda)
 {
-	double complex *expected = lambda + 4*(m/2);
+	double complex *expected = lambda + 4*(m/2), *rate = expected + 2*(m/2);
 	/* [count] of bound_within and move_of, once all are matched */
 	double s[4], *within = (double *)expected, *move = within + m/2;
 	int count = 0, found = 0;
@@ -458,11 +467,18 @@ int hawser__collide(int *followed, const struct hawser__station *const station[4
 			count = now > 0 ? now : 0;
 		else if (now != count)
 			count = 0;
-		for (int i = 0; k > 0 && i < count; i++)
-			expected[i] = k == 1 ? before[i] : reflect(before[i] +
-				(before[i] - before[i - count])*(s[k] - s[k - 1])/(s[k - 1] - s[k - 2]));
+		for (int i = 0; i < count; i++)
+			if (k == 0)
+				rate[i] = I*station[0]->turning[index_of(station[0], m, here[i])];
+			else
+				expected[i] = reflect(before[i] + rate[i]*(s[k] - s[k - 1]), before[i]);
 		if (k > 0 && count > 0 && match(here, expected, expected + count, count) > TURN)
 			count = 0;
+		for (int i = 0; k > 0 && i < count; i++) {
+			rate[i] = rate_of(before[i], here[i], rate[i], s[k] - s[k - 1]);
+			station[k]->turning[index_of(station[k], m, here[i])] =
+				apart(before[i]) + apart(here[i]) > 0.0 ? 0.0 : cimag(rate[i]);
+		}
 	}
 	*followed = count > 0;
 	for (int i = 0; i < count; i++) {
@@ -473,7 +489,7 @@ int hawser__collide(int *followed, const struct hawser__station *const station[4
 		int alone = grows_alone(lambda, count, i, s, within, step);
 
 		found = alone && undecided;
-		*followed &= !alone;
+		*followed &= !alone && within[i] >= 0.0;
 		for (int j = 0; j < i && !found; j++)
 			found = near_by(lambda + step*count, count, i, j, move[i] + move[j]) &&
 			        !are_apart(lambda, count, i, j, station, within, step, m) &&

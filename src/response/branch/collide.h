@@ -9,8 +9,9 @@
 
 /* Whether two pairs of the m multipliers, or one of undecided ones, may be outside the unit
  * circle somewhere between station[step] and station[step + 1] of four successive stations, at which
- * they are inside. *followed: 1 if each pair was identified at all stations, and its two
- * multipliers cannot have met and left the circle. work is [3 m]. */
+ * they are inside. *followed: 1 if each pair was identified at all stations, is inside, and its two
+ * multipliers cannot have met and left the circle. work is [7 m/2]. Sets `turning` of
+ * stations. */
 int hawser__collide(int *followed, const struct hawser__station *const station[4], int step, int m,
                     double complex *work);
 

@@ -359,7 +359,7 @@ static enum hawser_status open_trace(struct hawser__trace *trace, struct hawser_
 	trace->start_t = hawser__hold(&trace->hold, (size_t)orbit->size, sizeof(double));
 	trace->mark_y = hawser__hold(&trace->hold, (size_t)orbit->size + (size_t)orbit->m, sizeof(double));
 	trace->mark_t = hawser__hold(&trace->hold, (size_t)orbit->size, sizeof(double));
-	trace->pairs = hawser__hold(&trace->hold, 6*(size_t)orbit->n, sizeof *trace->pairs);
+	trace->pairs = hawser__hold(&trace->hold, 7*(size_t)orbit->n, sizeof *trace->pairs);
 	trace->amplitude = hawser__amplitude_new(rom);
 	if (trace->hold.short_of_memory || !trace->amplitude)
 		return hawser__no_memory(report, "frf");

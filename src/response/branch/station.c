@@ -21,7 +21,7 @@ enum hawser_status hawser__station_init(struct hawser__station *station,
 	size_t size = (size_t)orbit->size, m = (size_t)orbit->m;
 
 	memset(station, 0, sizeof *station);
-	station->memory = calloc(2*size + 4*m, sizeof *station->memory);
+	station->memory = calloc(2*size + 5*m, sizeof *station->memory);
 	if (!station->memory)
 		return hawser__no_memory(report, "frf");
 	station->y = station->memory;
@@ -30,6 +30,7 @@ enum hawser_status hawser__station_init(struct hawser__station *station,
 	station->argument = station->log_modulus + m;
 	station->bound = station->argument + m;
 	station->kind = station->bound + m;
+	station->turning = station->kind + m;
 	return HAWSER_OK;
 }
 
@@ -235,6 +236,7 @@ enum hawser_status hawser__station_judge(struct hawser__station *station,
 	memcpy(station->log_modulus, orbit->log_modulus, (size_t)m*sizeof(double));
 	memcpy(station->argument, orbit->argument, (size_t)m*sizeof(double));
 	memcpy(station->kind, orbit->kind, (size_t)m*sizeof(double));
+	memset(station->turning, 0, (size_t)m*sizeof(double));
 	station->circle = hawser__circle_count(station->bound, station->log_modulus, station->argument, m,
 	                                       orbit->product_error, orbit->multiplier_error);
 	station->trivial = orbit->trivial;

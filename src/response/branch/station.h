@@ -54,6 +54,7 @@ struct hawser__station {
 	double product_error, product_round_off, multiplier_error, round_off;
 	struct hawser__correction correction;
 	double *log_modulus, *argument, *bound, *kind; /* [m]; error of a logarithm; see method.h */
+	double *turning;  /* [m] change of the argument of a pair with the arclength; 0: not known */
 	double *memory;
 };
 

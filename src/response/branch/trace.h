@@ -75,7 +75,7 @@ struct hawser__trace {
 	int retries;                    /* repetitions of this step because events did not explain the
 	                                 * count */
 	double *direction, *side; /* [size] */
-	double complex *pairs;  /* [5 m/2] workspace of hawser__collide */
+	double complex *pairs;  /* [7 m/2] workspace of hawser__collide */
 	double *start_y, *start_t; /* [size] first point and its tangent, to detect a closed curve */
 	double *mark_y, *mark_t; /* [size + m], [size] a later point and its tangent, to detect a jump */
 	int marked;             /* index of that point; 0: none */

@@ -105,48 +105,21 @@ double hawser__factors_error(const double *log_modulus, const double *argument, 
 	return worst;
 }
 
-/* The kind of pair i, whose eigenvector is the columns i and i + 1 of v [m][m]: displacements, which
- * are scaled, and velocities. */
-static double kind_of(const struct hawser__monodromy *monodromy, const struct hawser__component *c,
-                      const double *v, int i)
-{
-	int m = 2*c->w, w = c->w;
-	const double *re = v + (size_t)i*m, *im = re + m;
-	double form = 0.0, norm = 0.0;
-
-	for (int p = 0; p < w; p++) {
-		double weight = 1.0/monodromy->scale[c->member[p]];
-
-		form += 2.0*weight*(re[p]*im[w + p] - im[p]*re[w + p]);
-		norm += weight*(re[p]*re[p] + im[p]*im[p] + re[w + p]*re[w + p] + im[w + p]*im[w + p]);
-	}
-	return form/norm;
-}
-
 /* Eigenvalues of a single factor (overwritten): the QR algorithm of LAPACK is more reliable than
- * the periodic one. The rows of the factor are columns there, and the vectors from the left those of
- * the factor from the right, for the conjugate. */
+ * the periodic one. */
 static enum hawser_status eigenvalues(struct hawser__monodromy *monodromy, double *log_modulus,
                                       double *argument, double *kind,
                                       const struct hawser__component *c, double *factor, int m,
                                       struct hawser_report *report)
 {
-	double *re = monodromy->floquet_work, *im = re + m, *work = im + m, unused;
-	double *v = monodromy->product;
-	int info = LAPACKE_dgeev_work(LAPACK_COL_MAJOR, monodromy->kinds ? 'V' : 'N', 'N', m, factor, m,
-	                              re, im, v, m, &unused, 1, work, HAWSER__EIGEN_WORK*m);
+	int info = hawser__floquet_vectors(log_modulus, argument, monodromy->kinds ? kind : NULL, factor, m,
+	                                   monodromy->scale, c->member, monodromy->product,
+	                                   monodromy->floquet_work);
 
-	if (info)
-		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "floquet", info, 0.0,
-		                       "the QR algorithm for the Floquet multipliers did not "
-		                       "converge (order %d, info %d)", m, info);
-	for (int i = 0; i < m; i++) {
-		log_modulus[i] = log(hypot(re[i], im[i]));
-		argument[i] = atan2(im[i], re[i]);
-		if (monodromy->kinds && im[i] > 0.0)
-			kind[i] = kind[i + 1] = kind_of(monodromy, c, v, i);
-	}
-	return HAWSER_OK;
+	return !info ? HAWSER_OK
+	       : hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "floquet", info, 0.0,
+	                         "the QR algorithm for the Floquet multipliers did not "
+	                         "converge (order %d, info %d)", m, info);
 }
 
 static int all_finite(const double *x, size_t count)

@@ -73,7 +73,7 @@ enum hawser_status hawser__shooting_init(struct hawser__shooting *shooting,
 	shooting->schur = hawser__hold(&shooting->hold, S*m*m, sizeof(double));
 	shooting->rates = hawser__hold(&shooting->hold, S*m, sizeof(double));
 	shooting->node = hawser__hold(&shooting->hold, S*m, sizeof(double));
-	shooting->reduced = hawser__hold(&shooting->hold, 3*m*m + 4*m, sizeof(double));
+	shooting->reduced = hawser__hold(&shooting->hold, 3*m*m + 40*m, sizeof(double));
 	shooting->floquet_work = hawser__hold(&shooting->hold, hawser__floquet_work(segments, (int)m),
 	                                      sizeof(double));
 	if (shooting->hold.short_of_memory)
@@ -395,6 +395,12 @@ static enum hawser_status product_multipliers(struct hawser__orbit *orbit,
 	int order = orbit->m;
 	enum hawser_status status;
 
+	if (!orbit->freely &&
+	    hawser__floquet_directly(orbit->log_modulus, orbit->argument, orbit->kind, shooting->reduced,
+	                             shooting->A, shooting->segments, orbit->rom, shooting->omega)) {
+		hawser__orbit_idle(orbit, order);
+		return HAWSER_OK;
+	}
 	for (int tries = harmless(shooting);; tries++) {
 		int count = shooting->segments;
 
@@ -426,40 +432,6 @@ static enum hawser_status multipliers(struct hawser__orbit *orbit, struct hawser
 	return status;
 }
 
-static void add_wave(struct hawser__orbit *orbit, double *y, const double *pq, int k, double omega)
-{
-	int n = orbit->n, m = orbit->m, S = ((struct hawser__shooting *)orbit)->segments;
-
-	for (int i = 0; i < S; i++) {
-		double tau = k*i*2.0*M_PI/S, c = cos(tau), s = sin(tau);
-
-		for (int j = 0; j < n; j++) {
-			y[i*m + j] += pq[j]*c + pq[n + j]*s;
-			y[i*m + n + j] += k*omega*(pq[n + j]*c - pq[j]*s);
-		}
-	}
-}
-
-/* The states at all nodes, by integration from phase 0. */
-static enum hawser_status from_state(struct hawser__orbit *orbit, double *y, const double *x,
-                                     double omega, struct hawser_report *report)
-{
-	struct hawser__shooting *shooting = (struct hawser__shooting *)orbit;
-	int m = orbit->m, S = shooting->segments;
-
-	(void)report;
-	(void)hawser__flow_place(&shooting->flow, orbit->rom);
-	memcpy(y, x, (size_t)m*sizeof *y);
-	for (int i = 0; i + 1 < S; i++) {
-		struct hawser__stretch stretch = {.tau = i*(2.0*M_PI/S), .steps = shooting->steps,
-			.h = 2.0*M_PI/S/shooting->steps, .count = 1};
-
-		memcpy(y + (i + 1)*m, y + i*m, (size_t)m*sizeof *y);
-		hawser__flow_map(&shooting->flow, y + (i + 1)*m, NULL, &stretch, omega);
-	}
-	return HAWSER_OK;
-}
-
 static void state(const struct hawser__orbit *orbit, double *x, const double *y)
 {
 	memcpy(x, y, (size_t)orbit->m*sizeof *x);
@@ -467,8 +439,8 @@ static void state(const struct hawser__orbit *orbit, double *x, const double *y)
 
 static const struct hawser__orbit_ops ops = {
 	metric, defects, factor, solve, error, multipliers, hawser__shooting_refine,
-	hawser__shooting_relax, hawser__shooting_enrich, hawser__shooting_sharpen, add_wave,
-	from_state, state, clear,
+	hawser__shooting_relax, hawser__shooting_enrich, hawser__shooting_sharpen,
+	hawser__shooting_add_wave, hawser__shooting_from_state, state, clear,
 	hawser__shooting_keep, hawser__shooting_guess, parts, shift,
 };
 

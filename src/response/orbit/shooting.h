@@ -37,7 +37,7 @@ struct hawser__shooting {
 	int *pivot;                /* [size] */
 	double *schur, *floquet_work; /* scratch */
 	double *rates, *node;      /* [S][m] of a cycle: change of the nodes with the phase; the nodes */
-	double *reduced;           /* [3 m m + 4 m] scratch */
+	double *reduced;           /* [3 m m + 40 m] scratch */
 	double factor_flops;       /* of all factorisations so far */
 	double norm;               /* 1-norm of the bordered matrix */
 	double *estimate;          /* [4 size] and int [size]: workspace of the condition estimate */
@@ -82,5 +82,10 @@ void hawser__shooting_hold(const struct hawser__shooting *shooting, double *dy);
 int hawser__shooting_guess_init(struct hawser__shooting *shooting);
 void hawser__shooting_keep(struct hawser__orbit *orbit, const double *y);
 int hawser__shooting_guess(struct hawser__orbit *orbit, const double *y, const double *row);
+/* The same file: add_wave and from_state of method.h. */
+void hawser__shooting_add_wave(struct hawser__orbit *orbit, double *y, const double *pq, int k,
+                               double omega);
+enum hawser_status hawser__shooting_from_state(struct hawser__orbit *orbit, double *y, const double *x,
+                                               double omega, struct hawser_report *report);
 
 #endif

@@ -134,3 +134,38 @@ int hawser__shooting_guess(struct hawser__orbit *orbit, const double *y, const d
 	}
 	return 1;
 }
+
+void hawser__shooting_add_wave(struct hawser__orbit *orbit, double *y, const double *pq, int k,
+                               double omega)
+{
+	int n = orbit->n, m = orbit->m, S = ((struct hawser__shooting *)orbit)->segments;
+
+	for (int i = 0; i < S; i++) {
+		double tau = k*i*2.0*M_PI/S, c = cos(tau), s = sin(tau);
+
+		for (int j = 0; j < n; j++) {
+			y[i*m + j] += pq[j]*c + pq[n + j]*s;
+			y[i*m + n + j] += k*omega*(pq[n + j]*c - pq[j]*s);
+		}
+	}
+}
+
+/* The states at all nodes, by integration from phase 0. */
+enum hawser_status hawser__shooting_from_state(struct hawser__orbit *orbit, double *y, const double *x,
+                                               double omega, struct hawser_report *report)
+{
+	struct hawser__shooting *shooting = (struct hawser__shooting *)orbit;
+	int m = orbit->m, S = shooting->segments;
+
+	(void)report;
+	(void)hawser__flow_place(&shooting->flow, orbit->rom);
+	memcpy(y, x, (size_t)m*sizeof *y);
+	for (int i = 0; i + 1 < S; i++) {
+		struct hawser__stretch stretch = {.tau = i*(2.0*M_PI/S), .steps = shooting->steps,
+			.h = 2.0*M_PI/S/shooting->steps, .count = 1};
+
+		memcpy(y + (i + 1)*m, y + i*m, (size_t)m*sizeof *y);
+		hawser__flow_map(&shooting->flow, y + (i + 1)*m, NULL, &stretch, omega);
+	}
+	return HAWSER_OK;
+}
