@@ -169,6 +169,8 @@ static enum hawser_status search(struct hawser_accuracy *better, struct cli_mode
 	choice.response = unweighed ? response : NULL;
 	if (unweighed)
 		choice.bearable = for_error;
+	else if (after > 0.0)
+		choice.bearable = fmin(choice.bearable, CLI_BEARABLE);
 	status = hawser_accuracy_exact(better, &model->statics, &model->scene, &choice, &why);
 	if (status == HAWSER_ERR_MEMORY) {
 		if (report)
