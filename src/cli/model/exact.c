@@ -18,10 +18,6 @@
 
 /* The longest step of its curves, relative to the range (hawser__accuracy_settle). */
 static const double longest = 0.02;
-/* Of a map of amplitudes: work of a row over that of a draft (three rows of a footbridge: 2.7), and the
- * range about one frequency; chosen. */
-static const double row = 3.0, around = 1.05;
-
 /* Work of it that an error is worth which is not known otherwise; chosen. */
 static const double for_error = 6.0;
 
@@ -375,44 +371,6 @@ enum hawser_status cli_exact_range(struct cli_model *model, double from, double 
 	if (status || !model->exact.functions)
 		return status;
 	return cli_basis_check(model, fmax(from, to), report);
-}
-
-/* rad/s; there is the scene alone, which then has the keys of the exact energy. */
-static enum hawser_status choose_for(struct cli_model *model, int n, double from, double to,
-                                     double after, const struct cli_common *common,
-                                     struct hawser_report *report)
-{
-	struct cli_model own = {.has_scene = 0};
-	enum hawser_status status = cli_model_load(&own, common, n, report);
-	double unit = cli_per_omega(&own);
-
-	if (!status)
-		status = cli_exact_range(&own, from/unit, to/unit, after, common, report);
-	if (!status && own.exact.functions) {
-		model->scene.model.energy = HAWSER_ENERGY_EXACT;
-		model->scene.model.basis = own.exact.functions;
-	}
-	if (!status)
-		cli_known_warn(&own, to/unit);
-	model->exact = own.exact;
-	model->error = own.error;
-	cli_model_clear(&own);
-	return status;
-}
-
-enum hawser_status cli_exact_plane(const struct cli_plane *plane, struct cli_model *model, int n,
-                                   const struct cli_common *common, struct hawser_report *report)
-{
-	int k = strcmp(plane->key[1], "Omega") == 0, axis = k || strcmp(plane->key[0], "Omega") == 0;
-	double from = axis ? plane->from[k] : plane->omega/around;
-	double to = axis ? plane->to[k] : plane->omega*around;
-
-	if (!model->has_scene && from > 0.0)
-		model->error.to = to/cli_per_omega(model);
-	if (!model->has_scene || model->scene.beam.form || !(from > 0.0) ||
-	    (model->scene.travel.present && plane->rows == 0)) /* of which judged.h states the error */
-		return HAWSER_OK;
-	return choose_for(model, n, from, to, plane->rows > 0 ? row*plane->rows : -1.0, common, report);
 }
 
 void cli_exact_range_comments(struct hawser__table *table, const struct cli_model *model)
