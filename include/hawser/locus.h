@@ -44,7 +44,8 @@ enum hawser_locus_end {
 	HAWSER_LOCUS_NO_FREQUENCY, /* the frequency of the Hopf points became 0: the last event */
 	HAWSER_LOCUS_MAX_POINTS,
 	HAWSER_LOCUS_INTERRUPTED, /* progress.function asked for it */
-	HAWSER_LOCUS_FAILED       /* the corrector failed; the curve's message says where */
+	HAWSER_LOCUS_FAILED,      /* the corrector failed; the curve's message says where */
+	HAWSER_LOCUS_WORK         /* the search took `most_work` */
 };
 const char *hawser_locus_end_name(enum hawser_locus_end end);
 
@@ -103,6 +104,7 @@ struct hawser_locus {
 	                                   * from the other end of the range, and in parts of the range
 	                                   * that neither covers, as well */
 	int interrupted;
+	int costly;                       /* 1: it ended at options->most_work */
 	long solves;                      /* number of linear systems factorised */
 };
 
@@ -124,6 +126,8 @@ struct hawser_locus_options {
 	int max_points;              /* of a curve in each direction, and of the response; 0: 2000 */
 	double step_max;             /* largest change of Omega or of the parameter in a step, relative to
 	                              * its range; 0: 0.02 */
+	double most_work;            /* of all responses and curves, s (hawser_orbit_work): they end there,
+	                              * and the search is `costly`; 0: no limit */
 	int skip_events;             /* 1: no special points, no multipliers */
 	const struct hawser_rom_plane *plane; /* NULL, or two parameters at one frequency: the first one
 	                              * takes the place of Omega in `from`, `to`, `near`, in the points and

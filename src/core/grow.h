@@ -22,4 +22,16 @@ static inline int hawser__more(void *array, long count, size_t size)
 	return !larger;
 }
 
+/* Make room for `count` elements of `size` bytes; not 0: as above. */
+static inline int hawser__resize(void *array, size_t count, size_t size)
+{
+	void *larger;
+
+	memcpy(&larger, array, sizeof larger);
+	larger = realloc(larger, count*size + 1);
+	if (larger)
+		memcpy(array, &larger, sizeof larger);
+	return !larger;
+}
+
 #endif

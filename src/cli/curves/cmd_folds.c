@@ -26,8 +26,6 @@ static const struct settings defaults = {
 /* Of cli_exact_range: of a footbridge 9, and 1 or more for each of the starts, which are therefore
  * left out of a search with the exact energy that nobody asked for. */
 static const double work = 10.0, work_start = 1.0;
-/* Work, s as counted, of a search with a model that may be off by more than 100 %; chosen. */
-static const double glance = 5.0;
 
 static const struct cli_option options[] = {
 	CLI_RANGE_OPTIONS("end of the range at which responses begin (0.6w1)",
@@ -82,8 +80,8 @@ static enum hawser_status trace(struct hawser_folds *folds, const struct setting
 	choice.tolerance = cli_tolerance(settings->tolerance, result->model);
 	if (settings->points > 0)
 		choice.max_points = settings->points;
-	else if (!result->model->rom.exact)
-		choice.most_work = meaningless ? glance : CLI_BEARABLE;
+	else
+		choice.most_work = cli_exact_allowed(result->model);
 	choice.first = first;
 	choice.most_unstable = settings->unstable;
 	choice.skip_isolas = settings->no_isolas;
@@ -145,16 +143,15 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		                         work + work_start*fmax(settings->starts, 0.0), &settings->common,
 		                         report);
 	if (!status)
+		cli_exact_range_warn(&model);
+	if (!status)
 		status = cli_choice_build(&model, result.from, result.to, report);
 	if (!status && settings->label)
 		status = open_label(&label, &first, &along, settings, &result, report);
 	if (!status)
 		status = trace(&folds, settings, &result, label.state ? &first : NULL, report);
-	if (!status && folds.costly)
-		cli_warn("time: the search takes more than is done unasked, and ends there: fewer modes (-n) "
-		         "or a narrower range take less, --max-points N goes on");
 	if (!status) {
-		cli_exact_range_warn(&model);
+		cli_exact_costly(folds.costly);
 		cli_range_warn(&model, cli_range_reach(NULL, &model, folds.coordinate, folds.points,
 		                                       model.rom.n));
 		status = cli_show(&settings->common, &cli_folds_showing, &result, report);

@@ -118,6 +118,8 @@ static enum hawser_status trace(struct hawser_locus *locus, const struct setting
 	if (status)
 		return status;
 	choice.near = near/cli_per_omega(model);
+	if (settings->points == 0)
+		choice.most_work = cli_exact_allowed(model);
 	if (settings->tolerance > 0.0)
 		choice.tolerance = settings->tolerance;
 	if (settings->step > 0.0)
@@ -208,6 +210,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		status = cli_basis_check(&model, fmax(result.from, result.to), report);
 	if (!status && !settings->and)
 		status = cli_exact_range(&model, result.from, result.to, work, &settings->common, report);
+	if (!status)
+		cli_exact_range_warn(&model);
 	if (!status && settings->label && !(along = calloc(2*(size_t)model.rom.n, sizeof *along)))
 		status = hawser__no_memory(report, "locus");
 	if (!status && settings->label)
@@ -234,7 +238,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		status = trace(&locus, settings, &result, &over, settings->and ? &plane : NULL,
 		               settings->label ? &first : NULL, label.period, &model, report);
 	if (!status) {
-		cli_exact_range_warn(&model);
+		cli_exact_costly(locus.costly);
 		cli_range_warn(&model, cli_range_reach(NULL, &model, locus.coordinate, locus.points,
 		                                       model.rom.n));
 		status = cli_show(&settings->common, &cli_locus_showing, &result, report);

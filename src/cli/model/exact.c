@@ -21,6 +21,9 @@ static const double longest = 0.02;
 /* Work of it that an error is worth which is not known otherwise; chosen. */
 static const double for_error = 6.0;
 
+/* Work of a search with a model that may be off by more than 100 %; chosen. */
+static const double glance = 5.0;
+
 /* Work after which a curve of modes is judged first, and the factor from one judgement to the next,
  * which takes 0.1 to 0.3 s; fewest points then; chosen. */
 static const double soon = 2.0, later = 3.0;
@@ -56,6 +59,18 @@ static int is_wanted(const struct cli_model *model, const struct cli_model_error
 int cli_exact_failed(const struct cli_model *model, const struct cli_model_error *error)
 {
 	return model->exact.failed[0] && !(error->fixed.estimated < 1.0);
+}
+
+double cli_exact_allowed(const struct cli_model *model)
+{
+	return model->rom.exact ? 0.0 : cli_exact_failed(model, &model->error) ? glance : CLI_BEARABLE;
+}
+
+void cli_exact_costly(int costly)
+{
+	if (costly)
+		cli_warn("time: the search takes more than is done unasked, and ends there: fewer modes (-n) "
+		         "or a narrower range take less, --max-points N goes on");
 }
 
 /* The model is now what the scene would be with these keys. */
@@ -150,6 +165,8 @@ static enum hawser_status search(struct hawser_accuracy *better, struct cli_mode
 	choice.response = unweighed ? response : NULL;
 	if (unweighed)
 		choice.bearable = for_error;
+	else if (after > 0.0)
+		choice.bearable = fmin(choice.bearable, CLI_BEARABLE);
 	status = hawser_accuracy_exact(better, &model->statics, &model->scene, &choice, &why);
 	if (status == HAWSER_ERR_MEMORY) {
 		if (report)

@@ -8,6 +8,11 @@
 /* Seconds of processor time, as counted (hawser_orbit_work), that nobody has to ask for: of a curve of
  * modes, and of a search for further branches; chosen. */
 #define CLI_BEARABLE 30.0
+/* The same of a search for bifurcations: less with a model that may be off by more than 100 %; 0, no
+ * limit, of the exact energy. */
+double cli_exact_allowed(const struct cli_model *model);
+/* Says on standard error that one ended there. */
+void cli_exact_costly(int costly);
 
 /* Whether model.energy: auto calls for it: a span of condensed modes with this error, or (NULL) one
  * whose modes give no answer. */

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/grow.h"
 #include "core/report.h"
 #include "response/branch/record.h"
 #include "response/cycle/cycle.h"
@@ -13,32 +14,21 @@
 #define ONE_ARC 0.05 /* largest arclength between a fold and a branch point that are one; chosen */
 #define ERRORS 5.0   /* and of their parameters, in errors; chosen */
 
-/* Resize one array to `rows` of `width` doubles; a failure keeps the old one. */
-static int resize(double **array, int rows, int width)
-{
-	double *larger = realloc(*array, ((size_t)rows*width + 1)*sizeof **array);
-
-	if (!larger)
-		return 1;
-	*array = larger;
-	return 0;
-}
-
 static enum hawser_status grow(struct hawser_frf *frf, int own, struct hawser_report *report)
 {
-	int rows = frf->capacity ? 2*frf->capacity : 256, m = 2*frf->n;
-	struct hawser_frf_point *point = realloc(frf->point, (size_t)rows*sizeof *point);
+	const size_t rows = frf->capacity ? 2*(size_t)frf->capacity : 256, n = (size_t)frf->n;
+	const size_t each = sizeof(double);
 
-	if (point)
-		frf->point = point;
-	if (!point || resize(&frf->coordinate, rows, frf->n) ||
-	    resize(&frf->probe, rows, 3*frf->probes) ||
-	    ((!frf->capacity || frf->tension) && resize(&frf->tension, rows, 2)) ||
-	    (own && (resize(&frf->swing, rows, frf->n) || resize(&frf->trivial, rows, 1))) ||
-	    resize(&frf->multiplier, rows, 2*m) ||
-	    resize(&frf->state, rows, m))
+	if (hawser__resize(&frf->point, rows, sizeof *frf->point) ||
+	    hawser__resize(&frf->coordinate, rows*n, each) ||
+	    hawser__resize(&frf->probe, rows*3*(size_t)frf->probes, each) ||
+	    ((!frf->capacity || frf->tension) && hawser__resize(&frf->tension, 2*rows, each)) ||
+	    (own && (hawser__resize(&frf->swing, rows*n, each) ||
+	             hawser__resize(&frf->trivial, rows, each))) ||
+	    hawser__resize(&frf->multiplier, rows*4*n, each) ||
+	    hawser__resize(&frf->state, rows*2*n, each))
 		return hawser__no_memory(report, "frf");
-	frf->capacity = rows;
+	frf->capacity = (int)rows;
 	return HAWSER_OK;
 }
 
@@ -159,16 +149,12 @@ enum hawser_status hawser__record_event(struct hawser_frf *frf,
 			return HAWSER_OK;
 	}
 	if (frf->events == frf->event_capacity) {
-		int capacity = frf->event_capacity ? 2*frf->event_capacity : 32;
-		struct hawser_frf_event *larger = realloc(frf->event,
-		                                          (size_t)capacity*sizeof *larger);
+		size_t capacity = frf->event_capacity ? 2*(size_t)frf->event_capacity : 32;
 
-		if (!larger)
+		if (hawser__resize(&frf->event, capacity, sizeof *frf->event) ||
+		    hawser__resize(&frf->event_state, capacity*2*(size_t)frf->n, sizeof(double)))
 			return hawser__no_memory(report, "frf");
-		frf->event = larger;
-		if (resize(&frf->event_state, capacity, 2*frf->n))
-			return hawser__no_memory(report, "frf");
-		frf->event_capacity = capacity;
+		frf->event_capacity = (int)capacity;
 	}
 	frf->event[frf->events] = *event;
 	row = frf->event_state + 2*(size_t)frf->n*(size_t)frf->events++;

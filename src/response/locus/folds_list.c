@@ -10,17 +10,6 @@
 #include "core/report.h"
 #include "response/locus/folds_walk.h"
 
-/* Allocate space for `count` entries of `size` bytes. On failure the old array is kept. */
-static int resize(void *array, size_t count, size_t size)
-{
-	void **at = array, *larger = realloc(*at, (count + 1)*size);
-
-	if (!larger)
-		return 1;
-	*at = larger;
-	return 0;
-}
-
 enum hawser_status hawser__list_point(struct hawser__fold_list *list,
                                       struct hawser__fold_walk *walk,
                                       const struct hawser__fold_station *station)
@@ -203,13 +192,13 @@ enum hawser_status hawser__list_join(struct hawser_folds *folds,
 	int base = back->points > 0 ? back->points - 1 : 0, total = base + on->points, last;
 
 	/* there are at most as many parts as points */
-	if (resize(&folds->point, points, sizeof *folds->point) ||
-	    resize(&folds->coordinate, points*n, sizeof(double)) ||
-	    resize(&folds->probe, points*probes, sizeof(double)) ||
-	    resize(&folds->state, points*2*n, sizeof(double)) ||
-	    resize(&folds->event, events, sizeof *folds->event) ||
-	    resize(&folds->event_state, events*2*n, sizeof(double)) ||
-	    resize(&folds->curve, (size_t)folds->curves + (size_t)total, sizeof *folds->curve))
+	if (hawser__resize(&folds->point, points, sizeof *folds->point) ||
+	    hawser__resize(&folds->coordinate, points*n, sizeof(double)) ||
+	    hawser__resize(&folds->probe, points*probes, sizeof(double)) ||
+	    hawser__resize(&folds->state, points*2*n, sizeof(double)) ||
+	    hawser__resize(&folds->event, events, sizeof *folds->event) ||
+	    hawser__resize(&folds->event_state, events*2*n, sizeof(double)) ||
+	    hawser__resize(&folds->curve, (size_t)folds->curves + (size_t)total, sizeof *folds->curve))
 		return hawser__no_memory(report, "folds");
 	for (int first = 0; first < total; first = last + 1) {
 		last = first;

@@ -55,7 +55,7 @@ const char *hawser_locus_special_name(enum hawser_event_kind kind, enum hawser_l
 const char *hawser_locus_end_name(enum hawser_locus_end end)
 {
 	static const char *const name[] = {"end of the frequency range", "end of the parameter's range",
-		"closed", "resonance", "no frequency", "max_points", "interrupted", "failed"};
+		"closed", "resonance", "no frequency", "max_points", "interrupted", "failed", "most work"};
 
 	return (unsigned)end < sizeof name/sizeof *name ? name[end] : "unknown";
 }
@@ -116,21 +116,14 @@ static enum hawser_status make_room(struct hawser_locus *to, const struct hawser
                                     struct hawser_report *report)
 {
 	size_t n = (size_t)to->n, points = (size_t)to->points + part[0].points + part[1].points;
-	size_t events = (size_t)to->events + part[0].events + part[1].events + 1;
-	void *point = realloc(to->point, points*sizeof *to->point), *coordinate, *state, *curve, *event;
+	size_t events = (size_t)to->events + part[0].events + part[1].events;
 
-	to->point = point ? point : to->point;
-	coordinate = realloc(to->coordinate, points*n*sizeof(double));
-	to->coordinate = coordinate ? coordinate : to->coordinate;
-	state = realloc(to->state, points*2*n*sizeof(double));
-	to->state = state ? state : to->state;
-	curve = realloc(to->curve, ((size_t)to->curves + 1)*sizeof *to->curve);
-	to->curve = curve ? curve : to->curve;
-	event = realloc(to->event, events*sizeof *to->event);
-	to->event = event ? event : to->event;
-	/* cppcheck-suppress memleak ; they are kept in *to */
-	return point && coordinate && state && curve && event ? HAWSER_OK
-	       : hawser__no_memory(report, "locus");
+	return hawser__resize(&to->point, points, sizeof *to->point) ||
+	       hawser__resize(&to->coordinate, points, n*sizeof(double)) ||
+	       hawser__resize(&to->state, points, 2*n*sizeof(double)) ||
+	       hawser__resize(&to->curve, (size_t)to->curves + 1, sizeof *to->curve) ||
+	       hawser__resize(&to->event, events, sizeof *to->event)
+	       ? hawser__no_memory(report, "locus") : HAWSER_OK;
 }
 
 static void copy_point(struct hawser_locus *to, const struct hawser__locus_list *from, int i, int sign)
@@ -279,7 +272,7 @@ static enum hawser_status trace_events(struct hawser_locus *locus, struct hawser
                                        const struct hawser_frf *frf, int only, int *any,
                                        struct hawser_report *report)
 {
-	for (int e = 0; e < frf->events && !walk->stopped; e++) {
+	for (int e = 0; e < frf->events && !walk->stopped && hawser__locus_left(walk) > 0.0; e++) {
 		enum hawser_status status;
 
 		if (frf->event[e].kind != walk->options->kind || (only >= 0 && e != only))
@@ -312,6 +305,12 @@ static enum hawser_status trace_all(struct hawser_locus *locus, struct hawser__l
 			return status;
 	}
 	locus->interrupted = walk->stopped;
+	locus->costly = hawser__locus_left(walk) <= 0.0;
+	if (locus->costly && locus->curves == 0)
+		return hawser__fail(report, HAWSER_ERR_CONVERGENCE, "locus",
+		                    "the work of the response at the parameter %.9g came to its limit before "
+		                    "a locus was begun: take fewer modes (-n) or a narrower range, or lift the "
+		                    "limit (--max-points)", o->at);
 	if (!any && !locus->interrupted)
 		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "locus",
 		                    "the response at the parameter %.9g has no %s in this range%s: begin "
@@ -385,6 +384,7 @@ static enum hawser_status trace_locus(struct hawser_locus *locus,
 	if (hawser__is_watched(&own.progress))
 		choice.progress = (struct hawser_progress){tell, &told};
 	choice.samples = HAWSER_NONE;
+	choice.most_work = own.most_work;
 	choice.skip_events = own.kind == HAWSER_RESONANCE;
 	if (!status && own.kind == HAWSER_RESONANCE)
 		status = hawser__locus_choose_harmonic(&system, own.harmonic, report);
@@ -399,6 +399,7 @@ static enum hawser_status trace_locus(struct hawser_locus *locus,
 	if (!status)
 		status = hawser__locus_responses_trace(&all, system.rom, &choice, &walk.span,
 		                                       (const double[2]){FIRST, RESPONSES}, report);
+	system.spent = all.cover.work + hawser_orbit_work(&locus->response.cost, system.rom);
 	system.extent[0] = fabs(own.to - own.from);
 	system.extent[1] = fabs(own.parameter_to - own.parameter_from);
 	if (!status)

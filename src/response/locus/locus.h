@@ -109,6 +109,8 @@ struct hawser__locus {
 	struct hawser__monodromy monodromy;
 	double *log_modulus, *argument; /* [2n] */
 	long solves;
+	double spent;                 /* work of responses, s, as counted (hawser_orbit_work) */
+	double dense;                 /* additions and multiplications in the factorisations */
 	struct hawser_report *report;
 };
 

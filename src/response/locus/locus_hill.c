@@ -313,6 +313,7 @@ int hawser__locus_vectors(struct hawser__locus *locus)
 	if (locus->kind == HAWSER_TORUS ? solve_complex(locus) : solve_real(locus))
 		return 1;
 	locus->solves++;
+	locus->dense += (locus->kind == HAWSER_TORUS ? 8.0 : 2.0)/3.0*pow(wide, 3.0);
 	exponentials(locus);
 	for (int k = 0; k < wide; k++)
 		locus->wave[k] = locus->scale[k]*locus->w[k]/locus->rows;

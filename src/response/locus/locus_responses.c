@@ -99,5 +99,6 @@ enum hawser_status hawser__locus_responses_trace(struct hawser__locus_responses 
 	if (status == HAWSER_ERR_CONVERGENCE && all->first->points > 0)
 		status = HAWSER_OK;
 	hawser__span_stage(span, stage[0], stage[1]);
-	return status ? status : trace_others(all, rom, choice, report);
+	return status || all->first->end == HAWSER_END_WORK ? status
+	       : trace_others(all, rom, choice, report);
 }

@@ -365,6 +365,7 @@ int hawser__locus_solve(struct hawser__locus *locus, double *dz, const double *z
 	if (LAPACKE_dgetrf_work(LAPACK_COL_MAJOR, size, size, locus->M, size, locus->pivot_M) != 0)
 		return 1;
 	locus->solves++;
+	locus->dense += 2.0/3.0*pow(size, 3.0);
 	locus->orientation = 1;
 	for (int i = 0; i < size; i++)
 		if ((locus->M[(size_t)i*size + i] < 0.0) != (locus->pivot_M[i] != i + 1))

@@ -194,13 +194,23 @@ enum hawser_status hawser__locus_finish(struct hawser__locus_walk *walk,
 
 /* --- the operations of a step --- */
 
+double hawser__locus_left(const struct hawser__locus_walk *walk)
+{
+	const struct hawser_orbit_cost cost = {.dense = walk->locus->dense};
+
+	return walk->options->most_work > 0.0
+	       ? walk->options->most_work - walk->locus->spent - hawser_orbit_work(&cost, walk->locus->rom)
+	       : INFINITY;
+}
+
 static enum hawser_status prepare(void *owner, int *ended)
 {
 	struct hawser__locus_walk *walk = owner;
+	int costly = hawser__locus_left(walk) <= 0.0;
 
-	*ended = walk->list->points >= walk->options->max_points;
+	*ended = costly || walk->list->points >= walk->options->max_points;
 	if (*ended)
-		walk->list->end = HAWSER_LOCUS_MAX_POINTS;
+		walk->list->end = costly ? HAWSER_LOCUS_WORK : HAWSER_LOCUS_MAX_POINTS;
 	return HAWSER_OK;
 }
 

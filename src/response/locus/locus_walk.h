@@ -67,6 +67,9 @@ enum hawser_status hawser__locus_finish(struct hawser__locus_walk *walk,
 enum hawser_status hawser__locus_follow(struct hawser__locus_walk *walk,
                                         struct hawser__locus_list *list, int direction);
 
+/* Work that is left for responses and curves, s; INFINITY: it has no limit. */
+double hawser__locus_left(const struct hawser__locus_walk *walk);
+
 /* locus_begin.c: z = the orbit through the state x [2n] at `first`, Omega or the first parameter. */
 enum hawser_status hawser__locus_orbit_through(struct hawser__locus_walk *walk, double *z,
                                                const double *x, double first);

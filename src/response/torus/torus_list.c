@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "core/grow.h"
 #include "core/report.h"
 #include "response/torus/torus.h"
 #include "response/branch/trace.h"
@@ -29,30 +30,20 @@ void hawser_tori_settle(struct hawser_tori_options *options)
 	options->most_circle = options->most_circle > 0 ? options->most_circle : 127;
 }
 
-static int resize(double **array, size_t count)
-{
-	double *grown = realloc(*array, (count + 1)*sizeof *grown);
-
-	if (grown)
-		*array = grown;
-	return !grown;
-}
-
 int hawser__tori_room(struct hawser_tori *list, const struct hawser_rom *rom)
 {
 	size_t rows = (size_t)list->capacity + 64, n = (size_t)list->n, wide = 3*(size_t)list->probes;
-	struct hawser_tori_point *grown;
+	const size_t each = sizeof(double);
 
 	if (list->points < list->capacity)
 		return 0;
-	grown = realloc(list->point, rows*sizeof *grown);
-	if (!grown)
-		return 1;
-	list->point = grown;
-	if (resize(&list->coordinate_least, rows*n) || resize(&list->coordinate_most, rows*n) ||
-	    resize(&list->probe_least, rows*wide) || resize(&list->probe_most, rows*wide) ||
-	    resize(&list->state, 2*rows*n) ||
-	    (hawser__rom_tension_places(rom) > 0 && resize(&list->tension, 2*rows)))
+	if (hawser__resize(&list->point, rows, sizeof *list->point) ||
+	    hawser__resize(&list->coordinate_least, rows*n, each) ||
+	    hawser__resize(&list->coordinate_most, rows*n, each) ||
+	    hawser__resize(&list->probe_least, rows*wide, each) ||
+	    hawser__resize(&list->probe_most, rows*wide, each) ||
+	    hawser__resize(&list->state, 2*rows*n, each) ||
+	    (hawser__rom_tension_places(rom) > 0 && hawser__resize(&list->tension, 2*rows, each)))
 		return 1;
 	list->capacity = (int)rows;
 	return 0;

@@ -218,16 +218,18 @@ static enum hawser_status choose(struct hawser__draft *chosen, double *moved, do
 		if (traced.functions)
 			status = hawser__draft_carry(&next, &away, &traced, &a->modes.statics, frf, report);
 		*work += next.work;
+		if (traced.functions) { /* as many points, each of which takes longer */
+			next.points = chosen->points;
+			next.work = chosen->work*pow((double)next.rom.n/chosen->rom.n, 2.0);
+		}
 		if (!status && away <= NEAR)
 			status = hawser__curve_points_distance(moved, &traced.curve, traced.mark,
 			                                       chosen->curve.points ? &chosen->curve : NULL,
 			                                       &next.curve, 0, report);
 		if (!status && away <= NEAR &&
 		    !is_rough(condensed, *moved, chosen, &next, *work, options->bearable)) {
-			next.points = chosen->points;
-			next.work = chosen->work*pow((double)next.rom.n/chosen->rom.n, 2.0);
 			condensed->off += *moved;
-		} else if (!status) {
+		} else if (!status && !is_costly(&next, options, *work + next.work)) {
 			away = INFINITY;
 			status = hawser__draft_draw(&next, moved, &traced, chosen, a, options, frf, *work, report);
 			*work += next.work;
