@@ -178,7 +178,6 @@ static enum hawser_status find(struct hawser__orbit **orbit, double **y,
 	if (raised->way)
 		hawser__way_clear(raised->way);
 	raised->rough = FINE;
-	raised->guide = NULL;
 	status = open_orbit(orbit, y, rom, omega, report);
 	return status ? status : respond(*y, *orbit, correction, tolerance, raised, omega, report);
 }
