@@ -188,6 +188,7 @@ static enum hawser_status is_behind(int *behind, struct hawser__about *about, do
 	if (harmonics > 0)
 		status = hawser__hill_determinant(value, &exponent, &about->matrix, &system, zero, harmonics,
 		                                  report);
+	about->unsure = harmonics == 0;
 	*behind = !status && harmonics > 0 && value[0] < -value[2];
 	return status;
 }
@@ -201,7 +202,8 @@ static enum hawser_status find(struct hawser__about *about, struct hawser__raise
 	enum hawser_status status;
 	int again;
 
-	raised->rough = HAWSER__ON_THE_WAY;
+	about->unsure = 0;
+	raised->rough = raised->slow ? FINE : HAWSER__ON_THE_WAY;
 	do {
 		struct hawser__correction correction = {.iterations = 0};
 		struct hawser__orbit *orbit;
@@ -232,7 +234,7 @@ static enum hawser_status find(struct hawser__about *about, struct hawser__raise
 enum hawser_status hawser__about_response(struct hawser__about *about, const struct hawser_rom *rom,
                                           double omega, struct hawser_report *report)
 {
-	struct hawser__raised raised = {.guide = about->guide};
+	struct hawser__raised raised = {.guide = about->slow ? NULL : about->guide, .slow = about->slow};
 	enum hawser_status status = find(about, &raised,
 	                                 about->tolerance > 0.0 ? about->tolerance : TOLERANCE, rom, omega,
 	                                 report);

@@ -19,6 +19,9 @@ struct hawser__about {
 	struct hawser_linear *linear; /* workspace of linear_n coordinates, or NULL */
 	int linear_n;
 	struct hawser__hill_matrix matrix;
+	int unsure; /* 1: the response may lie behind a fold: where it has an odd number of real multipliers
+	             * above 1, it is to be found again with */
+	int slow;   /* 1: from rest, along fine orbits */
 	const struct hawser__way *guide; /* of the next response: the way of a model like it; or NULL */
 };
 
