@@ -19,6 +19,7 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "response/floquet/linear_margin.h"
 #include "response/orbit/about.h"
 #include "response/orbit/balance.h"
 #include "response/time/flow.h"
@@ -35,6 +36,8 @@ void hawser__about_clear(struct hawser__about *about)
 {
 	free(about->K);
 	free(about->harmonic);
+	hawser_linear_free(about->linear);
+	hawser__hill_matrix_release(&about->matrix);
 	*about = (struct hawser__about){.room = 0};
 }
 
@@ -160,39 +163,82 @@ static void close_orbit(struct hawser__orbit *orbit, double *y)
 		orbit->ops->clear(orbit);
 }
 
-/* Open the orbit and find the response, with rough orbits on the way, and where they lose it with fine
- * ones. */
-static enum hawser_status find(struct hawser__orbit **orbit, double **y,
-                               struct hawser__correction *correction, double tolerance,
-                               struct hawser__raised *raised, const struct hawser_rom *rom,
-                               double omega, struct hawser_report *report)
+/* Whether a fold over the load lies before the orbit: it changes the sign of the determinant of
+ * Hill's matrix at 0, which is positive at rest. So does a pitchfork. 0 also if it takes too many
+ * harmonics. */
+static enum hawser_status is_behind(int *behind, struct hawser__about *about, double omega,
+                                    struct hawser_report *report)
 {
-	enum hawser_status status = open_orbit(orbit, y, rom, omega, report);
+	const double zero[2] = {0.0, 0.0};
+	struct hawser__variational system;
+	double value[3];
+	int exponent, harmonics = 0;
+	enum hawser_status status = HAWSER_OK;
 
-	raised->rough = HAWSER__ON_THE_WAY;
+	*behind = 0;
+	if (about->linear_n != about->rom.n) {
+		hawser_linear_free(about->linear);
+		status = hawser_linear_open(&about->linear, about->rom.n, report);
+		about->linear_n = about->rom.n;
+	}
 	if (!status)
-		status = respond(*y, *orbit, correction, tolerance, raised, omega, report);
-	if (status != HAWSER_ERR_CONVERGENCE || raised->load < 0.0 || raised->turned)
-		return status;
-	close_orbit(*orbit, *y);
-	if (raised->way)
-		hawser__way_clear(raised->way);
-	raised->rough = FINE;
-	raised->guide = NULL;
-	status = open_orbit(orbit, y, rom, omega, report);
-	return status ? status : respond(*y, *orbit, correction, tolerance, raised, omega, report);
+		status = hawser__linear_series(about->linear, &system, &about->rom, omega, report);
+	if (!status)
+		harmonics = hawser__hill_harmonics(&system, zero);
+	if (harmonics > 0)
+		status = hawser__hill_determinant(value, &exponent, &about->matrix, &system, zero, harmonics,
+		                                  report);
+	about->unsure = harmonics == 0;
+	*behind = !status && harmonics > 0 && value[0] < -value[2];
+	return status;
+}
+
+/* The model about the response. Where rough orbits on the way lose it, fine ones follow; and from rest
+ * where an orbit was found that may lie behind a fold, from a guide or the linear response. */
+static enum hawser_status find(struct hawser__about *about, struct hawser__raised *raised,
+                               double tolerance, const struct hawser_rom *rom, double omega,
+                               struct hawser_report *report)
+{
+	enum hawser_status status;
+	int again;
+
+	about->unsure = 0;
+	raised->rough = raised->slow ? FINE : HAWSER__ON_THE_WAY;
+	do {
+		struct hawser__correction correction = {.iterations = 0};
+		struct hawser__orbit *orbit;
+		double *y;
+		int behind = 0, lost;
+
+		if (raised->way)
+			hawser__way_clear(raised->way);
+		status = open_orbit(&orbit, &y, rom, omega, report);
+		if (!status)
+			status = respond(y, orbit, &correction, tolerance, raised, omega, report);
+		lost = status == HAWSER_ERR_CONVERGENCE && raised->load >= 0.0 && !raised->turned;
+		if (!status) {
+			about->error = orbit->ops->error(orbit, correction.residual);
+			hawser__balance_transform((struct hawser__balance *)orbit);
+			status = take(about, rom, (const struct hawser__balance *)orbit, omega, report);
+		}
+		if (!status && !raised->slow)
+			status = is_behind(&behind, about, omega, report);
+		close_orbit(orbit, y);
+		again = behind || (lost && raised->rough > FINE);
+		raised->rough = FINE;
+		raised->slow = behind;
+		raised->guide = behind ? NULL : raised->guide;
+	} while (again);
+	return status;
 }
 
 enum hawser_status hawser__about_response(struct hawser__about *about, const struct hawser_rom *rom,
                                           double omega, struct hawser_report *report)
 {
-	struct hawser__correction correction = {.iterations = 0};
-	struct hawser__raised raised = {.guide = about->guide};
-	struct hawser__orbit *orbit;
-	double *y;
-	enum hawser_status status = find(&orbit, &y, &correction, about->tolerance > 0.0 ? about->tolerance
-	                                                                                 : TOLERANCE,
-	                                 &raised, rom, omega, report);
+	struct hawser__raised raised = {.guide = about->slow ? NULL : about->guide, .slow = about->slow};
+	enum hawser_status status = find(about, &raised,
+	                                 about->tolerance > 0.0 ? about->tolerance : TOLERANCE, rom, omega,
+	                                 report);
 
 	if (status == HAWSER_ERR_CONVERGENCE && raised.load >= 0.0)
 		status = hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "about",
@@ -204,12 +250,6 @@ enum hawser_status hawser__about_response(struct hawser__about *about, const str
 		                        "changes too fast to be followed in all points of a plane; hawser "
 		                        "frf --over factor.load, from 0.01, at this point tells which",
 		                      HAWSER_SHOWN(rom, omega), raised.load);
-	if (!status) {
-		about->error = orbit->ops->error(orbit, correction.residual);
-		hawser__balance_transform((struct hawser__balance *)orbit);
-		status = take(about, rom, (const struct hawser__balance *)orbit, omega, report);
-	}
-	close_orbit(orbit, y);
 	return status;
 }
 
@@ -217,13 +257,10 @@ enum hawser_status hawser__about_way(struct hawser__way *way, const struct hawse
                                      const struct hawser_rom *rom, double omega,
                                      struct hawser_report *report)
 {
-	struct hawser__correction correction = {.iterations = 0};
 	struct hawser__raised raised = {.way = way, .guide = guide};
-	struct hawser__orbit *orbit;
-	double *y;
-	enum hawser_status status = find(&orbit, &y, &correction, HAWSER__ON_THE_WAY, &raised, rom, omega,
-	                                 report);
+	struct hawser__about about = {.room = 0};
+	enum hawser_status status = find(&about, &raised, HAWSER__ON_THE_WAY, rom, omega, report);
 
-	close_orbit(orbit, y);
+	hawser__about_clear(&about);
 	return status == HAWSER_ERR_MEMORY ? status : HAWSER_OK;
 }

@@ -3,6 +3,9 @@
 #ifndef HAWSER_RESPONSE_ABOUT_H
 #define HAWSER_RESPONSE_ABOUT_H
 
+#include <hawser/linear.h>
+
+#include "response/floquet/hill_matrix.h"
 #include "response/orbit/start.h"
 
 /* All zero at the beginning. */
@@ -13,6 +16,12 @@ struct hawser__about {
 	size_t room, room_h;   /* numbers allocated */
 	double tolerance;      /* of the orbit; 0: 1e-8 */
 	double error;          /* of the orbit, relative to its size */
+	struct hawser_linear *linear; /* workspace of linear_n coordinates, or NULL */
+	int linear_n;
+	struct hawser__hill_matrix matrix;
+	int unsure; /* 1: the response may lie behind a fold: where it has an odd number of real multipliers
+	             * above 1, it is to be found again with */
+	int slow;   /* 1: from rest, along fine orbits */
 	const struct hawser__way *guide; /* of the next response: the way of a model like it; or NULL */
 };
 

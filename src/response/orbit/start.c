@@ -332,7 +332,7 @@ enum hawser_status hawser__start(double *y, struct hawser__orbit *orbit,
 	int failed, far = 0;
 
 	raised->load = -1.0;
-	if (raised->guide && !raised->way) /* near by, the linear response did not lead there */
+	if (raised->slow || (raised->guide && !raised->way)) /* the linear response did not lead there */
 		return raise_load(y, orbit, &failed, correction, omega, tolerance, raised, report);
 	status = start ? orbit->ops->from_state(orbit, y, start, omega, report)
 	               : linear_response(y, orbit, omega, report);

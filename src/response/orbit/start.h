@@ -23,12 +23,13 @@ void hawser__way_predict(double *y, const struct hawser__way *way, int next, int
 void hawser__way_drop(struct hawser__way *way); /* the last orbit */
 void hawser__way_clear(struct hawser__way *way);
 
-/* How far the load could be raised. The first five are set by the caller. */
+/* How far the load could be raised. The first six are set by the caller. */
 struct hawser__raised {
 	int lone;    /* only the orbit that grows out of rest with the load is wanted */
 	struct hawser__way *way;         /* of a lone one: orbits that are passed are added; or NULL */
 	const struct hawser__way *guide; /* of a lone one: the way of a model like this, along which the
 	                                  * load is raised; or NULL */
+	int slow;     /* 1: not at once from the linear response */
 	double rough; /* of a lone one: tolerance of the orbits below the whole load */
 	double most; /* work, s (hawser_orbit_work), at which it ends; 0: no limit */
 	double load; /* factor of the load; -1: that was not tried, or other loads would not help */

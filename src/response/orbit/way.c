@@ -21,7 +21,8 @@
 
 #define ARC 0.3         /* first and largest step along the curve over the load, relative to orbit and
                          * load, and */
-#define LEAST_ARC 1e-3  /* the least one */
+#define LEAST_ARC 1e-2  /* the least one; */
+#define LEAST_FINE 1e-3 /* of fine orbits, which follow where this loses the curve */
 #define STRAY 0.3       /* largest distance of an orbit from the predicted one, relative to the step,
                          * and */
 #define BEND 0.1        /* that for which the next step is meant */
@@ -235,6 +236,7 @@ static int follow_arc(double *y, struct hawser__climb *climb, struct hawser__orb
                       const struct hawser__raised *raised, struct hawser_report *report)
 {
 	int count = orbit->size - 1, failed = begin_arc(climb, orbit);
+	double least = raised->rough < HAWSER__ON_THE_WAY ? LEAST_FINE : LEAST_ARC;
 	double step = ARC, shift = INFINITY; /* by which the last step failed, relative to the orbit */
 
 	if (!failed && behind(climb, count)) {
@@ -245,7 +247,7 @@ static int follow_arc(double *y, struct hawser__climb *climb, struct hawser__orb
 		memcpy(y, climb->good, (size_t)count*sizeof *y);
 		return 0;
 	}
-	while (!failed && step > LEAST_ARC && !hawser__climb_turned(climb)) {
+	while (!failed && step > least && !hawser__climb_turned(climb)) {
 		double off, before = climb->load;
 
 		for (int i = 0; i <= count; i++)

@@ -20,6 +20,8 @@
 
 #define ORBIT 1e-6 /* see struct hawser_map_source: a hundredth of the width of a map's brackets */
 
+#define LEVEL 1e-8 /* of logarithms: below it a multiplier counts as on the unit circle */
+
 struct worker {
 	struct hawser__map_cable *cable;
 	struct hawser__map_room room;
@@ -410,6 +412,16 @@ static enum hawser_status measure(struct worker *worker, struct hawser_map_sampl
 	                    : HAWSER_OK;
 }
 
+/* Whether an odd number of multipliers are real and above 1. */
+static int is_odd(const struct hawser__map_room *room)
+{
+	int count = 0;
+
+	for (int i = 0; i < 2*room->n; i++)
+		count += room->argument[i] == 0.0 && room->log_modulus[i] > LEVEL;
+	return count%2;
+}
+
 enum hawser_status hawser__map_worker_point(void *context, struct hawser_map_sample *sample,
                                             double *marks, double x, double y,
                                             struct hawser_report *report)
@@ -418,17 +430,21 @@ enum hawser_status hawser__map_worker_point(void *context, struct hawser_map_sam
 	const double at[2] = {x, y};
 	const struct hawser_rom *rom = NULL;
 	double omega, asked = worker->cable->source.orbit;
-	enum hawser_status status;
-	int steady;
+	enum hawser_status status = HAWSER_OK;
+	int steady, again = 1;
 
 	*sample = (struct hawser_map_sample){0.0, 0, HAWSER_MAP_OK};
 	for (int k = 0; marks && k < worker->cable->marks; k++)
 		marks[k] = 0.0;
 	worker->about.guide = hawser__map_guide(worker->cable, x, y);
 	worker->about.tolerance = worker->room.finer ? 0.0 : asked > 0.0 ? asked : ORBIT;
-	status = model_at(&rom, &omega, &steady, worker, at, report);
-	if (!status)
-		status = measure(worker, sample, marks, rom, omega, report);
+	for (worker->about.slow = 0; again; worker->about.slow = again) {
+		worker->about.unsure = 0;
+		status = model_at(&rom, &omega, &steady, worker, at, report);
+		if (!status)
+			status = measure(worker, sample, marks, rom, omega, report);
+		again = !status && worker->cable->moves && worker->about.unsure && is_odd(&worker->room);
+	}
 	if (status && hawser__map_own_failure(sample, status, steady)) {
 		sample->value = 0.0;
 		sample->number = 0;
