@@ -249,6 +249,7 @@ static int judge_early(void *data, const struct hawser_progress_state *state)
 {
 	struct early *early = data;
 	struct cli_frf_result so_far = *early->result;
+	struct hawser_progress_state shown = *state;
 
 	if (state->frf && state->frf->points >= fewest &&
 	    hawser_orbit_work(&state->frf->cost, &so_far.model->rom) > early->next) {
@@ -258,7 +259,9 @@ static int judge_early(void *data, const struct hawser_progress_state *state)
 		early->called = !cli_fixed_estimate(&so_far, NULL) && so_far.error.stated &&
 		                hawser_accuracy_truncated(so_far.error.fixed.truncation);
 	}
-	return early->called || early->progress.function(early->progress.data, state);
+	if (early->next == soon) /* what follows the curve is not known */
+		shown.fraction = shown.left = NAN;
+	return early->called || early->progress.function(early->progress.data, &shown);
 }
 
 enum hawser_status cli_exact_trace(struct hawser_frf *frf, struct hawser_frf_options *options,
