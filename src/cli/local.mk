@@ -153,6 +153,7 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/motion/warnings_net.c \
 	%D%/motion/film_net.h \
 	%D%/model/exact.c \
+	%D%/model/exact_plane.c \
 	%D%/model/exact.h \
 	%D%/model/film_ropeway.c \
 	%D%/model/film_ropeway.h \

@@ -12,6 +12,8 @@
 const struct hawser__tree_key *hawser__row(int index);
 
 int hawser__key_find(const char *path); /* index, or -1 */
+/* " N": the unit of the number at this path, as it follows a value; "": a pure one, or no number. */
+const char *hawser__key_unit(const struct hawser_scene *scene, const char *path, char unit[static 32]);
 
 /* A list of the scene, whose items are mappings: a row of the table in keys.c. A name is the last
  * member of an item. */

@@ -118,6 +118,15 @@ enum hawser_status hawser_scene_get(const struct hawser_scene *scene, double *va
 	return HAWSER_OK;
 }
 
+const char *hawser__key_unit(const struct hawser_scene *scene, const char *path, char unit[static 32])
+{
+	int element, item, index = locate(scene, path, &element, &item);
+	const char *of = index < 0 ? "1" : hawser_scene_key(index)->unit;
+
+	snprintf(unit, 32, " %s", of);
+	return strcmp(of, "1") == 0 || !*of ? "" : unit;
+}
+
 static enum hawser_status out_of_range(const char *path, double value, int index,
                                        struct hawser_report *report)
 {

@@ -299,4 +299,26 @@ import json
 lost = json.load(open("lost.json"))
 assert set(lost["points"]["status"]) == {"no-response"} and "was lost at 0.06" in json.dumps(lost), lost
 END
+# the error of the model over a key of the scene is not that of the scene's own value
+for t in -30 20; do
+	"$HAWSER" map "$top/notebooks-data/scenes/conductor.yaml" --x Omega=0.95238:1.164 --y factor.load=0.5:1 --points 2x2 --coarse 1 \
+		--set "temperature.change=$t K" -q --json "at$t.json" 2>/dev/null
+done
+"$HAWSER" map "$top/notebooks-data/scenes/conductor.yaml" --x Omega=0.95238:1.164 --y temperature.change=-30:20 --points 2x2 --coarse 1 -q \
+	--json over.json 2>/dev/null
+python "the error of the model is the largest of the plane's corners and middle" <<'END'
+import json
+over, cold, hot = (json.load(open(name + ".json"))["model_error"]["estimated"] for name in ("over", "at-30", "at20"))
+assert over >= hot > 2*cold > 0.1, (over, cold, hot)
+END
+python "a point over a key is that of the scene with the key" <<'END'
+import json
+over, cold, hot = (json.load(open(name + ".json"))["points"] for name in ("over", "at-30", "at20"))
+def at(p, wanted):
+    return [(value, status) for y, value, status in zip(p["y"], p["value"], p["status"]) if y == wanted]
+for t, points in ((-30, cold), (20, hot)):
+    a, b = at(over, t), at(points, 1)
+    assert len(a) == len(b) == 2 and [s for v, s in a] == [s for v, s in b] and any(s == "ok" for v, s in a), (a, b)
+    assert all(s != "ok" or abs(v - w) < 1e-8 for (v, s), (w, r) in zip(a, b)), (a, b)
+END
 done_testing

@@ -20,10 +20,6 @@
 
 /* The longest step of its curves, relative to the range (hawser__accuracy_settle). */
 static const double longest = 0.02;
-/* Of a map of amplitudes: work of a row over that of a draft (three rows of a footbridge: 2.7), and the
- * range about one frequency; chosen. */
-static const double row = 3.0, around = 1.05;
-
 /* Work of it that an error is worth which is not known otherwise; chosen. */
 static const double for_error = 6.0;
 
@@ -240,24 +236,27 @@ static enum hawser_status judge_curve(struct hawser_frf *frf, struct hawser_frf_
 /* A curve of modes whose motions so far are judged from time to time. */
 struct early {
 	struct hawser_progress progress; /* the caller's */
-	const struct cli_frf_result *result;
-	double next; /* work of the next judgement */
-	int called;  /* 1: no number of modes makes these motions right, and the curve has ended */
+	const struct cli_model *model;
+	double from, to, next; /* next: work of the next judgement */
+	int sought; /* 1: the exact energy takes its place, where no number of modes makes it right */
+	int called; /* 1: that is so, or the error is as large as any, and the curve has ended */
 };
 
 static int judge_early(void *data, const struct hawser_progress_state *state)
 {
 	struct early *early = data;
-	struct cli_frf_result so_far = *early->result;
+	const struct cli_model *model = early->model;
 	struct hawser_progress_state shown = *state;
+	struct hawser_accuracy_fixed fixed;
 
 	if (state->frf && state->frf->points >= fewest &&
-	    hawser_orbit_work(&state->frf->cost, &so_far.model->rom) > early->next) {
+	    hawser_orbit_work(&state->frf->cost, &model->rom) > early->next) {
 		early->next *= later;
-		so_far.frf = state->frf;
-		so_far.error = (struct cli_model_error){.stated = 0};
-		early->called = !cli_fixed_estimate(&so_far, NULL) && so_far.error.stated &&
-		                hawser_accuracy_truncated(so_far.error.fixed.truncation);
+		early->called = !hawser_accuracy_fixed(&fixed, &model->rom, state->frf, model->modes.n,
+		                                       &model->statics, &model->scene, early->from,
+		                                       early->to, NULL) &&
+		                (early->sought ? hawser_accuracy_truncated(fixed.truncation)
+		                               : fixed.estimated >= 1.0);
 	}
 	if (early->next == soon) /* what follows the curve is not known */
 		shown.fraction = shown.left = NAN;
@@ -268,11 +267,13 @@ enum hawser_status cli_exact_trace(struct hawser_frf *frf, struct hawser_frf_opt
                                    struct cli_model *model, struct cli_frf_result *result, int step,
                                    struct hawser_report *report)
 {
-	struct early early = {options->progress, result, .next = soon};
+	struct early early = {options->progress, model, result->from, result->to, soon, .sought = 1};
 	struct hawser_frf_options choice = *options;
+	char lacks[CLI_WARNING_SIZE];
 	enum hawser_status status;
 
-	if (cli_exact_calls(model, NULL))
+	if (cli_exact_calls(model, NULL) &&
+	    !cli_known_lacks(lacks, sizeof lacks, model, fmax(result->from, result->to)))
 		choice.progress = (struct hawser_progress){judge_early, &early};
 	status = hawser_frf_trace(frf, &model->rom, &choice, report);
 	status = judge_curve(frf, options, model, result, step, status, report);
@@ -322,7 +323,9 @@ enum hawser_status cli_exact_range(struct cli_model *model, double from, double 
 	struct cli_watch watch = {{.quiet = common->quiet}, "the model's error"};
 	struct hawser_frf_options options = {.method = "balance", .from = from, .to = to,
 		.step_max = 0.02, .skip_events = 1, .unjudged = 1, .end_at_slack = 1,
-		.max_points = HAWSER_INSTEAD_POINTS, .samples = HAWSER_NONE, .progress = {cli_watch, &watch}};
+		.max_points = HAWSER_INSTEAD_POINTS, .samples = HAWSER_NONE};
+	struct early early = {{cli_watch, &watch}, model, from, to, soon,
+	                      .sought = after >= 0.0 && cli_exact_calls(model, NULL)};
 	struct hawser_accuracy better = {.tries = 0};
 	struct hawser_frf frf = {.n = 0};
 	enum hawser_status status;
@@ -334,56 +337,31 @@ enum hawser_status cli_exact_range(struct cli_model *model, double from, double 
 	                                        .timed = !common->reproducible,
 	                                        .about = "folds and peaks", .advice = cli_fixed_advice,
 	                                        .per_omega = cli_per_omega(model), .fixed.estimated = NAN};
+	options.progress = (struct hawser_progress){judge_early, &early};
 	status = judge(&frf, model, &options, report);
 	if (!status && after >= 0.0 && is_wanted(model, &model->error) &&
 	    (model->error.unweighed || isfinite(model->error.fixed.estimated))) {
+		int points = points_wanted(&frf, &options);
+
 		options.step_max = 0.0;
-		status = search(&better, model, &model->error, NULL, &options, &frf, frf.points, after, report);
+		options.progress = early.progress;
+		status = search(&better, model, &model->error, NULL, &options, &frf, points, after, report);
 		hawser_accuracy_clear(&better);
+	}
+	/* that of a part of the curve, which is not the model's error unless that is as large as any */
+	if (!status && early.called && early.sought && !model->exact.functions && !cli_interrupted() &&
+	    model->error.fixed.estimated < 1.0) {
+		hawser_frf_clear(&frf);
+		options.step_max = longest;
+		options.progress = (struct hawser_progress){judge_early, &early};
+		early.sought = early.called = 0;
+		status = judge(&frf, model, &options, report);
 	}
 	hawser_frf_clear(&frf);
 	cli_progress_end(&watch.progress);
 	if (status || !model->exact.functions)
 		return status;
 	return cli_basis_check(model, fmax(from, to), report);
-}
-
-/* rad/s; there is the scene alone, which then has the keys of the exact energy. */
-static enum hawser_status choose_for(struct cli_model *model, int n, double from, double to,
-                                     double after, const struct cli_common *common,
-                                     struct hawser_report *report)
-{
-	struct cli_model own = {.has_scene = 0};
-	enum hawser_status status = cli_model_load(&own, common, n, report);
-	double unit = cli_per_omega(&own);
-
-	if (!status)
-		status = cli_exact_range(&own, from/unit, to/unit, after, common, report);
-	if (!status && own.exact.functions) {
-		model->scene.model.energy = HAWSER_ENERGY_EXACT;
-		model->scene.model.basis = own.exact.functions;
-	}
-	if (!status)
-		cli_known_warn(&own, to/unit);
-	model->exact = own.exact;
-	model->error = own.error;
-	cli_model_clear(&own);
-	return status;
-}
-
-enum hawser_status cli_exact_plane(const struct cli_plane *plane, struct cli_model *model, int n,
-                                   const struct cli_common *common, struct hawser_report *report)
-{
-	int k = strcmp(plane->key[1], "Omega") == 0, axis = k || strcmp(plane->key[0], "Omega") == 0;
-	double from = axis ? plane->from[k] : plane->omega/around;
-	double to = axis ? plane->to[k] : plane->omega*around;
-
-	if (!model->has_scene && from > 0.0)
-		model->error.to = to/cli_per_omega(model);
-	if (!model->has_scene || model->scene.beam.form || !(from > 0.0) ||
-	    (model->scene.travel.present && plane->rows == 0)) /* of which judged.h states the error */
-		return HAWSER_OK;
-	return choose_for(model, n, from, to, plane->rows > 0 ? row*plane->rows : -1.0, common, report);
 }
 
 void cli_exact_range_comments(struct hawser__table *table, const struct cli_model *model)

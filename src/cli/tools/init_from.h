@@ -3,7 +3,6 @@
 #ifndef HAWSER_CLI_INIT_FROM_H
 #define HAWSER_CLI_INIT_FROM_H
 
-#include <stddef.h>
 #include <stdio.h>
 
 #include <hawser/status.h>

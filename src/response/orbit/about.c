@@ -179,11 +179,11 @@ enum hawser_status hawser__about_response(struct hawser__about *about, const str
 		                      : "at Omega %.9g%s the response that grows out of rest was lost at "
 		                        "%.3g of the excitation: it has a fold there, where it jumps, or "
 		                        "changes too fast to be followed in all points of a plane; hawser "
-		                        "frf --over factor.load, from 0.01 to that of the point, with this "
-		                        "--Omega tells which",
+		                        "frf --over factor.load, from 0.01, at this point tells which",
 		                      HAWSER_SHOWN(rom, omega), raised.load);
 	if (!status) {
 		about->error = orbit->ops->error(orbit, correction.residual);
+		hawser__balance_transform((struct hawser__balance *)orbit);
 		status = take(about, rom, (const struct hawser__balance *)orbit, omega, report);
 	}
 	close_orbit(orbit, y);

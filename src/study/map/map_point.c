@@ -4,14 +4,17 @@
 #include "config.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/append.h"
 #include "core/report.h"
 #include "response/orbit/about.h"
 #include "response/floquet/linear_margin.h"
 #include "response/orbit/load.h"
 #include "rom/build/build.h"
+#include "scene/keys.h"
 #include "study/map/map.h"
 #include "study/map/map_cable.h"
 
@@ -285,6 +288,22 @@ static enum hawser_status of_point(const struct hawser_rom **rom, double *omega,
 	return status ? status : apply(rom, omega, worker, at, report);
 }
 
+/* A report that names the frequency alone gets the other keys of the point, in front. */
+static void name_keys(struct hawser_report *report, const struct hawser__map_cable *cable,
+                      const double at[2])
+{
+	const struct hawser_map_source *source = &cable->source;
+	char keys[160] = "", message[sizeof report->message], unit[32];
+
+	for (int k = 0; k < 2; k++)
+		if (cable->reach[k] != HAWSER__REACH_OMEGA)
+			hawser__append(keys, sizeof keys, ", ", "%.60s = %.9g%s", source->key[k], at[k],
+			               source->scene ? hawser__key_unit(source->scene, source->key[k], unit) : "");
+	memcpy(message, report->message, sizeof message);
+	if (*keys)
+		snprintf(report->message, sizeof report->message, "%s: %.470s", keys, message);
+}
+
 /* The same; of what moves, the model of motions about its response. *steady: 2: the response failed. */
 static enum hawser_status model_at(const struct hawser_rom **rom, double *omega, int *steady,
                                    struct worker *worker, const double at[2],
@@ -292,10 +311,12 @@ static enum hawser_status model_at(const struct hawser_rom **rom, double *omega,
 {
 	enum hawser_status status = of_point(rom, omega, steady, worker, at, report);
 
-	if (status)
-		return status;
-	status = respond(rom, *omega, worker, report);
-	*steady = status ? 2 : 0;
+	if (!status) {
+		status = respond(rom, *omega, worker, report);
+		*steady = status ? 2 : 0;
+	}
+	if ((status == HAWSER_ERR_NO_SOLUTION || status == HAWSER_ERR_CONVERGENCE) && report)
+		name_keys(report, worker->cable, at);
 	return status;
 }
 
