@@ -12,8 +12,8 @@
 #include "core/progress.h"
 
 #define WORTH 0.02  /* part of a whole above which a time left is told; chosen */
-#define RECENT 0.3  /* last part of a run in which the end that was foreseen is to be the same, */
-#define SAME 1.6    /* to this factor; chosen */
+#define RECENT 0.4  /* last part of a run in which the end that was foreseen is to be the same, */
+#define SAME 1.45   /* to this factor; chosen, below 1/(1 - RECENT), that of a part that stays */
 #define LONGER 1.25 /* factor on the earliest end that was told, above which another says so; chosen */
 
 double hawser__wall_seconds(void)
