@@ -90,8 +90,8 @@ static void remember(struct hawser__forecast *forecast, double at, double end)
 	forecast->past[forecast->count++].end = end;
 }
 
-/* Whether this end has been foreseen for the last part of the run. */
-static int is_steady(const struct hawser__forecast *forecast, double at, double end)
+/* If this end has been foreseen for the last part of the run, the latest one that was; else NAN. */
+static double latest(const struct hawser__forecast *forecast, double at, double end)
 {
 	double low = end, high = end, since = at;
 
@@ -100,7 +100,7 @@ static int is_steady(const struct hawser__forecast *forecast, double at, double 
 		low = fmin(low, forecast->past[i].end);
 		high = fmax(high, forecast->past[i].end);
 	}
-	return since <= (1.0 - RECENT)*at && high <= SAME*low;
+	return since <= (1.0 - RECENT)*at && high <= SAME*low ? high : NAN;
 }
 
 void hawser__forecast_hear(struct hawser__forecast *forecast,
@@ -119,10 +119,11 @@ void hawser__forecast_hear(struct hawser__forecast *forecast,
 void hawser__forecast_tell(struct hawser__forecast *forecast, struct hawser_progress_state *state)
 {
 	double at = hawser__wall_seconds() - forecast->began, end = forecast->end;
+	double last = latest(forecast, at, end);
 
 	state->left = end - at;
-	if (state->left >= 0.0 && is_steady(forecast, at, end)) {
-		forecast->told = fmax(forecast->told, at/end);
+	if (state->left >= 0.0 && !isnan(last)) {
+		forecast->told = fmax(forecast->told, at/last);
 		if (!(forecast->soonest > 0.0 && forecast->soonest < end))
 			forecast->soonest = end;
 		state->longer = end > LONGER*forecast->soonest;
