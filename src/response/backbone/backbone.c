@@ -175,8 +175,8 @@ static enum hawser_status begin(struct hawser__free_walk *walk, struct hawser_re
 	return record(walk, &correction, report);
 }
 
-/* The part of a curve that is done, by its amplitudes [points] or energies: at first they grow by a factor
- * a step, then by lengths. */
+/* The part of a curve that is done, by its amplitudes or energies: at first they grow by a factor a
+ * step, then by lengths. */
 static double part_of(const struct hawser__free_walk *walk)
 {
 	const struct hawser_backbone *backbone = walk->backbone;

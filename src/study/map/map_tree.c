@@ -222,9 +222,9 @@ static int varied(const struct hawser__mapper *mapper, const struct hawser__map_
 	return corner[0]->code == HAWSER_MAP_OK && mapper->options->jump > 0.0 ? steep(mapper, corner) : 0;
 }
 
-/* Expected number of further points: at each level a boundary crosses twice as many cells, down to those
- * whose shorter side cannot be split, as tongues have them; the brackets of boundaries take about as many
- * as the last level. */
+/* Expected number of further points: at each level a boundary crosses twice as many cells, down to
+ * those whose shorter side cannot be split, as tongues have them; the brackets of boundaries take about
+ * as many as the last level. */
 static long expect(const struct hawser__mapper *mapper, const struct hawser__map_cells *cells)
 {
 	const struct hawser__map_cell *cell = cells->cell;
