@@ -51,6 +51,7 @@ struct hawser_accuracy {
 	struct hawser_accuracy_try attempt[HAWSER_ACCURACY_TRIES];
 	int tries;
 	double seconds;              /* wall time of the whole search */
+	double began;                /* s, on a clock of its own: when full-order models began */
 	int functions;               /* of the last full-order model that was looked at; 0: none */
 	int checked;                 /* options->after: coordinates of the model that confirms it */
 	double foreseen;             /* s of processor time of full-order models and what follows, as

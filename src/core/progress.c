@@ -11,7 +11,10 @@
 
 #include "core/progress.h"
 
-#define WORTH 0.02 /* part of a whole above which a time left is told; chosen */
+#define WORTH 0.02  /* part of a whole above which a time left is told; chosen */
+#define RECENT 0.4  /* last part of a run in which the end that was foreseen is to be the same, */
+#define SAME 1.45   /* to this factor; chosen, below 1/(1 - RECENT), that of a part that stays */
+#define LONGER 1.25 /* factor on the earliest end that was told, above which another says so; chosen */
 
 double hawser__wall_seconds(void)
 {
@@ -39,6 +42,21 @@ struct hawser_progress_state hawser__progress_state(const char *stage, const cha
 		.omega = NAN, .load = NAN, .events = -1};
 }
 
+int hawser__told_to_stop(const struct hawser_progress *progress,
+                         const struct hawser_progress_state *state)
+{
+	struct hawser_progress_state told = *state;
+	double fresh = told.done > 0 ? (double)told.fresh/(double)told.done : 1.0;
+
+	if (!progress->function)
+		return 0;
+	if (isnan(told.fraction) && told.expected > 0)
+		told.fraction = (double)told.done/(double)told.expected;
+	if (isnan(told.left) && fresh*told.fraction > 0.0)
+		told.left = told.seconds*(1.0 - told.fraction)/(fresh*told.fraction);
+	return progress->function(progress->data, &told);
+}
+
 void hawser__span_stage(struct hawser__span *span, double from, double to)
 {
 	span->from = from;
@@ -53,6 +71,66 @@ void hawser__span_foretell(struct hawser__span *span, struct hawser_progress_sta
 	state->fraction = span->reached;
 	state->left = span->reached > WORTH ? (hawser__wall_seconds() - span->began)*
 	                                      (1.0/span->reached - 1.0) : NAN;
+}
+
+/* Remember a forecast; when there is no room, every second one goes. */
+static void remember(struct hawser__forecast *forecast, double at, double end)
+{
+	int kept = 0;
+
+	if (forecast->count == HAWSER__FORECASTS) {
+		for (int i = 0; i < HAWSER__FORECASTS; i += 2)
+			forecast->past[kept++] = forecast->past[i];
+		forecast->count = kept;
+	}
+	if (forecast->count > 0 &&
+	    at - forecast->past[forecast->count - 1].at < 2.0*RECENT*at/HAWSER__FORECASTS)
+		return;
+	forecast->past[forecast->count].at = at;
+	forecast->past[forecast->count++].end = end;
+}
+
+/* If this end has been foreseen for the last part of the run, the latest one that was; else NAN. */
+static double latest(const struct hawser__forecast *forecast, double at, double end)
+{
+	double low = end, high = end, since = at;
+
+	for (int i = forecast->count - 1; i >= 0 && since > (1.0 - RECENT)*at; i--) {
+		since = forecast->past[i].at;
+		low = fmin(low, forecast->past[i].end);
+		high = fmax(high, forecast->past[i].end);
+	}
+	return since <= (1.0 - RECENT)*at && high <= SAME*low ? high : NAN;
+}
+
+void hawser__forecast_hear(struct hawser__forecast *forecast,
+                           const struct hawser_progress_state *state)
+{
+	double now = hawser__wall_seconds();
+
+	if (forecast->began == 0.0)
+		forecast->began = now - hawser__processor_seconds();
+	if (isnan(state->left))
+		return;
+	forecast->end = now - forecast->began + state->left;
+	remember(forecast, now - forecast->began, forecast->end);
+}
+
+void hawser__forecast_tell(struct hawser__forecast *forecast, struct hawser_progress_state *state)
+{
+	double at = hawser__wall_seconds() - forecast->began, end = forecast->end;
+	double last = latest(forecast, at, end);
+
+	state->left = end - at;
+	if (state->left >= 0.0 && !isnan(last)) {
+		forecast->told = fmax(forecast->told, at/last);
+		if (!(forecast->soonest > 0.0 && forecast->soonest < end))
+			forecast->soonest = end;
+		state->longer = end > LONGER*forecast->soonest;
+	} else {
+		state->left = NAN;
+	}
+	state->fraction = forecast->told > 0.0 ? fmin(forecast->told, 0.99) : NAN;
 }
 
 static void add(char **text, size_t *size, const char *format, ...) HAWSER_PRINTF(3, 4);
@@ -89,5 +167,6 @@ void hawser_progress_text(const struct hawser_progress_state *state, char *text,
 	if (!isnan(state->load))
 		add(&text, &size, ", load %.4g", state->load);
 	if (!isnan(state->left))
-		add(&text, &size, ", about %.0f s left", state->left);
+		add(&text, &size, ", about %.0f s left%s", state->left,
+		    state->longer ? ", more than foreseen" : "");
 }

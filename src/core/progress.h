@@ -27,17 +27,36 @@ void hawser__span_stage(struct hawser__span *span, double from, double to);
  * left. */
 void hawser__span_foretell(struct hawser__span *span, struct hawser_progress_state *state);
 
+/* What was foreseen of a run that may have several stages. */
+enum { HAWSER__FORECASTS = 64 };
+struct hawser__forecast {
+	double began;      /* s, hawser__wall_seconds */
+	double told;       /* fraction of the run that was told last */
+	double end;        /* s since then: the end that was foreseen last; 0: none */
+	double soonest;    /* s: earliest end that was told; 0: none */
+	struct {
+		double at, end; /* s since `began`: when it was foreseen, and which end */
+	} past[HAWSER__FORECASTS];
+	int count;
+};
+
+/* Hear what each state says of its stage. */
+void hawser__forecast_hear(struct hawser__forecast *forecast,
+                           const struct hawser_progress_state *state);
+/* What can be told of the run in its place. `left` is that of the last state that had one, if the end
+ * that it means has stayed about where it is for the last part of the run; else NAN. `fraction` follows
+ * from that; it never falls. */
+void hawser__forecast_tell(struct hawser__forecast *forecast, struct hawser_progress_state *state);
+
 /* Whether the caller is to be asked. */
 static inline int hawser__is_watched(const struct hawser_progress *progress)
 {
 	return progress->function != NULL;
 }
 
-/* The caller's answer: nonzero ends the computation. 0 if nobody is to be asked. */
-static inline int hawser__told_to_stop(const struct hawser_progress *progress,
-                                       const struct hawser_progress_state *state)
-{
-	return progress->function && progress->function(progress->data, state);
-}
+/* The caller's answer: nonzero ends the computation. 0 if nobody is to be asked. What the state does
+ * not say follows: the fraction from `done` and `expected`, the time left from what is fresh of it. */
+int hawser__told_to_stop(const struct hawser_progress *progress,
+                         const struct hawser_progress_state *state);
 
 #endif

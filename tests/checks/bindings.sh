@@ -10,7 +10,7 @@ cat >"$scratch/want" <<'END'
 2 modes, 1.449219195 rad/s
 3 modes, 1.449219195 rad/s
 4 modes, 1.449219195 rad/s
-response: 0 %, 1 points, 0 events, Omega 1.37676; 5 of N points, interrupted
+response: 0 points, 0 events; 5 of N points, interrupted
 sizes agree
 first rows: g the distance of the ends catenary spectral spectral legendre gauss balance growth multiple-scales
 END

@@ -30,7 +30,8 @@ run.send_signal(number)
 out, err = run.communicate(timeout=600)
 if run.returncode != 128 + number:
     sys.exit("status %d, %s" % (run.returncode, err.decode()))
-pattern = r"frf: (\d+ %, )?\d+ points, \d+ events, Omega \S+?(, about \d+ s left)?|integrate: \d+ %, \d+ rows, about \d+ s left"
+left = r"(, about \d+ s left(, more than foreseen)?)?"
+pattern = rf"frf: (\d+ %, )?\d+ points, \d+ events(, Omega \S+?)?{left}|integrate: (\d+ %, )?\d+ rows{left}"
 for line in (text + err.decode()).splitlines():
     assert re.fullmatch(pattern, line), line
 result = json.load(open(output))

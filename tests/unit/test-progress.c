@@ -60,6 +60,67 @@ static void stages(double began)
 	close_to(state.fraction, 0.4, 1e-12, "it does not fall");
 }
 
+static int keep(void *data, const struct hawser_progress_state *state)
+{
+	*(struct hawser_progress_state *)data = *state;
+	return 0;
+}
+
+/* 6 of 20, of which 2 were there before: 4 took 3 s, so that 14 take 10.5 s. */
+static void left_of(double began)
+{
+	struct hawser_progress_state told,
+		state = hawser__progress_state("sweep", "points", 6, began - 3.0);
+	const struct hawser_progress progress = {keep, &told};
+
+	state.expected = 20;
+	state.fresh = 4;
+	hawser__told_to_stop(&progress, &state);
+	close_to(told.fraction, 0.3, 1e-12, "the fraction follows from the numbers");
+	close_to(told.left, 10.5, 0.1, "the time left follows from those that this run has computed");
+	state.left = 7.0;
+	hawser__told_to_stop(&progress, &state);
+	close_to(told.left, 7.0, 1e-12, "unless the computation knows better");
+}
+
+/* What is told of the state at a second of a run; left: NAN: the stage says nothing. */
+static struct hawser_progress_state told_at(struct hawser__forecast *forecast, double at, double left)
+{
+	struct hawser_progress_state state = hawser__progress_state("sweep", "points", 6,
+	                                                            hawser__wall_seconds());
+
+	forecast->began = hawser__wall_seconds() - at;
+	state.left = left;
+	hawser__forecast_hear(forecast, &state);
+	hawser__forecast_tell(forecast, &state);
+	return state;
+}
+
+static void forecasts(void)
+{
+	struct hawser__forecast steady = {.told = 0.0}, drifting = {.told = 0.0};
+	struct hawser_progress_state state;
+	int told = 0;
+
+	ok(isnan(told_at(&steady, 0.1, NAN).left), "nothing is known");
+	ok(isnan(told_at(&steady, 1.0, 9.0).left), "a first forecast is not told");
+	for (double at = 1.1; at < 2.0; at += 0.1)
+		state = told_at(&steady, at, 10.0 - at);
+	close_to(state.left, 8.1, 0.2, "one that stays is told");
+	close_to(state.fraction, 0.19, 0.01, "with the part of the run that it means");
+	state = told_at(&steady, 3.0, NAN);
+	close_to(state.left, 7.0, 0.01, "a stage that says nothing leaves the end where it was");
+	state = told_at(&steady, 4.0, 10.0);
+	ok(state.longer && state.fraction >= 0.28, "a later end says so, and the part does not fall: %g",
+	   state.fraction);
+	for (double at = 1.0; at < 20.0; at *= 1.1)
+		told += !isnan(told_at(&drifting, at, at*at).left);
+	ok(told < 8, "ends that run away are not told: %d of 32 are", told);
+	for (double at = 20.0; at < 60.0; at += 0.1)
+		state = told_at(&drifting, at, 100.0 - at);
+	close_to(state.left, 40.0, 1.0, "after many more than are kept the last ones count");
+}
+
 CASE(unit_progress)
 {
 	double began = hawser__wall_seconds();
@@ -96,6 +157,8 @@ CASE(unit_progress)
 	state.done = 2;
 	ok(!hawser__told_to_stop(&progress, &state), "2 of at most 4: it goes on");
 	stages(began);
+	left_of(began);
+	forecasts();
 	clock_of_limited();
 	return done_testing();
 }

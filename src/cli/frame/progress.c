@@ -11,10 +11,12 @@
 
 #include "cli/frame/cli.h"
 #include "cli/frame/progress.h"
+#include "core/progress.h"
 
 enum { LINE_SIZE = 200 };
 static const double interval_secs = 0.1, line_secs = 0.5; /* of a line that is rewritten, or kept */
 static volatile sig_atomic_t asked;
+static struct hawser__forecast forecast; /* of the whole run, whatever its stages are */
 
 static void ask(int number)
 {
@@ -111,9 +113,11 @@ int cli_watch(void *data, const struct hawser_progress_state *state)
 	char text[LINE_SIZE];
 	const char *end;
 
+	hawser__forecast_hear(&forecast, state);
 	if (due(&watch->progress, &end)) {
 		if (watch->label)
 			shown.stage = watch->label;
+		hawser__forecast_tell(&forecast, &shown);
 		hawser_progress_text(&shown, text, sizeof text);
 		show(&watch->progress, text, end);
 	}

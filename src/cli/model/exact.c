@@ -266,6 +266,7 @@ static int judge_early(void *data, const struct hawser_progress_state *state)
 {
 	struct early *early = data;
 	const struct cli_model *model = early->model;
+	struct hawser_progress_state shown = *state;
 	struct hawser_accuracy_fixed fixed;
 
 	if (state->frf && state->frf->points >= fewest &&
@@ -277,7 +278,9 @@ static int judge_early(void *data, const struct hawser_progress_state *state)
 		                (early->sought ? hawser_accuracy_truncated(fixed.truncation)
 		                               : fixed.estimated >= 1.0);
 	}
-	return early->called || early->progress.function(early->progress.data, state);
+	if (early->next == soon) /* what follows the curve is not known */
+		shown.fraction = shown.left = NAN;
+	return early->called || early->progress.function(early->progress.data, &shown);
 }
 
 enum hawser_status cli_exact_trace(struct hawser_frf *frf, struct hawser_frf_options *options,

@@ -119,10 +119,7 @@ int cli_sweep_watch(struct cli_sweep_run *run)
 
 	state.expected = run->count;
 	state.fresh = run->fresh;
-	state.fraction = (double)run->done/(double)run->count;
-	if (run->fresh > 0)
-		state.left = state.seconds*(double)(run->count - run->done)/(double)run->fresh;
-	return cli_watch(&run->watch, &state);
+	return hawser__told_to_stop(&(struct hawser_progress){cli_watch, &run->watch}, &state);
 }
 
 enum hawser_status cli_sweep_interrupted(const struct cli_sweep_run *run,

@@ -175,6 +175,26 @@ static enum hawser_status begin(struct hawser__free_walk *walk, struct hawser_re
 	return record(walk, &correction, report);
 }
 
+/* The part of a curve that is done, by its amplitudes or energies: at first they grow by a factor a
+ * step, then by lengths. */
+static double part_of(const struct hawser__free_walk *walk)
+{
+	const struct hawser_backbone *backbone = walk->backbone;
+	const struct hawser_backbone_point *first = backbone->point, *last = first + backbone->points - 1;
+	double start, size;
+
+	if (walk->options->energy > 0.0) {
+		start = sqrt(first->energy/walk->options->energy);
+		size = sqrt(last->energy/walk->options->energy);
+	} else {
+		start = backbone->coordinate[walk->options->mode]/walk->options->size;
+		size = backbone->coordinate[(size_t)(backbone->points - 1)*backbone->n + walk->options->mode]/
+		       walk->options->size;
+	}
+	return start > 0.0 && start < 1.0 && size > start
+	       ? fmin(0.5*(1.0 - log(size)/log(start) + size), 1.0) : NAN;
+}
+
 static int told_to_stop(const struct hawser__free_walk *walk)
 {
 	const struct hawser_backbone *backbone = walk->backbone;
@@ -184,6 +204,7 @@ static int told_to_stop(const struct hawser__free_walk *walk)
 		return 0;
 	state = hawser__progress_state("backbone", "points", backbone->points, walk->began);
 	state.omega = backbone->point[backbone->points - 1].omega/walk->rom->time;
+	state.fraction = part_of(walk);
 	return hawser__told_to_stop(&walk->options->progress, &state);
 }
 

@@ -15,6 +15,7 @@
 #include <hawser/cover.h>
 
 #include "core/grow.h"
+#include "core/progress.h"
 #include "core/report.h"
 #include "response/branch/trace.h"
 
@@ -62,6 +63,16 @@ static int cut(struct gaps *gaps, const struct hawser_frf *frf)
 		g += most < end;
 	}
 	return 0;
+}
+
+/* How much of the range further branches cover says nothing of the time that they take: beginnings that
+ * are sought in vain take most of it. */
+static int watch_gaps(void *data, const struct hawser_progress_state *state)
+{
+	struct hawser_progress_state told = *state;
+
+	told.fraction = told.left = NAN;
+	return hawser__told_to_stop(data, &told);
 }
 
 /* The widest gap that may be looked into, or -1. */
@@ -217,6 +228,7 @@ enum hawser_status hawser_cover_trace(struct hawser_cover *cover, const struct h
 	double lo = fmin(options->from, options->to), hi = fmax(options->from, options->to);
 	struct hawser_frf_options back = *options;
 	struct gaps gaps = {.at = NULL};
+	struct hawser_progress progress = options->progress;
 	struct hawser_frf *frf;
 	enum hawser_status status = HAWSER_OK;
 
@@ -227,6 +239,8 @@ enum hawser_status hawser_cover_trace(struct hawser_cover *cover, const struct h
 	back.to = options->from;
 	back.begin = 0.0;
 	back.direction = 0;
+	if (hawser__is_watched(&options->progress))
+		back.progress = (struct hawser_progress){watch_gaps, &progress};
 	if (insert(&gaps, 0, lo, hi, 0) || cut(&gaps, first))
 		status = hawser__no_memory(report, "frf");
 	if (!status)

@@ -197,6 +197,8 @@ enum hawser_status hawser__trace_begin(struct hawser__trace *trace)
 	int failed;
 	enum hawser_status status;
 
+	orbit->tick = hawser__trace_tick;
+	orbit->owner = trace;
 	if (orbit->own == HAWSER__CYCLES) {
 		failed = 0;
 		status = hawser__own_cycle(trace, heading(&trace->options));

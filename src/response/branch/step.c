@@ -25,7 +25,6 @@
 #define REFINED_STEP 100.0     /* factor on that step with a finer discretisation; chosen */
 #define MOST_ENRICHED 4        /* finer discretisations of one orbit, each of which has to reduce */
 #define ENRICHED_ERROR 0.5     /* its error by this factor; both chosen */
-#define WORTH 0.02             /* part of a range above which a time left is told; chosen */
 #define CUT_CONTRACTION 3.0    /* borne by the corrector between two points of the branch, where no
                                 * other one is: the second step has what a stiff coordinate follows
                                 * by in the second order, as large as the first; chosen */
@@ -41,8 +40,6 @@ static void foretell(struct hawser_progress_state *state, struct hawser__trace *
 		return;
 	trace->reached = fmax(trace->reached, fmin((omega - o->from)/(o->to - o->from), 1.0));
 	state->fraction = trace->reached;
-	if (trace->reached > WORTH)
-		state->left = state->seconds*(1.0 - trace->reached)/trace->reached;
 }
 
 int hawser__trace_told_to_stop(struct hawser__trace *trace)
@@ -60,7 +57,13 @@ int hawser__trace_told_to_stop(struct hawser__trace *trace)
 		state.omega = omega/trace->rom->time;
 		foretell(&state, trace, omega);
 	}
-	return hawser__told_to_stop(&trace->options.progress, &state);
+	trace->stopped |= hawser__told_to_stop(&trace->options.progress, &state);
+	return trace->stopped;
+}
+
+void hawser__trace_tick(void *owner)
+{
+	(void)hawser__trace_told_to_stop(owner);
 }
 
 int hawser__trace_interrupted(void *owner, int tries)

@@ -92,6 +92,7 @@ struct hawser__trace {
 	double aim;             /* if it has this length; 0: at none */
 	int slow;               /* number of the last cycles that near a homoclinic orbit */
 	int slack;              /* 1: the curve ends at next, where the cable goes slack */
+	int stopped;            /* 1: the caller has ended the trace */
 	int known; /* number of stations before `here`, and `here` itself */
 	struct hawser_report *report;
 	struct hawser__hold hold;
@@ -116,8 +117,10 @@ enum hawser_status hawser__frf_trace(struct hawser_frf *frf, const struct hawser
                                      const struct hawser__trace_watch *watch,
                                      struct hawser_report *report);
 
-/* step.c: whether the caller's progress function ends the trace. */
+/* step.c: whether the caller's progress function ends the trace, now or when it was last asked. _tick
+ * asks, and the next step ends the trace. */
 int hawser__trace_told_to_stop(struct hawser__trace *trace);
+void hawser__trace_tick(void *owner);
 
 /* step.c: correct station->y in the plane of `row`, with a discretisation that is fine enough.
  * *failed becomes 1 if the corrector fails. */

@@ -308,6 +308,8 @@ int hawser__orbit_correct(struct hawser__orbit *orbit, double *y,
 {
 	int failed;
 
+	if (orbit->tick)
+		orbit->tick(orbit->owner);
 	*correction = (struct hawser__correction){0};
 	if (!approach(orbit, y, correction, &failed, row, tolerance) && !failed)
 		failed = iterate(orbit, y, correction, row, tolerance);

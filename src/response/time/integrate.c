@@ -316,7 +316,6 @@ static int told_to_stop(const struct hawser_integrate_options *options, double t
 		return 0;
 	state = hawser__progress_state("integration", "rows", rows, began);
 	state.fraction = (t - begin)/(options->until - begin);
-	state.left = state.seconds*(options->until - t)/(t - begin);
 	return hawser__told_to_stop(&options->progress, &state);
 }
 

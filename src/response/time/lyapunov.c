@@ -173,7 +173,6 @@ static enum hawser_status go(struct walk *walk, int fixed, int *interrupted,
 			continue;
 		state = hawser__progress_state("Lyapunov exponents", "periods", k + 1, began);
 		state.fraction = (0.5*fixed + (double)(k + 1)/(double)options->periods)/(1.0 + 0.5*fixed);
-		state.left = state.seconds*(double)(options->periods - k - 1)/(double)(k + 1);
 		*interrupted = hawser__told_to_stop(&options->progress, &state);
 	}
 	return status;

@@ -202,11 +202,8 @@ static int told_to_stop(const struct sweep *sweep, const struct hawser_sweep_opt
 		return 0;
 	state = hawser__progress_state("sweep", "frequencies", i, sweep->began);
 	state.expected = options->count;
-	state.fraction = (double)i/options->count;
-	if (i > 0) {
+	if (i > 0)
 		state.omega = sweep->omega*hawser__rom_periods(sweep->rom)/sweep->rom->time;
-		state.left = state.seconds*(options->count - i)/i;
-	}
 	return hawser__told_to_stop(&options->progress, &state);
 }
 

@@ -238,8 +238,6 @@ static int told_to_stop(const struct hawser__track *t, int done, double began)
 	struct hawser_progress_state state = hawser__progress_state("sweep", "values", done, began);
 
 	state.expected = t->options->points;
-	state.fraction = (double)done/t->options->points;
-	state.left = state.seconds*(t->options->points - done)/done;
 	return hawser__told_to_stop(&t->options->progress, &state);
 }
 

@@ -221,6 +221,7 @@ static enum hawser_status choose(struct hawser__draft *chosen, double *moved, do
 		if (traced.functions) { /* as many points, each of which takes longer */
 			next.points = chosen->points;
 			next.work = chosen->work*pow((double)next.rom.n/chosen->rom.n, 2.0);
+			next.until = chosen->until*pow((double)next.rom.n/chosen->rom.n, 2.0);
 		}
 		if (!status && away <= NEAR)
 			status = hawser__curve_points_distance(moved, &traced.curve, traced.mark,
@@ -273,8 +274,9 @@ static enum hawser_status follow(struct hawser_accuracy *a, struct hawser__marks
                                  const struct hawser__draft *chosen, double work,
                                  struct hawser_report *report)
 {
-	struct hawser__draft_watch watch = {options, a, work, 0.0, options->expected, &a->rom, a->rom.n,
-	                                    .drafts = 0};
+	const int points = (int)(HAWSER__MORE_POINTS*chosen->points);
+	struct hawser__draft_watch watch = {options, a, work, 0.0, a->began, points, &a->rom,
+	                                    chosen, a->rom.n, .drafts = 0};
 	struct hawser_frf_options frf = *settled;
 	enum hawser_status status;
 
@@ -350,7 +352,7 @@ static enum hawser_status search(struct hawser_accuracy *a, struct hawser__marks
 {
 	struct hawser_frf_options frf = settle(options, a->asked);
 	double moved = INFINITY, error[2] = {INFINITY, INFINITY}, work = 0.0;
-	double start = hawser__wall_seconds();
+	double start = a->began = hawser__wall_seconds();
 	int checked = 0;
 	enum hawser_status status = choose(chosen, &moved, error, &checked, condensed, a, scene, options,
 	                                   &frf, &work, report);

@@ -16,6 +16,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/progress.h"
 #include "core/report.h"
 #include "study/accuracy/carry.h"
 #include "response/orbit/balance.h"
@@ -90,7 +91,8 @@ enum hawser_status hawser__carry(struct hawser_frf *frf, int *lost, const struct
 	struct hawser__amplitude *amplitude = hawser__amplitude_new(rom);
 	struct hawser__station station = {.y = NULL};
 	struct hawser__orbit *orbit = NULL;
-	double *start = NULL;
+	struct hawser_progress_state told;
+	double *start = NULL, began = hawser__wall_seconds();
 	enum hawser_status status = amplitude ? HAWSER_OK : hawser__no_memory(report, "frf");
 
 	*frf = (struct hawser_frf){.n = rom->n, .probes = rom->shapes.points, .branch = 1, .period = 1,
@@ -118,6 +120,8 @@ enum hawser_status hawser__carry(struct hawser_frf *frf, int *lost, const struct
 			status = hawser__record_point(frf, amplitude, &station, orbit, report);
 		if (!status && !*lost)
 			status = orbit->ops->relax(orbit, options->tolerance, report);
+		told = hawser__progress_state("marks", "points", i + 1, began);
+		*lost |= hawser__told_to_stop(&options->progress, &told);
 	}
 	if (orbit)
 		orbit->ops->clear(orbit);

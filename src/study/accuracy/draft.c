@@ -13,6 +13,10 @@
 
 #define LONG 0.2        /* largest step of a curve for comparison, relative to the range; chosen */
 #define CARRIED 0.3     /* work of the marks in the next basis over that of a draft; chosen */
+/* For progress: work after a first draft until two bases agree, over that of it, and of the marks after
+ * a further one; of conductor.yaml and deep-sag.yaml. */
+#define AGAIN 1.0
+#define CHECKED 0.5
 #define ROUGH 1e-5      /* least tolerance of orbits at marks; chosen, far below the distances */
 #define JUDGING 1.5e-7  /* s of a set of multipliers, over the cube of the number of coordinates */
 #define DOUBT 2.0       /* factor of what is foreseen of a draft that has not ended; chosen */
@@ -105,6 +109,32 @@ static int wanders(struct hawser__draft_watch *watch, const struct hawser_frf *f
 	return watch->vain;
 }
 
+/* The time left: of the trace, and of what follows one whose work is `whole` in all. */
+static void foretell(struct hawser_progress_state *state, const struct hawser__draft_watch *watch,
+                     double work, double left, double whole)
+{
+	const struct hawser__draft *chosen = watch->chosen;
+	double done = watch->before + work, all = done + left, bearable = watch->options->bearable;
+
+	if (watch->drafts && chosen->functions)
+		all += hawser__draft_follows(watch->options, chosen->rom.n, chosen->points, chosen->until);
+	else if (watch->drafts)
+		all += hawser__draft_follows(watch->options, watch->n, watch->expected, whole);
+	if (watch->drafts)
+		all += (chosen->functions ? CHECKED : AGAIN)*whole;
+	if (watch->drafts && watch->options->partial) /* more ends the range */
+		all = fmax(done, fmin(all, bearable*(watch->a->foreseen > bearable ? A_PART : 1.0)));
+	state->fraction = fmin(done/all, 1.0);
+	state->left = (hawser__wall_seconds() - watch->began)*fmax(all/done - 1.0, 0.0);
+}
+
+/* The work of a trace in all. The part of it that is done is the mean of those by its points, which
+ * crowd at peaks, and by the range, where folds turn back; that is NAN or 0 where it is not known. */
+static double whole_of(double work, double by_points, double by_range)
+{
+	return work/(0.5*(by_points + (by_range > 0.0 ? by_range : by_points)));
+}
+
 /* Ends a draft when the work that is foreseen is more than can be borne, or with options->partial when
  * that of the part so far is or the curve wanders, or where the cable is slack from early on; tells the
  * time left. */
@@ -122,8 +152,8 @@ int hawser__draft_watch_trace(void *data, const struct hawser_progress_state *st
 
 		if (watch->drafts)
 			watch->a->foreseen = so_far(watch, points > most ? points : most, whole);
-		shown.fraction = fmin((double)points/most, 1.0);
-		shown.left = state->seconds*fmax((double)most/points - 1.0, 0.0);
+		whole = whole_of(work, fmin((double)points/most, 1.0), state->fraction);
+		foretell(&shown, watch, work, whole - work, whole);
 	}
 	watch->afforded = limited && watch->options->partial && points >= FIRST_POINTS &&
 	                  ((isfinite(watch->a->until)
@@ -197,12 +227,15 @@ static enum hawser_status draw(struct hawser__draft *draft, struct hawser__trace
                                struct hawser_accuracy *a,
                                const struct hawser_accuracy_options *options,
                                const struct hawser_frf_options *settled, double before,
-                               int expected, struct hawser_report *report)
+                               const struct hawser__draft *chosen, struct hawser_report *report)
 {
-	struct hawser__draft_watch watch = {options, a, before, CARRIED, expected, &draft->rom,
-	                                    draft->rom.n, .drafts = 1};
+	const int expected = chosen->functions ? (int)(HAWSER__MORE_POINTS*chosen->points)
+	                                       : options->expected;
+	struct hawser__draft_watch watch = {options, a, before, CARRIED, a->began, expected, &draft->rom,
+	                                    chosen, draft->rom.n, .drafts = 1};
 	struct hawser_frf_options frf = *settled;
 	struct hawser_report why = {.message = ""};
+	struct hawser_progress_state told;
 	struct hawser__trace_watch keep;
 	enum hawser_status status;
 
@@ -231,6 +264,11 @@ static enum hawser_status draw(struct hawser__draft *draft, struct hawser__trace
 	/* folds lead back into the range, which ends where it first does */
 	if (isfinite(a->until))
 		traced->curve = part(&traced->curve, log(a->until), settled->to > settled->from ? 1.0 : -1.0);
+	draft->points = traced->curve.points;
+	draft->until = draft->work*traced->curve.points/fmax(a->frf.points, 1.0);
+	told = hawser__progress_state("response", "points", a->frf.points, a->began);
+	foretell(&told, &watch, draft->work, 0.0, draft->until);
+	(void)hawser__told_to_stop(&options->frf.progress, &told);
 	traced->functions = draft->functions;
 	traced->end = a->frf.end;
 	return hawser__curve_marks(traced->mark, &traced->marks, &traced->curve, report);
@@ -283,9 +321,7 @@ enum hawser_status hawser__draft_draw(struct hawser__draft *next, double *moved,
 
 	*moved = INFINITY;
 	hawser__curve_clear(&next->curve);
-	status = draw(next, traced, a, options, settled, before,
-	              last.functions ? (int)(HAWSER__MORE_POINTS*chosen->points) : options->expected,
-	              report);
+	status = draw(next, traced, a, options, settled, before, chosen, report);
 	if (isfinite(a->until))
 		last.curve = part(&last.curve, log(a->until), settled->to > settled->from ? 1.0 : -1.0);
 	if (!status && !hawser__accuracy_cut(a) && last.functions && last.functions == chosen->functions &&

@@ -20,6 +20,7 @@ struct hawser__draft {
 	struct hawser__orbits orbits;
 	int functions, points;
 	double work;
+	double until;      /* of that, the part up to where the range now ends */
 	int largest[2];    /* columns of the peaks of the traced curve, when the search has left it */
 };
 
@@ -37,8 +38,11 @@ struct hawser__draft_watch {
 	struct hawser_accuracy *a;
 	double before; /* work of the traces that have ended */
 	double next;   /* work of another draft, over that of this one */
+	double began;  /* s, hawser__wall_seconds: when that began whose work `before` is */
 	int expected;  /* points of the trace; 0: not known */
 	const struct hawser_rom *rom; /* of the trace */
+	const struct hawser__draft *chosen; /* of a draft: the basis before it, whose response follows if
+	                                     * the two agree; functions 0: none */
 	int n;         /* coordinates of the model whose response follows */
 	int drafts;    /* 1: it is a draft, which may be given up */
 	int afforded;  /* 1: it was ended where the rest of the range is more than can be borne, */

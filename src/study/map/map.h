@@ -153,6 +153,7 @@ struct hawser__mapper {
 	struct hawser__map_probe *probe; /* [probes] inside edges between neighbouring nodes */
 	size_t probes;
 	int searched;             /* 1: map_ridges.c has been called */
+	long later;               /* points that are expected beyond those of this level of cells */
 	struct hawser__ridge_log tongues;
 	double low, high;         /* range of the values at nodes */
 };

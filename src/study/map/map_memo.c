@@ -17,8 +17,6 @@
 #include "core/share.h"
 #include "study/map/map.h"
 
-#define SURE_SECS 1.0 /* shortest time from which the remaining time is estimated: in less, too few
-                       * points are computed; chosen */
 enum { FIRST_CHUNK = 16 };
 
 static uint64_t mix(double x, double y)
@@ -192,10 +190,6 @@ int hawser__map_told_to_stop(const struct hawser__map_memo *memo, const char *st
 
 	state.expected = state.done + left;
 	state.fresh = memo->fresh;
-	if (state.expected > 0)
-		state.fraction = (double)state.done/(double)state.expected;
-	if (state.fresh > 0 && state.seconds > SURE_SECS)
-		state.left = state.seconds*(double)left/(double)state.fresh;
 	return hawser__told_to_stop(&memo->options->progress, &state);
 }
 

@@ -344,7 +344,7 @@ static enum hawser_status gaps(struct searches *list, struct hawser_report *repo
 			status = want(mapper, &list->item[list->count - 1], report);
 	}
 	if (!status)
-		status = hawser__map_run(&mapper->memo, "map: tongues", 0, report);
+		status = hawser__map_run(&mapper->memo, "map: tongues", mapper->later, report);
 	for (size_t c = count; c < list->count && !status && !mapper->memo.interrupted; c++) {
 		list->item[c].seen = 1;
 		status = keep(mapper, &list->item[c], report);
@@ -362,7 +362,7 @@ enum hawser_status hawser__map_ridges(struct hawser__mapper *mapper,
 	if (mapper->field->exponents == 0 || mapper->options->coarse == 1)
 		return HAWSER_OK;
 	if (!(status = edges(&list, cells, report)))
-		status = hawser__map_run(&mapper->memo, "map: tongues", 0, report);
+		status = hawser__map_run(&mapper->memo, "map: tongues", mapper->later, report);
 	list.nears = 1;
 	if (!status && !mapper->memo.interrupted)
 		status = edges(&list, cells, report);
@@ -372,7 +372,7 @@ enum hawser_status hawser__map_ridges(struct hawser__mapper *mapper,
 		for (size_t c = list.active; c < count && !status; c++)
 			status = want(mapper, &list.item[c], report);
 		if (!status)
-			status = hawser__map_run(&mapper->memo, "map: tongues", 0, report);
+			status = hawser__map_run(&mapper->memo, "map: tongues", mapper->later, report);
 		for (size_t c = list.active; c < count && !status && !mapper->memo.interrupted; c++)
 			status = judge(&list, c, report);
 		sort_out(&list);

@@ -14,7 +14,6 @@
 #include "core/share.h"
 #include "study/map/map_rows.h"
 
-#define SURE_SECS 1.0  /* shortest time from which the remaining time is estimated; chosen */
 enum { SETTINGS = 320 };
 
 int hawser__rows_told_to_stop(struct hawser__rows_mapper *mapper)
@@ -24,9 +23,6 @@ int hawser__rows_told_to_stop(struct hawser__rows_mapper *mapper)
 
 	state.expected = mapper->rows;
 	state.fresh = mapper->fresh;
-	state.fraction = (double)state.done/mapper->rows;
-	if (state.fresh > 0 && state.seconds > SURE_SECS)
-		state.left = state.seconds*(double)(mapper->rows - mapper->done)/(double)state.fresh;
 	if (hawser__told_to_stop(&mapper->options->progress, &state))
 		atomic_store(&mapper->stop, 1);
 	return atomic_load(&mapper->stop);

@@ -222,17 +222,19 @@ static int varied(const struct hawser__mapper *mapper, const struct hawser__map_
 	return corner[0]->code == HAWSER_MAP_OK && mapper->options->jump > 0.0 ? steep(mapper, corner) : 0;
 }
 
-/* Expected number of further points: at each level a boundary crosses twice as many cells. */
+/* Expected number of further points: at each level a boundary crosses twice as many cells, down to
+ * those whose shorter side cannot be split, as tongues have them; the brackets of boundaries take about
+ * as many as the last level. */
 static long expect(const struct hawser__mapper *mapper, const struct hawser__map_cells *cells)
 {
 	const struct hawser__map_cell *cell = cells->cell;
-	int size = cell->i1 - cell->i0 > cell->j1 - cell->j0 ? cell->i1 - cell->i0
+	int size = cell->i1 - cell->i0 < cell->j1 - cell->j0 ? cell->i1 - cell->i0
 	                                                     : cell->j1 - cell->j0;
 	long waiting = mapper->memo.waiting, later = 0;
 
 	for (; size > 1; size = (size + 1)/2)
 		later += later + waiting;
-	return later;
+	return later + (later + waiting);
 }
 
 /* Whether a node on the edge of the cell differs from its corner, or there is a narrow instability
@@ -263,8 +265,9 @@ static enum hawser_status level(struct hawser__mapper *mapper, struct hawser__ma
 {
 	enum hawser_status status = want_corners(mapper, cells, report);
 
+	mapper->later = expect(mapper, cells);
 	if (!status)
-		status = hawser__map_run(&mapper->memo, "map: cells", expect(mapper, cells), report);
+		status = hawser__map_run(&mapper->memo, "map: cells", mapper->later, report);
 	if (!status && !mapper->memo.interrupted) {
 		widen(mapper, cells);
 		if (!mapper->searched)

@@ -42,7 +42,7 @@ class State(c.Structure):
     _fields_ = [("stage", c.c_char_p), ("unit", c.c_char_p), ("done", c.c_long), ("expected", c.c_long),
                 ("fresh", c.c_long), ("fraction", c.c_double), ("seconds", c.c_double),
                 ("left", c.c_double), ("omega", c.c_double), ("load", c.c_double), ("events", c.c_int),
-                ("frf", c.c_void_p)]
+                ("frf", c.c_void_p), ("longer", c.c_int)]
 
 
 Function = c.CFUNCTYPE(c.c_int, c.c_void_p, c.POINTER(State))
