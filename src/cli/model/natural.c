@@ -62,7 +62,8 @@ int cli_linear(double *K, double *D, const struct hawser_rom *rom)
 }
 
 /* Static shapes of dampers and of condensed modes (labels of rom/build) are coordinates without mode,
- * which K and the mass do not couple with modes. Wakes (rom/terms/wake.c) are no motions of the cable. */
+ * which K and the mass do not couple with modes. Wakes (rom/terms/wake.c) are no motions of the
+ * cable. */
 static int is_shape(const struct hawser_rom *rom, size_t j)
 {
 	static const char *const shape[] = {"damper shape", "second-order shape", "wake "};
