@@ -85,7 +85,7 @@ static void add(struct hawser__certifying *w, int *point, const struct hawser_la
 		.distance = NAN, .tension = NAN};
 }
 
-/* Whether no larger peak is of the same resonance. */
+/* Whether no larger peak is of the same resonance, by the motion of which it is looked at too. */
 static int is_new(const struct hawser__certifying *w, const int *point,
                   const struct hawser_landmark *peak)
 {
@@ -93,7 +93,9 @@ static int is_new(const struct hawser__certifying *w, const int *point,
 
 	for (int i = 0; i < w->to->count; i++)
 		good = good && (w->to->item[i].kind == HAWSER_LANDMARK_FOLD ||
-		                abs(point[i] - own) > HAWSER__CERTIFIED_NEAR);
+		                abs(point[i] - own) > HAWSER__CERTIFIED_NEAR ||
+		                (peak->size >= w->largest[1].size &&
+		                 peak->size < HAWSER__CERTIFIED_LARGE*w->to->item[i].size));
 	return good;
 }
 
