@@ -13,8 +13,6 @@ enum { HAWSER__CERTIFIED_LEAST = 5, HAWSER__CERTIFIED_ORDER = 11, HAWSER__CERTIF
        HAWSER__CERTIFIED_PHASES = 32, HAWSER__CERTIFIED_WIDTH = 2*(HAWSER__CERTIFIED_ORDER + 1) + 1 };
 /* Points of a curve between peaks of one resonance, at most; chosen. */
 enum { HAWSER__CERTIFIED_NEAR = 5 };
-/* Part of the size of a peak: displacements there that count with it; chosen. */
-#define HAWSER__CERTIFIED_LARGE 0.5
 /* A point of the model: sum of weights times the motions of nodes, 0 where there are fewer. */
 enum { HAWSER__FINITE_NODES = 4 };
 struct hawser__finite_place {

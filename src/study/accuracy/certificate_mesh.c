@@ -11,7 +11,7 @@
 #include "study/accuracy/certificate.h"
 
 enum { SERIES = 2*(HAWSER__CERTIFIED_ORDER + HAWSER__CERTIFIED_MORE) + 1 }; /* coefficients, at most */
-
+static const double large_part = 0.5; /* of the size at a peak: others that count; chosen */
 
 /* --- the corrector of a mesh --- */
 
@@ -110,7 +110,7 @@ void hawser__finite_others(double *off, struct hawser__finite *finite,
 	for (int i = 0; i < 3*points; i++) {
 		const struct hawser_certified one = {.probe = i/3, .axis = i % 3};
 
-		off[i] = size[i] > HAWSER__CERTIFIED_LARGE*of
+		off[i] = size[i] > large_part*of
 		         ? fabs(size_of(finite, &unused, &one, finite->y, finite->along)/(size[i]*larger) - 1.0)
 		         : 0.0;
 	}
