@@ -132,9 +132,10 @@ EXTRA = {"damper": (("stay", "guy"), damper), "deck": (("stay", "footbridge"), d
          "masses": (KINDS, masses), "springs": (KINDS, springs), "bending": (KINDS, bending), "ice": (KINDS, ice),
          "gale": (KINDS, gale), "temperature": (KINDS, temperature), "drag": (KINDS, drag), "wave": (KINDS, wave),
          "travel": (("chairlift", "hoist"), travel)}
-# each with these at most once: what contradicts another
-ALONE = {"deck", "supports"}, {"wind", "gale"}, {"wind", "deck", "speed", "travel", "supports", "drag"}, {
-    "bending", "speed", "travel", "supports"}, {"speed", "travel", "deck", "supports"}, {"ice", "gale"}
+# what a scene can't have together, and what the mixture would replace
+AGAINST = {"speed travel": "speed travel masses springs damper absorber wind deck supports bending",
+           "supports": "deck wind bending", "wind": "deck drag", "wind gale ice": "wind gale ice",
+           "wind gale": "springs damper absorber", "bending": "absorber"}
 
 
 def kinds_of(words):
@@ -145,7 +146,8 @@ def some(chance, count):
     """Words that go together."""
     while True:
         words = chance.sample(sorted(EXTRA), count)
-        if kinds_of(words) and all(len(one & set(words)) < 2 for one in ALONE):
+        if kinds_of(words) and not any(a in left.split() and b in right.split() and a != b
+                                       for left, right in AGAINST.items() for a in words for b in words):
             return words
 
 

@@ -135,8 +135,8 @@ load: {frame: global, per_length: [0.8, 0.8, 0.8]}
 END
 works "a span in its mesh" frf certified.yaml -n 6 --from 1.165 --to 1.195 --certificate yes --json certified.json -q
 run frf span.yaml -n 2 --from 1.05w1 --to 1.051w1 --certificate yes --set damping.ratio=0.1 \
-	--set "load={frame: global, per_length: [0, 0, 1]}" -q
-try "  not with ratios and absorbers" grep -q "not corrected in a mesh: .*damping ratios are those of the modes with" "$scratch/err"
+	--set "attach[0].absorber_direction=[1, 1, 0]" --set "load={frame: global, per_length: [0, 0, 1]}" -q
+try "  not with oblique absorbers" grep -q "not corrected in a mesh: .*its absorber_direction is oblique" "$scratch/err"
 python "  has the folds of a net" <<'END'
 import json
 r = json.load(open("certified.json"))

@@ -59,6 +59,16 @@ static int of_span(const struct cli_frf_result *result, int asked)
 	        model->scene.model.condense == HAWSER_CONDENSE_STATIC);
 }
 
+/* Whether a fold was not found. The largest peaks tell by themselves that they were. */
+static int lacks_fold(const struct hawser_certificate *of)
+{
+	int lacks = 0;
+
+	for (int k = 0; k < of->count; k++)
+		lacks |= of->item[k].kind == HAWSER_LANDMARK_FOLD && isnan(of->item[k].exact_omega);
+	return lacks;
+}
+
 /* Of further branches, which result->certificate has only if the first one has no landmarks. */
 enum hawser_status cli_certify(struct cli_frf_result *result, struct hawser_report *report)
 {
@@ -92,7 +102,8 @@ enum hawser_status cli_certify(struct cli_frf_result *result, struct hawser_repo
 	error->fixed.largest = own.own.largest;
 	if (own.own.refused > 0) { /* of which nothing is known but that they are far away */
 		error->fixed.estimated = isfinite(known) ? fmax(known, error->fixed.estimated) : 1.0;
-		error->fixed.largest = 0.0;
+		if (lacks_fold(&own.own))
+			error->fixed.largest = 0.0;
 	}
 	return HAWSER_OK;
 }

@@ -85,7 +85,8 @@ static void add(struct hawser__certifying *w, int *point, const struct hawser_la
 		.distance = NAN, .tension = NAN};
 }
 
-/* Whether no larger peak is of the same resonance. */
+/* Whether it is one of the two largest, or no larger peak is of the same resonance, by the motion of
+ * which it is looked at too. */
 static int is_new(const struct hawser__certifying *w, const int *point,
                   const struct hawser_landmark *peak)
 {
@@ -94,7 +95,7 @@ static int is_new(const struct hawser__certifying *w, const int *point,
 	for (int i = 0; i < w->to->count; i++)
 		good = good && (w->to->item[i].kind == HAWSER_LANDMARK_FOLD ||
 		                abs(point[i] - own) > HAWSER__CERTIFIED_NEAR);
-	return good;
+	return good || hawser__is_peak(&w->largest[0], peak) || hawser__is_peak(&w->largest[1], peak);
 }
 
 static int larger(const void *a, const void *b)

@@ -23,6 +23,11 @@ static inline double hawser__peak_unread(const struct hawser_landmark *peak)
 /* largest [2] become the two largest stable peaks of displacements of a response; probe -1: none. */
 void hawser__largest_peaks(struct hawser_landmark *largest, const struct hawser_frf *frf,
                            const struct hawser_landmark *peak, int count);
+/* Whether two records are of the same peak of a displacement. */
+static inline int hawser__is_peak(const struct hawser_landmark *a, const struct hawser_landmark *b)
+{
+	return a->probe == b->probe && a->axis == b->axis && a->size == b->size;
+}
 /* Which displacement it is of; below 0: none. */
 static inline int hawser__peak_column(const struct hawser_landmark *peak)
 {
