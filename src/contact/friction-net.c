@@ -13,6 +13,7 @@
 #include <suitesparse/klu.h>
 
 #include "contact/friction.h"
+#include "core/columns.h"
 #include "core/hold.h"
 #include "core/report.h"
 
@@ -46,64 +47,42 @@ void hawser__contact_net_clear(struct hawser__contact_net *net)
 	free(net);
 }
 
-static int compare(const void *a, const void *b)
+/* The pattern of the blocks of the diagonal and of both sides of each link. Returns 1 if memory is short. */
+static int pattern(struct hawser__contact_net *net, int nodes, const int (*link)[2], int links)
 {
-	const int *p = a, *q = b;
+	size_t most = (size_t)nodes + 2*(size_t)links + 1, blocks = 0;
+	int (*list)[2] = malloc(most*sizeof *list), *p = malloc(most*sizeof *p), *i = malloc(most*sizeof *i);
+	int failed = !list || !p || !i, n = 0;
 
-	return p[0] != q[0] ? (p[0] > q[0]) - (p[0] < q[0]) : (p[1] > q[1]) - (p[1] < q[1]);
-}
-
-/* Place of a row in a column. */
-static int find(const struct hawser__contact_net *net, int row, int column)
-{
-	int low = net->p[column], high = net->p[column + 1] - 1;
-
-	while (low < high) {
-		int mid = low + (high - low)/2;
-
-		if (net->i[mid] < row)
-			low = mid + 1;
-		else
-			high = mid;
-	}
-	return low;
-}
-
-/* Blocks (column, row) of the diagonal and of both sides of each link, sorted. */
-static void pattern(struct hawser__contact_net *net, int (*list)[2], int nodes, const int (*link)[2],
-                    int links)
-{
-	int blocks = 0, n = 0;
-
-	for (int j = 0; j < nodes; j++, blocks++)
+	for (int j = 0; j < nodes && !failed; j++, blocks++)
 		list[blocks][0] = list[blocks][1] = j;
-	for (int e = 0; e < 2*links; e++, blocks++) {
+	for (int e = 0; e < 2*links && !failed; e++, blocks++) {
 		list[blocks][0] = link[e/2][e%2];
 		list[blocks][1] = link[e/2][1 - e%2];
 	}
-	qsort(list, (size_t)blocks, sizeof *list, compare);
-	for (int first = 0, last; first < blocks; first = last) {
-		for (last = first; last < blocks && list[last][0] == list[first][0];)
-			last++;
-		for (int c = 0; c < 3; c++) {
-			net->p[3*list[first][0] + c] = n;
-			for (int b = first; b < last; b++)
-				for (int r = 0; r < 3 && (b == first || list[b][1] != list[b - 1][1]); r++)
-					net->i[n++] = 3*list[b][1] + r;
-		}
+	failed = failed || hawser__columns(p, i, list, blocks, nodes);
+	for (int column = 0; column < net->unknowns && !failed; column++) {
+		net->p[column] = n;
+		for (int b = p[column/3]; b < p[column/3 + 1]; b++)
+			for (int r = 0; r < 3; r++)
+				net->i[n++] = 3*i[b] + r;
 	}
 	net->p[net->unknowns] = n;
+	free(list);
+	free(p);
+	free(i);
+	return failed;
 }
 
 static void locate(struct hawser__contact_net *net, int nodes, const int (*link)[2], int links)
 {
 	for (int k = 0; k < 9; k++) {
 		for (int j = 0; j < nodes; j++)
-			net->node[j][k] = find(net, 3*j + k/3, 3*j + k%3);
+			net->node[j][k] = hawser__columns_find(net->p, net->i, 3*j + k/3, 3*j + k%3);
 		for (int e = 0; e < links; e++)
 			for (int side = 0; side < 2; side++)
-				net->link[e][side][k] = find(net, 3*link[e][side] + k/3,
-				                             3*link[e][1 - side] + k%3);
+				net->link[e][side][k] = hawser__columns_find(
+					net->p, net->i, 3*link[e][side] + k/3, 3*link[e][1 - side] + k%3);
 	}
 }
 
@@ -113,7 +92,6 @@ enum hawser_status hawser__contact_net_open(struct hawser__contact_net **made, i
 {
 	struct hawser__contact_net *net = calloc(1, sizeof *net);
 	size_t blocks = (size_t)nodes + 2*(size_t)links;
-	int (*list)[2] = malloc((blocks + 1)*sizeof *list);
 	enum hawser_status status = HAWSER_OK;
 
 	*made = NULL;
@@ -130,16 +108,14 @@ enum hawser_status hawser__contact_net_open(struct hawser__contact_net **made, i
 		net->right = hawser__hold(&net->hold, 3*(size_t)nodes + 1, sizeof *net->right);
 		net->rows = hawser__hold(&net->hold, (size_t)nodes + 1, sizeof *net->rows);
 	}
-	if (!net || !list || net->hold.short_of_memory) {
+	if (!net || net->hold.short_of_memory || pattern(net, nodes, link, links)) {
 		status = hawser__no_memory(report, "friction");
 	} else {
-		pattern(net, list, nodes, link, links);
 		locate(net, nodes, link, links);
 		net->symbolic = klu_analyze(net->unknowns, net->p, net->i, &net->common);
 		if (!net->symbolic)
 			status = hawser__no_memory(report, "friction");
 	}
-	free(list);
 	if (status)
 		hawser__contact_net_clear(net);
 	else

@@ -4,6 +4,8 @@ noinst_LTLIBRARIES += %D%/libcore.la
 	%D%/append.h \
 	%D%/bytes.c \
 	%D%/bytes.h \
+	%D%/columns.c \
+	%D%/columns.h \
 	%D%/digits.c \
 	%D%/digits.h \
 	%D%/file.c \

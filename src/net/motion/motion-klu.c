@@ -13,6 +13,7 @@
 
 #include <suitesparse/klu.h>
 
+#include "core/columns.h"
 #include "core/hold.h"
 #include "core/report.h"
 #include "net/motion/motion.h"
@@ -62,26 +63,9 @@ void hawser__klu_forget(struct hawser__klu *klu)
 	klu_free_numeric(&klu->numeric, &klu->common);
 }
 
-static int compare(const void *a, const void *b)
-{
-	const int *p = a, *q = b;
-
-	return p[0] != q[0] ? (p[0] > q[0]) - (p[0] < q[0]) : (p[1] > q[1]) - (p[1] < q[1]);
-}
-
 static int find(const struct hawser__klu *klu, int row, int column)
 {
-	int low = klu->p[column], high = klu->p[column + 1] - 1;
-
-	while (low < high) {
-		int mid = low + (high - low)/2;
-
-		if (klu->i[mid] < row)
-			low = mid + 1;
-		else
-			high = mid;
-	}
-	return low;
+	return hawser__columns_find(klu->p, klu->i, row, column);
 }
 
 static void unknowns(int u[DIRECTIONS], const struct hawser__mesh *mesh, int element)
@@ -108,21 +92,6 @@ static size_t list_entries(int (*list)[2], const struct hawser__mesh *mesh)
 			}
 	}
 	return count;
-}
-
-static void fill(struct hawser__klu *klu, const int (*list)[2], size_t count)
-{
-	int n = 0, column = -1;
-
-	for (size_t i = 0; i < count; i++) {
-		if (i && list[i][0] == list[i - 1][0] && list[i][1] == list[i - 1][1])
-			continue;
-		while (column < list[i][0])
-			klu->p[++column] = n;
-		klu->i[n++] = list[i][1];
-	}
-	while (column < klu->unknowns)
-		klu->p[++column] = n;
 }
 
 static void locate(struct hawser__klu *klu, const struct hawser__mesh *mesh)
@@ -153,7 +122,7 @@ static enum hawser_status pattern(struct hawser__klu *klu, const struct hawser__
 {
 	size_t most = (size_t)mesh->unknowns + ENTRIES*(size_t)mesh->elements + 1;
 	int (*list)[2] = malloc(most*sizeof *list);
-	size_t count;
+	int short_of_memory;
 
 	klu->p = hawser__hold(&klu->hold, (size_t)mesh->unknowns + 1, sizeof *klu->p);
 	klu->i = hawser__hold(&klu->hold, most, sizeof *klu->i);
@@ -161,14 +130,11 @@ static enum hawser_status pattern(struct hawser__klu *klu, const struct hawser__
 	klu->at = hawser__hold(&klu->hold, (size_t)mesh->elements + 1, sizeof *klu->at);
 	klu->diagonal = hawser__hold(&klu->hold, (size_t)mesh->nodes + 1, sizeof *klu->diagonal);
 	klu->right = hawser__hold(&klu->hold, (size_t)mesh->unknowns + 1, sizeof *klu->right);
-	if (!list || klu->hold.short_of_memory) {
-		free(list);
-		return hawser__no_memory(report, "net");
-	}
-	count = list_entries(list, mesh);
-	qsort(list, count, sizeof *list, compare);
-	fill(klu, (const int (*)[2])list, count);
+	short_of_memory = !list || klu->hold.short_of_memory ||
+	                  hawser__columns(klu->p, klu->i, list, list_entries(list, mesh), mesh->unknowns);
 	free(list);
+	if (short_of_memory)
+		return hawser__no_memory(report, "net");
 	locate(klu, mesh);
 	if (!klu->unknowns) /* all nodes are held, as of a body on hinges */
 		return HAWSER_OK;

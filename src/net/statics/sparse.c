@@ -11,6 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/columns.h"
 #include "core/report.h"
 #include "net/statics/solve.h"
 
@@ -101,23 +102,6 @@ static void pair(int *i, int *j, int entry)
 	*j = entry;
 }
 
-/* Where row i of column j is. */
-static int find(const cholmod_sparse *matrix, int i, int j)
-{
-	const int *p = matrix->p, *rows = matrix->i;
-	int low = p[j], high = p[j + 1] - 1;
-
-	while (low < high) {
-		int mid = low + (high - low)/2;
-
-		if (rows[mid] < i)
-			low = mid + 1;
-		else
-			high = mid;
-	}
-	return low;
-}
-
 /* List the entries (column, row) of all elements, absorbers and of the diagonal: list [count][2]. */
 static size_t list_entries(int (*list)[2], const struct hawser__mesh *mesh)
 {
@@ -149,39 +133,12 @@ static size_t list_entries(int (*list)[2], const struct hawser__mesh *mesh)
 	return count;
 }
 
-/* Sort the entries by column (key 0) or row (key 1); those of one key keep their order. place
- * [unknowns + 1] is work space. */
-static void sort(int (*sorted)[2], const int (*list)[2], size_t count, int key, size_t *place,
-                 int unknowns)
-{
-	memset(place, 0, ((size_t)unknowns + 1)*sizeof *place);
-	for (size_t i = 0; i < count; i++)
-		place[list[i][key] + 1]++;
-	for (int j = 0; j < unknowns; j++)
-		place[j + 1] += place[j];
-	for (size_t i = 0; i < count; i++)
-		memcpy(sorted[place[list[i][key]]++], list[i], sizeof *list);
-}
-
-static void fill_pattern(cholmod_sparse *matrix, const int (*list)[2], size_t count)
-{
-	int *p = matrix->p, *rows = matrix->i, n = 0, column = -1;
-
-	for (size_t i = 0; i < count; i++) {
-		if (i && list[i][0] == list[i - 1][0] && list[i][1] == list[i - 1][1])
-			continue;
-		while (column < list[i][0])
-			p[++column] = n;
-		rows[n++] = list[i][1];
-	}
-	while (column < (int)matrix->ncol)
-		p[++column] = n;
-}
-
 static void locate(struct hawser__sparse *sparse, const struct hawser__mesh *mesh)
 {
+	const int *p = sparse->matrix->p, *rows = sparse->matrix->i;
+
 	for (int j = 0; j < mesh->unknowns; j++)
-		sparse->diagonal[j] = find(sparse->matrix, j, j);
+		sparse->diagonal[j] = hawser__columns_find(p, rows, j, j);
 	for (int e = 0; e < mesh->elements; e++) {
 		int u[DIRECTIONS], i, j;
 
@@ -189,8 +146,8 @@ static void locate(struct hawser__sparse *sparse, const struct hawser__mesh *mes
 		for (int entry = 0; entry < ENTRIES; entry++) {
 			pair(&i, &j, entry);
 			sparse->at[e][entry] = u[i] < 0 || u[j] < 0 ? -1
-				: u[i] < u[j] ? find(sparse->matrix, u[j], u[i])
-				              : find(sparse->matrix, u[i], u[j]);
+				: u[i] < u[j] ? hawser__columns_find(p, rows, u[j], u[i])
+				              : hawser__columns_find(p, rows, u[i], u[j]);
 		}
 	}
 }
@@ -200,29 +157,24 @@ static enum hawser_status pattern(struct hawser__sparse *sparse, const struct ha
 {
 	enum hawser_status status = HAWSER_OK;
 	size_t most = (size_t)mesh->unknowns + 15*(size_t)mesh->elements + 3*(size_t)mesh->absorbers, count;
-	int (*list)[2] = malloc((most + 1)*sizeof *list), (*sorted)[2] = malloc((most + 1)*sizeof *sorted);
-	size_t *place = malloc(((size_t)mesh->unknowns + 1)*sizeof *place);
+	int (*list)[2] = malloc((most + 1)*sizeof *list);
 
 	sparse->at = malloc(((size_t)mesh->elements + 1)*sizeof *sparse->at);
 	sparse->diagonal = malloc(((size_t)mesh->unknowns + 1)*sizeof *sparse->diagonal);
-	if (list && sorted && place && sparse->at && sparse->diagonal) {
+	if (list && sparse->at && sparse->diagonal) {
 		count = list_entries(list, mesh);
-		sort(sorted, (const int (*)[2])list, count, 1, place, mesh->unknowns);
-		sort(list, (const int (*)[2])sorted, count, 0, place, mesh->unknowns);
 		sparse->matrix = cholmod_allocate_sparse((size_t)mesh->unknowns, (size_t)mesh->unknowns, count,
 		                                         1, 1, -1, CHOLMOD_REAL, &sparse->common);
-		if (sparse->matrix) {
-			fill_pattern(sparse->matrix, (const int (*)[2])list, count);
-			locate(sparse, mesh);
-		} else {
+		if (!sparse->matrix)
 			status = failed(sparse, report);
-		}
+		else if (hawser__columns(sparse->matrix->p, sparse->matrix->i, list, count, mesh->unknowns))
+			status = hawser__no_memory(report, "net");
+		else
+			locate(sparse, mesh);
 	} else {
 		status = hawser__no_memory(report, "net");
 	}
 	free(list);
-	free(sorted);
-	free(place);
 	return status;
 }
 
@@ -361,7 +313,7 @@ void hawser__sparse_pair(struct hawser__sparse *sparse, int unknown, int other, 
 {
 	int low = unknown < other ? unknown : other, high = unknown < other ? other : unknown;
 
-	((double *)sparse->matrix->x)[find(sparse->matrix, high, low)] += value;
+	((double *)sparse->matrix->x)[hawser__columns_find(sparse->matrix->p, sparse->matrix->i, high, low)] += value;
 }
 
 enum hawser_status hawser__sparse_factor(struct hawser__sparse *sparse, int *definite,
