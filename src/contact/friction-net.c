@@ -47,11 +47,13 @@ void hawser__contact_net_clear(struct hawser__contact_net *net)
 	free(net);
 }
 
-/* The pattern of the blocks of the diagonal and of both sides of each link. Returns 1 if memory is short. */
+/* The pattern of the blocks of the diagonal and of both sides of each link. Returns 1 if memory is
+ * short. */
 static int pattern(struct hawser__contact_net *net, int nodes, const int (*link)[2], int links)
 {
 	size_t most = (size_t)nodes + 2*(size_t)links + 1, blocks = 0;
-	int (*list)[2] = malloc(most*sizeof *list), *p = malloc(most*sizeof *p), *i = malloc(most*sizeof *i);
+	int (*list)[2] = malloc(most*sizeof *list), *p = malloc(most*sizeof *p);
+	int *i = malloc(most*sizeof *i);
 	int failed = !list || !p || !i, n = 0;
 
 	for (int j = 0; j < nodes && !failed; j++, blocks++)

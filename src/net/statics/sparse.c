@@ -312,8 +312,9 @@ void hawser__sparse_diagonal(struct hawser__sparse *sparse, int unknown, double 
 void hawser__sparse_pair(struct hawser__sparse *sparse, int unknown, int other, double value)
 {
 	int low = unknown < other ? unknown : other, high = unknown < other ? other : unknown;
+	int at = hawser__columns_find(sparse->matrix->p, sparse->matrix->i, high, low);
 
-	((double *)sparse->matrix->x)[hawser__columns_find(sparse->matrix->p, sparse->matrix->i, high, low)] += value;
+	((double *)sparse->matrix->x)[at] += value;
 }
 
 enum hawser_status hawser__sparse_factor(struct hawser__sparse *sparse, int *definite,
