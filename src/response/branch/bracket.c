@@ -23,7 +23,9 @@
 #define CROSSED 0.01 /* smallest ratio of the logarithms of a modulus at both ends by which an event is
                       * located; chosen */
 #define CLEAR 1e-7 /* smallest size of these logarithms: above the errors of multipliers */
-#define SMALL 1e-4 /* largest |f| at a zero; chosen */
+#define SMALL 1e-4 /* largest |f| at a zero; chosen, and */
+#define OF_END 0.1 /* relative to that of the end which is nearest to zero, */
+#define LEAST_VALUE 1e-10 /* unless that end is at the event already; chosen */
 #define SECANT 10.0 /* safety factor on a change of Omega that is estimated by a secant; chosen */
 #define SEPARABLE 1e-4 /* arclength: a search in a longer bracket ends where it shows further events,
                         * and the bracket is halved (account.c) */
@@ -243,22 +245,23 @@ static int has_more(const struct hawser__bracket *bracket)
 
 /* Whether Omega of the last trial is within `near` of that at the zero, by the secant through the
  * last two trials; it would be the next trial's change of Omega. */
-static int reached(const struct hawser__bracket *bracket, double near)
+static int reached(const struct hawser__bracket *bracket, double near, double small)
 {
 	const struct hawser__bracket_trial *last = &bracket->trial[bracket->trials - 1], *other = last - 1;
 
-	return bracket->trials > 1 && fabs(last->f) < SMALL && fabs(last->f) < fabs(other->f) &&
+	return bracket->trials > 1 && fabs(last->f) < small && fabs(last->f) < fabs(other->f) &&
 	       SECANT*fabs((last->omega - other->omega)*last->f) <= near*fabs(last->f - other->f);
 }
 
 enum hawser_status hawser__bracket_zero(struct hawser__bracket *bracket, double *s, double *f,
                                         double tolerance, struct hawser_report *report)
 {
-	double share = ASIDE, omega, near;
+	double share = ASIDE, omega, near, small;
 	int last = bracket->orbit->size - 1, failed, done;
 
 	bracket->in.fa = hawser__bracket_value(bracket, bracket->a);
 	bracket->in.fb = hawser__bracket_value(bracket, bracket->b);
+	small = fmin(SMALL, fmax(LEAST_VALUE, OF_END*fmin(fabs(bracket->in.fa), fabs(bracket->in.fb))));
 	bracket->before = INFINITY;
 	*f = bracket->in.fa;
 	for (int i = 0; i < HAWSER__MOST_TRIALS - HAWSER__MOST_FAILURES; i++) {
@@ -280,7 +283,8 @@ enum hawser_status hawser__bracket_zero(struct hawser__bracket *bracket, double 
 		bracket->uncertain = 0.0;
 		bracket->several = has_more(bracket);
 		if (*f == 0.0 || bracket->several || bracket->in.b - bracket->in.a < 1e-14 ||
-		    (fabs(omega - bracket->before) <= near && fabs(*f) < SMALL) || reached(bracket, near))
+		    (fabs(omega - bracket->before) <= near && fabs(*f) < small) ||
+		    reached(bracket, near, small))
 			return HAWSER_OK;
 		bracket->before = omega;
 		hawser__false_position_take(&bracket->in, *s, *f);
