@@ -122,6 +122,33 @@ static void check_ends(void)
 	hawser_rom_clear(&rom);
 }
 
+/* The limit of work applies to responses and curves together. */
+static void check_work(void)
+{
+	struct hawser_folds_options options = between(0.8, 1.6);
+	struct hawser_report report = {.message = ""};
+	struct hawser_folds folds;
+	struct hawser_rom rom;
+	int points;
+
+	if (!ok(!duffing(&rom, 0.05, 0.1, 0.18), "a Duffing oscillator"))
+		return;
+	ok(!hawser_folds_trace(&folds, &rom, &options, NULL) && !folds.costly, "without a limit");
+	points = folds.points;
+	options.most_work = 1.05*hawser_orbit_work(&folds.response.cost, &rom);
+	hawser_folds_clear(&folds);
+	ok(!hawser_folds_trace(&folds, &rom, &options, NULL) && folds.costly && folds.points < points &&
+	   folds.curves > 0 && folds.curve[folds.curves - 1].end[0] == HAWSER_FOLDS_WORK &&
+	   folds.least_kind == HAWSER_FOLDS_LEAST_BOUND, "ends with the work of little more than the "
+	   "response, and the least load is a bound");
+	hawser_folds_clear(&folds);
+	options.most_work *= 0.1;
+	ok(hawser_folds_trace(&folds, &rom, &options, &report) == HAWSER_ERR_CONVERGENCE &&
+	   strstr(report.message, "ended at Omega"), "%s", report.message);
+	hawser_folds_clear(&folds);
+	hawser_rom_clear(&rom);
+}
+
 /* The limit of points applies to each direction of the curves and to the responses, and is reported. */
 static void check_limit(void)
 {
@@ -283,6 +310,7 @@ CASE(extremes_folds_extremes)
 	check_weak();
 	check_undamped();
 	check_ends();
+	check_work();
 	check_limit();
 	check_lost();
 	check_interruption();

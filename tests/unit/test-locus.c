@@ -55,6 +55,15 @@ CASE(unit_locus)
 	ok(!hawser_locus_trace(&locus, &family, &bad, &report), "traced %s", report.message);
 	ok(locus.curves == 2 && locus.curve[0].end[0] == HAWSER_LOCUS_MAX_POINTS &&
 	   locus.curve[0].points == 13, "a limit of points counts in each direction");
+	bad = good;
+	bad.most_work = 1.05*hawser_orbit_work(&locus.response.cost, &rom);
+	hawser_locus_clear(&locus);
+	ok(!hawser_locus_trace(&locus, &family, &bad, &report) && locus.costly && locus.curves > 0 &&
+	   locus.curve[locus.curves - 1].end[0] == HAWSER_LOCUS_WORK, "and one of work for all");
+	hawser_locus_clear(&locus);
+	bad.most_work *= 0.1;
+	ok(hawser_locus_trace(&locus, &family, &bad, &report) == HAWSER_ERR_CONVERGENCE &&
+	   strstr(report.message, "before a locus was begun"), "%s", report.message);
 	hawser_locus_clear(&locus);
 	hawser_locus_clear(NULL);
 	hawser_factor_close(&family);
