@@ -134,6 +134,20 @@ assert both["refused"] == parts["refused"] == 0 and stroke(both), both
 for a, b in zip(stroke(both), stroke(parts)):
     assert abs(a[0]/b[0] - 1) < 5e-6 and abs(a[1]/b[1] - 1) < 5e-5, (a, b)
 END
+# Damping ratios are those of the modes whose absorbers are held: in the mesh as with the exact energy.
+rated='--set damping.ratio=0.004 --from 6.9 --to 9.4'
+works "ratios in the mesh" frf both.yaml -n 4 $rated --certificate yes --json mesh.json -q
+works "  and with the exact energy" frf both.yaml $rated --set model.energy=exact --set model.basis=14 --json exact.json -q
+python "agree" <<'END'
+import json
+mesh, exact = json.load(open("mesh.json"))["certified"], json.load(open("exact.json"))["peaks"]
+found = [l for l in mesh["landmarks"] if l["kind"] == "peak"]
+assert mesh["refused"] == 0 and any(l["probe"] == "stroke_tmd" for l in found), mesh
+for l in found:
+    top = min((p for p in exact if (p["probe"], p["component"]) == (l["probe"], l["component"])),
+              key=lambda p: abs(p["Omega"] - l["Omega_mesh"]))
+    assert abs(l["Omega_mesh"]/top["Omega"] - 1) < 1e-4 and abs(l["size_mesh"]/top["size"] - 1) < 2e-4, (l, top)
+END
 denies "a pendulum without weight" 1 "g is 0, and a mass on a hanger is a pendulum by its weight" check hangs.yaml --set g=0
 denies "with a name that is taken" 1 "its hanger makes the node J_load and the cable J_hanger, whose names are taken" check hangs.yaml \
 	--set cables.c1.name=J_hanger

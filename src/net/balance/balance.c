@@ -264,7 +264,8 @@ static void add_motion(struct hawser__mesh_balance *balance, const double *x, do
 	for (int j = 0; hawser__absorbers_mass(&pair, mesh, j); j++)
 		add_linear(balance->out + (3*pair.node + pair.axis)*width,
 		           x + (3*pair.other + pair.other_axis)*width, width, inertia*pair.mass,
-		           damping*balance->mass_rate*pair.mass, ratio*pair.mass);
+		           damping*balance->mass_rate*pair.mass,
+		           2.0*balance->stroke_ratio*inertia*pair.mass);
 	add_modal(balance, x, inertia, damping);
 }
 

@@ -48,6 +48,7 @@ struct hawser__mesh_balance {
 	const struct hawser__mesh *mesh; /* in equilibrium; `multiple` of waves and motions is set */
 	double mass_rate;     /* 1/s */
 	double ratio;         /* damping ratio, and the modes of which it is: */
+	double stroke_ratio;  /* the same of what strokes of absorbers add to the masses */
 	int modes;
 	const double *mode;   /* [modes][nodes][3] of the mass 1, times the mass */
 	const double *rated;  /* [modes] 2*ratio*omega, rad/s */

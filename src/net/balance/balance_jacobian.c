@@ -69,7 +69,7 @@ static void add_element(struct hawser__mesh_balance *balance, int e)
 
 /* Inertia and damping between directions of two nodes: kg, and kg/s of its damping. */
 static void add_mass(struct hawser__mesh_balance *balance, const struct hawser__mesh_pair *pair,
-                     double damping)
+                     double damping, double ratio)
 {
 	const struct hawser__mesh *mesh = balance->mesh;
 	int width = balance->width;
@@ -82,7 +82,7 @@ static void add_mass(struct hawser__mesh_balance *balance, const struct hawser__
 	for (int c = 1; c < width; c++) {
 		int row = pair->axis*width + c, column = pair->other_axis*width + c, k = (c + 1)/2;
 		int turned = c%2 ? column + 1 : column - 1;
-		double speed = Omega*k*(damping + 2.0*balance->ratio*Omega*k*mass);
+		double speed = Omega*k*(damping + 2.0*ratio*Omega*k*mass);
 
 		block[column*3*width + row] -= Omega*Omega*k*k*mass;
 		block[turned*3*width + row] += c%2 ? speed : -speed;
@@ -99,12 +99,12 @@ static void add_nodes(struct hawser__mesh_balance *balance)
 		int row = balance->blocks.row[i/3], width = balance->width;
 
 		pair = (struct hawser__mesh_pair){i/3, i%3, i/3, i%3, mesh->mass[i/3]};
-		add_mass(balance, &pair, balance->mass_rate*pair.mass + mesh->damper[i/3][i%3]);
+		add_mass(balance, &pair, balance->mass_rate*pair.mass + mesh->damper[i/3][i%3], balance->ratio);
 		for (int c = i%3*width; c < (i%3 + 1)*width && mesh->unknown[i/3][i%3] >= 0; c++)
 			hawser__nodal_at(&balance->blocks, row, row)[c*(3*width + 1)] += mesh->spring[i/3][i%3];
 	}
 	for (int j = 0; hawser__absorbers_mass(&pair, mesh, j); j++)
-		add_mass(balance, &pair, balance->mass_rate*pair.mass);
+		add_mass(balance, &pair, balance->mass_rate*pair.mass, balance->stroke_ratio);
 }
 
 /* 1 where a direction is held. */
@@ -139,7 +139,7 @@ int hawser__mesh_balance_factor(struct hawser__mesh_balance *balance, const doub
 			const struct hawser__mesh_pair pair = {mesh->end[e][to], i/4, mesh->end[e][from], i/4,
 			                                       share*mass};
 
-			add_mass(balance, &pair, share*damping);
+			add_mass(balance, &pair, share*damping, balance->ratio);
 		}
 	}
 	add_nodes(balance);

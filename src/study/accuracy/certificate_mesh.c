@@ -223,6 +223,7 @@ enum hawser_status hawser__finite_open(struct hawser__finite *finite, struct haw
 	balance->rated = of->rated;
 	balance->modes = of->modes;
 	balance->ratio = net->ratio;
+	balance->stroke_ratio = w->turn ? 0.0 : net->ratio;
 	balance->modal = hawser__hold(&finite->hold, 2*(size_t)of->modes*(size_t)balance->width + 1,
 	                              sizeof(double));
 	finite->y = hawser__hold(&finite->hold, balance->size, sizeof *finite->y);
