@@ -158,6 +158,14 @@ refuses 1 "--from-label isola-frf.json#1: that motion is at Omega = 1.13333333, 
 	map isola.json --quantity amplitude --x Omega=1.5:2.3 --y factor.load=0.9:1.1 --from-label isola-frf.json#1
 refuses 1 "--from-label is for the quantity amplitude: the quantity basin is of one response" \
 	map isola.json --quantity basin --x u1=0:1 --y u2=0:1 --Omega 1 --from-label isola-frf.json#1
+cat >hardly.json <<'END'
+{"hawser_rom": 1, "n": 1, "D": [[0.05]], "K": [[1]], "C": [[0, 0, 0, 0, 0.1]], "harmonics": [{"k": 1, "f": [0.01]}]}
+END
+works "a response without folds" frf hardly.json --from 0.6 --to 3 --json hardly-frf.json -q
+refuses_like 2 "the response through that motion has no fold between Omega 0.6 and 3 at the model's own load" \
+	folds hardly.json --from 0.6 --to 3 --from-label hardly-frf.json#1
+refuses_like 3 "no fold was found, but the response at load factor 1 ended at Omega 0.6" \
+	folds hardly.json --from 0.6 --to 3 --from-label hardly-frf.json#1 --max-points 5
 try "the table says what was searched" grep -q '^# isolas: looked for by 12 pseudo-random motions at 3 ' isola.tsv
 try "or that nothing was" grep -q '^# isolas: not looked for by pseudo-random motions' none.tsv
 done_testing

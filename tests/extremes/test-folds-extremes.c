@@ -304,8 +304,41 @@ static void check_refusals(void)
 	   !strcmp(hawser_folds_end_name((enum hawser_folds_end)99), "unknown"), "unknown names");
 }
 
+/* A search that ends at the most work: it says so, counts no motions that it did not look at, and finds
+ * what one without limit finds where only these are missing. */
+static void check_work(void)
+{
+	struct hawser_folds_options options = {.from = 0.6, .to = 3.0, .starts = 96};
+	struct hawser_report report;
+	struct hawser_folds folds;
+	struct hawser_rom rom;
+	enum hawser_status status;
+
+	if (!ok(!duffing(&rom, 0.05, 0.1, 0.01), "a response without folds"))
+		return;
+	for (int k = 0; k < 2; k++) { /* after the first orbit, and within the first response */
+		options.most_work = k ? 1e-3 : 1e-9;
+		status = hawser_folds_trace(&folds, &rom, &options, &report);
+		ok(status == HAWSER_ERR_CONVERGENCE && folds.costly && folds.levels == 0 &&
+		   strstr(report.message, "no fold was found in the part of the search that was done: fewer") &&
+		   strstr(folds.note, "; no load was searched from both ends"), "%s; %s", report.message,
+		   folds.note);
+		hawser_folds_clear(&folds);
+	}
+	options.most_work = 0.1;
+	status = hawser_folds_trace(&folds, &rom, &options, &report);
+	ok(status == HAWSER_ERR_NO_SOLUTION && folds.costly && folds.searched && !folds.note[0] &&
+	   folds.starts.starts < 96 && folds.starts.frequencies < 24 &&
+	   folds.starts.known == folds.starts.starts && folds.starts.starts > 0,
+	   "%d of 96 motions at %d frequencies: %s", folds.starts.starts, folds.starts.frequencies,
+	   report.message);
+	hawser_folds_clear(&folds);
+	hawser_rom_clear(&rom);
+}
+
 CASE(extremes_folds_extremes)
 {
+	check_work();
 	check_none();
 	check_weak();
 	check_undamped();

@@ -114,7 +114,7 @@ static void state(struct cli_model_error *error, const struct hawser_accuracy *b
 	int timed = error->timed;
 
 	*error = (struct cli_model_error){.stated = 1, .compared = 1, .timed = timed,
-	                                  .about = "folds and peaks"};
+	                                  .about = "folds and peaks", .advice = cli_basis_advice};
 	error->fixed.estimated = better->estimated;
 	error->fixed.largest = better->largest;
 	error->fixed.looked_at = better->tries > 0 ? better->attempt[better->tries - 1].checked

@@ -14,6 +14,7 @@
 
 const char cli_fixed_advice[] = "hawser plan compares models; more modes (-n), model.modes: auto or "
                                 "model.energy: exact may be closer";
+const char cli_basis_advice[] = "a larger one (model.basis) may be closer";
 
 struct cli_model_error cli_fixed_unknown(const struct cli_model *model, const char *about, int timed)
 {
@@ -269,8 +270,7 @@ static void warn(const struct cli_model_error *error, int number)
 		         more, 100.0*error->fixed.estimated, error->advice);
 	else if (error->compared)
 		snprintf(text, sizeof text, "%s%s may be off by %s%.0f %%: so far is the model of another "
-		         "size: a larger one (model.basis) may be closer", branch, error->about, more,
-		         100.0*error->fixed.estimated);
+		         "size: %s", branch, error->about, more, 100.0*error->fixed.estimated, error->advice);
 	else
 		snprintf(text, sizeof text, "%s%s may be off by %s%.0f %% because of what the model leaves "
 		         "out, by an estimate to first order%s: %s", branch, error->about, more,

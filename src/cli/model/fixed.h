@@ -25,7 +25,8 @@ struct cli_model_error {
 	int unweighed;     /* 1: since no mode is weighed in such a scene */
 };
 
-extern const char cli_fixed_advice[]; /* of spans */
+extern const char cli_fixed_advice[]; /* of spans, and with exact energy: */
+extern const char cli_basis_advice[];
 
 /* The exact energy in place of modes that are not good enough (exact.h). */
 struct cli_exact {

@@ -175,7 +175,7 @@ static void take(struct cli_integrate_result *result, struct cli_model *model, s
 	result->run = last->run;
 	result->forcing = last->choice;
 	*error = (struct cli_model_error){.stated = 1, .compared = 1, .timed = error->timed,
-	                                  .about = "displacements in this run"};
+	                                  .about = "displacements in this run", .advice = cli_basis_advice};
 	error->fixed.estimated = fmin(safety*last->moved, 1.0);
 	error->fixed.looked_at = last->smaller;
 	last->rom = (struct hawser_rom){.n = 0};

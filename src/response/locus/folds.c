@@ -288,18 +288,27 @@ int hawser__fold_count(const struct hawser_frf *frf)
 void hawser__fold_note(struct hawser__fold_search *search, const char *format, ...)
 {
 	struct hawser_folds *folds = search->folds;
-	size_t length = strlen(folds->note);
+	static const char between[] = "; ", more[] = "; ...";
+	size_t length = strlen(folds->note), room = sizeof folds->note - sizeof more + 1 - length;
+	char text[sizeof folds->note];
 	va_list arguments;
 
-	if (length + 2 >= sizeof folds->note)
+	if (length && strcmp(folds->note + length - strlen(more), more) == 0)
 		return;
-	if (length) {
-		memcpy(folds->note + length, "; ", 3);
-		length += 2;
-	}
 	va_start(arguments, format);
-	vsnprintf(folds->note + length, sizeof folds->note - length, format, arguments);
+	vsnprintf(text, sizeof text, format, arguments);
 	va_end(arguments);
+	snprintf(folds->note + length, sizeof folds->note - length, "%s%s", length ? between : "",
+	         strlen(text) + strlen(between) < room ? text : more + strlen(between));
+}
+
+void hawser__fold_note_cut(struct hawser__fold_search *search, const struct hawser_frf *frf,
+                           double load)
+{
+	if (hawser__fold_limited(frf))
+		hawser__fold_note(search, "the response at load factor %.6g ended at Omega %.6g%s, after %d "
+		                  "points: folds beyond may be missing (--max-points)", load,
+		                  HAWSER_SHOWN(search->rom, frf->point[frf->points - 1].omega), frf->points);
 }
 
 /* The response at the nominal load, which is part of the result, and the one traced in reverse. */
@@ -316,17 +325,14 @@ static enum hawser_status nominal_load(struct hawser__fold_search *search)
 	if (status)
 		return status;
 	folds->interrupted = folds->response.end == HAWSER_END_INTERRUPTED;
-	if (hawser__fold_limited(&folds->response))
-		hawser__fold_note(search, HAWSER__FOLDS_CUT, 1.0,
-		                  HAWSER_SHOWN(search->rom, folds->response.point[
-		                               folds->response.points - 1].omega),
-		                  folds->response.points);
+	hawser__fold_note_cut(search, &folds->response, 1.0);
+	level.failed = hawser__fold_limited(&folds->response);
 	level.folds = hawser__fold_count(&folds->response);
 	status = hawser__fold_curves(search, &folds->response, 1.0);
-	if (status || folds->interrupted)
+	if (status || hawser__fold_ended(search))
 		return status;
 	if (!(status = hawser__load_open(&load, search->rom, search->report)) &&
-	    !(status = hawser__fold_reverse(search, &folds->response, &load, 0, &level)))
+	    !(status = hawser__fold_reverse(search, &folds->response, &load, 0, &level)) && !level.failed)
 		status = hawser__fold_note_level(search, 1.0, 0, level.folds);
 	hawser__load_clear(&load);
 	return status;
@@ -346,10 +352,13 @@ static enum hawser_status given_response(struct hawser__fold_search *search)
 	choice.along = first->along;
 	choice.begin = first->begin;
 	status = hawser__fold_trace(search, frf, search->rom, &choice, search->report);
+	if (status)
+		return status;
 	folds->interrupted = frf->end == HAWSER_END_INTERRUPTED;
-	if (!status && !folds->interrupted)
+	hawser__fold_note_cut(search, frf, 1.0);
+	if (!folds->interrupted)
 		status = hawser__fold_curves(search, frf, 1.0);
-	if (status || folds->interrupted || frf->points < 2 || frf->end == HAWSER_END_CLOSED)
+	if (status || hawser__fold_ended(search) || frf->points < 2 || frf->end == HAWSER_END_CLOSED)
 		return status;
 	choice.start = frf->state;
 	choice.along = NULL;
@@ -357,10 +366,20 @@ static enum hawser_status given_response(struct hawser__fold_search *search)
 	choice.direction = frf->point[1].omega > frf->point[0].omega ? -1 : 1;
 	status = hawser__fold_trace(search, &back, search->rom, &choice, search->report);
 	folds->interrupted = back.end == HAWSER_END_INTERRUPTED;
+	if (!status)
+		hawser__fold_note_cut(search, &back, 1.0);
 	if (!status && !folds->interrupted)
 		status = hawser__fold_curves(search, &back, 1.0);
 	hawser_frf_clear(&back);
 	return status;
+}
+
+/* Nothing but a limit explains why there is no result. */
+static enum hawser_status costly(const struct hawser__fold_search *search, const char *what)
+{
+	return hawser__fail(search->report, HAWSER_ERR_CONVERGENCE, "folds",
+	                    "%s in the part of the search that was done: fewer modes (-n) or a narrower "
+	                    "range take less work, --max-points N goes on", what);
 }
 
 /* The note that explains why nothing was found. */
@@ -368,8 +387,18 @@ static enum hawser_status none(const struct hawser__fold_search *search)
 {
 	const struct hawser_folds *folds = search->folds;
 	const struct hawser_folds_options *options = search->options;
+	int searched = options->first ? !folds->note[0] && !folds->costly
+	               : folds->searched && !hawser__fold_limited(&folds->response);
 
-	if (folds->lost == 0 && (hawser__fold_limited(&folds->response) || !folds->searched))
+	if (folds->lost == 0 && !searched && folds->costly)
+		return costly(search, "no fold was found");
+	if (folds->lost == 0 && options->first && searched)
+		return hawser__fail(search->report, HAWSER_ERR_NO_SOLUTION, "folds",
+		                    "the response through that motion has no fold between Omega %.9g%s and "
+		                    "%.9g%s at the model's own load: without --from-label other responses and "
+		                    "loads are searched", HAWSER_SHOWN(search->rom, options->from),
+		                    HAWSER_SHOWN(search->rom, options->to));
+	if (folds->lost == 0 && !searched)
 		return hawser__fail(search->report, HAWSER_ERR_CONVERGENCE, "folds",
 		                    "no fold was found, but %s: raise --max-points, change --tolerance "
 		                    "or narrow the range",
@@ -397,15 +426,14 @@ static enum hawser_status search_responses(struct hawser__fold_search *search)
 	enum hawser_status status = nominal_load(search);
 
 	hawser__fold_part(search, NOMINAL, LARGEST);
-	if (!status && !folds->interrupted && search->options->load_to > 1.0)
+	if (!status && !hawser__fold_ended(search) && search->options->load_to > 1.0)
 		status = hawser__fold_level(search, search->options->load_to, 0, &level);
 	if (!status && !folds->interrupted)
 		status = hawser__fold_levels(search);
 	hawser__fold_part(search, LEVELS, ISOLAS);
 	if (!status && !search->options->skip_isolas && !folds->interrupted)
 		status = hawser__fold_isolas(search);
-	if (!status && !search->options->skip_isolas && !folds->interrupted &&
-	    hawser__walk_left(&search->walk) > 0.0)
+	if (!status && !search->options->skip_isolas && !hawser__fold_ended(search))
 		status = hawser__fold_starts(search);
 	return status;
 }
@@ -422,6 +450,8 @@ static enum hawser_status search_curves(struct hawser__fold_search *search)
 		return status;
 	if (folds->curves == 0)
 		return none(search);
+	if (folds->points == 0 && folds->costly)
+		return costly(search, "no curve got beyond the fold it began at");
 	if (folds->points == 0)
 		return hawser__fail(search->report, HAWSER_ERR_CONVERGENCE, "folds",
 		                    "no curve got beyond the fold it began at: %s", folds->curve[0].message);

@@ -143,7 +143,7 @@ static enum hawser_status trace(struct hawser__fold_search *search, double fold_
 	if (status || !*found)
 		return status;
 	open = frf.end == HAWSER_END_RANGE || frf.end == HAWSER_END_RETURNED;
-	if ((status = hawser__fold_keep(search, &frf)) || !open || search->folds->interrupted)
+	if ((status = hawser__fold_keep(search, &frf)) || !open || hawser__fold_ended(search))
 		return status;
 	choice.direction = -choice.direction;
 	frf = (struct hawser_frf){0};
@@ -158,8 +158,7 @@ enum hawser_status hawser__fold_isolas(struct hawser__fold_search *search)
 {
 	struct hawser_folds *folds = search->folds;
 	/* the list of events grows in this loop */
-	for (int e = 0; e < folds->events && !folds->interrupted &&
-	     hawser__walk_left(&search->walk) > 0.0; e++) {
+	for (int e = 0; e < folds->events && !hawser__fold_ended(search); e++) {
 		double omega = folds->event[e].omega;
 		int failed, found = 0;
 		enum hawser_status status;

@@ -90,10 +90,8 @@ static enum hawser_status respond(struct hawser__fold_search *search, struct haw
 	search->folds->interrupted |= !status && !watch.same && frf->end == HAWSER_END_INTERRUPTED;
 	if (load->factor < 1.0 && load->factor >= least(search->folds))
 		return HAWSER_OK; /* a fold at a lower load is known: this failure has no effect */
-	if (!wide && *failed && !status)
-		hawser__fold_note(search, HAWSER__FOLDS_CUT, load->factor,
-		                  HAWSER_SHOWN(search->rom, frf->point[frf->points - 1].omega),
-		                  frf->points);
+	if (!wide && !status)
+		hawser__fold_note_cut(search, frf, load->factor);
 	if (!wide && status)
 		hawser__fold_note(search, "the response at load factor %.6g could not be traced to its "
 		                  "end (%.150s)", load->factor, local.message);
@@ -149,8 +147,12 @@ static enum hawser_status both(struct hawser__fold_search *search, const struct 
 	level->folds = hawser__fold_count(&frf);
 	if (!status && !search->folds->interrupted)
 		status = hawser__fold_curves(search, &frf, load->factor);
-	if (!status && !search->folds->interrupted)
+	if (hawser__fold_ended(search)) {
+		level->failed = 1;
+		level->linear = 0;
+	} else if (!status) {
 		status = hawser__fold_reverse(search, &frf, load, wide, level);
+	}
 	if (!status && !level->failed)
 		status = hawser__fold_note_level(search, load->factor, wide, level->folds);
 	hawser_frf_clear(&frf);
@@ -168,7 +170,7 @@ enum hawser_status hawser__fold_level(struct hawser__fold_search *search, double
 		hawser__load_set(&load, factor);
 		status = both(search, &load, wide, level);
 		/* a trace that fails outside the range may succeed within it */
-		if (!status && wide && level->failed && !search->folds->interrupted) {
+		if (!status && wide && level->failed && !hawser__fold_ended(search)) {
 			*level = (struct hawser__fold_level){0};
 			status = both(search, &load, 0, level);
 		}
@@ -195,13 +197,29 @@ static double part_at(const struct hawser__fold_search *search, double load)
 	return FIRST_PART + (HAWSER__FOLDS_LEVELS - FIRST_PART)*fmin(log(options->load_to/load)/all, 1.0);
 }
 
+/* The loads that were not searched for the work that they take. */
+static void note_rest(struct hawser__fold_search *search)
+{
+	const struct hawser_folds *folds = search->folds;
+	double load = INFINITY;
+
+	for (int i = 0; i < folds->levels; i++)
+		load = fmin(load, folds->level[i].load);
+	if (folds->levels > 0)
+		hawser__fold_note(search, "load factors below %.6g were not searched, as the work came to its "
+		                  "limit", load);
+	else
+		hawser__fold_note(search, "no load was searched from both ends of the range, as the work came "
+		                  "to its limit");
+}
+
 enum hawser_status hawser__fold_levels(struct hawser__fold_search *search)
 {
 	struct hawser_folds *folds = search->folds;
 	double floor = search->options->load_from, load = search->options->load_to;
 	int done = load <= floor, cut = 0, first = 1;
 
-	while (!done && !folds->interrupted && !(hawser__walk_left(&search->walk) <= 0.0)) {
+	while (!done && !hawser__fold_ended(search)) {
 		struct hawser__fold_level level;
 		enum hawser_status status;
 
@@ -219,6 +237,8 @@ enum hawser_status hawser__fold_levels(struct hawser__fold_search *search)
 		done = folds->nearly_linear || load <= floor;
 	}
 	folds->searched = done && !cut && !folds->interrupted;
+	if (!folds->searched && hawser__walk_left(&search->walk) <= 0.0)
+		note_rest(search);
 	if (search->cut > 0)
 		hawser__fold_note(search, "%d responses at other loads ended where more than %d multipliers "
 		                  "are unstable, and folds beyond are found only where a curve leads there "

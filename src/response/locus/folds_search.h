@@ -99,6 +99,12 @@ enum hawser_status hawser__fold_levels(struct hawser__fold_search *search);
 /* folds_levels.c: the least load of the result. */
 void hawser__fold_least(struct hawser__fold_search *search);
 
+/* Whether the search is to end: told so, or after the most work. */
+static inline int hawser__fold_ended(const struct hawser__fold_search *search)
+{
+	return search->folds->interrupted || hawser__walk_left(&search->walk) <= 0.0;
+}
+
 /* Whether a response ended at a limit. */
 static inline int hawser__fold_limited(const struct hawser_frf *frf)
 {
@@ -107,11 +113,12 @@ static inline int hawser__fold_limited(const struct hawser_frf *frf)
 
 /* folds.c: number of folds among the events of a response. */
 int hawser__fold_count(const struct hawser_frf *frf);
-/* folds.c: append to the note of the result, with the arguments of printf. */
-#define HAWSER__FOLDS_CUT "the response at load factor %.6g ended at Omega %.6g%s, after %d points: " \
-	"folds beyond may be missing (--max-points)"
+/* folds.c: append to the note of the result, with the arguments of printf; "..." where it is full. */
 void hawser__fold_note(struct hawser__fold_search *search, const char *format, ...)
 	HAWSER_PRINTF(2, 3);
+/* folds.c: append that a response at this load ended at a limit, if it did. */
+void hawser__fold_note_cut(struct hawser__fold_search *search, const struct hawser_frf *frf,
+                           double load);
 
 /* folds.c: trace the curves through all folds of a response at this load, except known ones. */
 enum hawser_status hawser__fold_curves(struct hawser__fold_search *search,

@@ -38,8 +38,8 @@
 #define SETTLED 1e-3  /* relative change over a period of a settled motion: Newton's method goes on */
 #define FINER 2       /* steps of a period relative to those of small motions; chosen */
 #define FEWEST 8      /* frequencies; chosen */
-#define UNASKED 8.0   /* s, as counted (hawser_orbit_work): motions that nobody asked for take no more,
-                       * at fewer frequencies; chosen */
+#define UNASKED 8.0   /* s, as counted (hawser_orbit_work): motions that nobody asked for take no more
+                       * if FEWEST frequencies don't, at fewer frequencies; chosen */
 #define ALIKE 1e-4    /* largest relative difference of amplitudes of the same orbit; chosen, above the
                        * errors of orbits and below their distances */
 #define SAME_POINT 1e-6 /* relative difference of Omega of two branch points that are one; chosen */
@@ -305,10 +305,12 @@ static enum hawser_status follow(struct hunt *hunt, double omega)
 		if (status || frf.points < 2 || first.known) {
 			folds->starts.known += first.known;
 			folds->starts.lost += frf.points == 0;
+			/* all work was done at its orbit, of which nothing is known */
+			folds->starts.starts -= direction > 0 && frf.points == 1 && frf.end == HAWSER_END_WORK;
 			hawser_frf_clear(&frf);
 			return status;
 		}
-		if ((status = take(hunt, &frf)) || closed || folds->interrupted)
+		if ((status = take(hunt, &frf)) || closed || hawser__fold_ended(hunt->search))
 			return status;
 	}
 	return HAWSER_OK;
@@ -316,16 +318,19 @@ static enum hawser_status follow(struct hunt *hunt, double omega)
 
 static int ended(const struct hunt *hunt)
 {
-	return hunt->search->folds->starts.fresh >= MOST_NEW || hunt->search->folds->interrupted;
+	return hunt->search->folds->starts.fresh >= MOST_NEW || hawser__fold_ended(hunt->search);
 }
 
 static enum hawser_status at_frequency(struct hunt *hunt, double omega)
 {
 	struct hawser_folds *folds = hunt->search->folds;
-	int curves = -1, m = 2*folds->n;
+	int curves = -1, m = 2*folds->n, before = folds->starts.starts;
+	struct hawser_orbit_cost cost = {.flops = -hunt->flow.flops};
 	enum hawser_status status = HAWSER_OK;
 
 	settle(hunt, omega);
+	cost.flops += hunt->flow.flops;
+	hunt->search->walk.work += hawser_orbit_work(&cost, hunt->search->rom);
 	for (int i = 0; !status && i < AT_EACH && !ended(hunt); i++) {
 		if (curves != folds->isolas + hunt->besides) {
 			hunt->count = 0;
@@ -340,6 +345,7 @@ static enum hawser_status at_frequency(struct hunt *hunt, double omega)
 		else
 			status = follow(hunt, omega);
 	}
+	folds->starts.frequencies += folds->starts.starts > before;
 	return status;
 }
 
@@ -366,7 +372,6 @@ enum hawser_status hawser__fold_starts(struct hawser__fold_search *search)
 		                  STARTS_PART + (1.0 - STARTS_PART)*(g + 1)/grid);
 		if (hawser__fold_told_to_stop(search, "detached curves", "frequencies", g))
 			break;
-		folds->starts.frequencies++;
 		status = at_frequency(&hunt, frequency(&hunt, g, grid));
 	}
 	for (int i = 0; i < hunt.besides; i++)

@@ -206,8 +206,9 @@ static double crest(const struct hawser__climb *climb, double load, const double
 	return rise > 0.0 && fall > 0.0 ? fmax(climb->load + rise*rise*part, load + fall*fall*part) : load;
 }
 
-/* The last orbit again, at its load, with the harmonics that the next one has, and the direction there.
- * Returns what correct_at does. */
+/* The last orbit again, at its load, with the harmonics that the next one has, and the direction
+ * there; as it was where that leads to none or to another one, as near a fold. Returns what correct_at
+ * does. */
 static int begin_again(double *y, struct hawser__climb *climb, struct hawser__orbit *orbit,
                        struct hawser__correction *correction, double omega, double rough,
                        struct hawser_report *report)
@@ -218,8 +219,12 @@ static int begin_again(double *y, struct hawser__climb *climb, struct hawser__or
 	memset(climb->row, 0, (size_t)orbit->size*sizeof *climb->row);
 	climb->row[orbit->size - 1] = 1.0;
 	failed = correct_arc(y, climb, orbit, correction, omega, rough, report);
-	if (failed)
+	if (failed > 1)
 		return failed;
+	if (failed || hawser__orbit_distance(y, climb->good, orbit->size - 1) > SHIFT) {
+		direct(climb, orbit->size - 1);
+		return 0;
+	}
 	memcpy(climb->good, y, (size_t)orbit->size*sizeof *y);
 	memcpy(climb->guess, climb->t, (size_t)orbit->size*sizeof *y);
 	failed = begin_arc(climb, orbit);

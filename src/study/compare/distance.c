@@ -77,9 +77,10 @@ enum hawser_status hawser__marks_find(struct hawser__marks *marks, const struct 
 	status = hawser__curve_copy(&marks->curve, frf, report);
 	if (!status)
 		status = hawser_landmarks(&marks->item, &marks->count, frf, &weak, report);
-	drop_faint(marks);
-	if (!status)
+	if (!status) {
+		drop_faint(marks);
 		status = mark_strong(marks, frf, report);
+	}
 	if (!status && rom) {
 		/* a shallow copy: the response stays with the caller */
 		struct hawser_study_curve curve = {.frf = *frf, .landmark = marks->item,
