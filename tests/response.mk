@@ -33,6 +33,7 @@ tests_response_SOURCES = tests/cases.c \
 	tests/property/test-integrate-stiff.c \
 	tests/property/test-integrate-swept.c \
 	tests/property/test-integrate-tolerance.c \
+	tests/property/test-known-orbits.c \
 	tests/property/test-line-rom.c \
 	tests/property/test-linear-condensed.c \
 	tests/property/test-loads.c \

@@ -6,7 +6,6 @@
 
 #include "contact/heights.h"
 #include "contact/surface_read.h"
-#include "core/report.h"
 
 enum { CALLED = HAWSER__TEXT_ROOM + 64, MOST = 100 }; /* obstacles: each node may touch each of them */
 

@@ -64,6 +64,9 @@ void hawser__table_print_comments(const struct hawser__table *table, FILE *strea
 /* Write comments as `# ...`, a row of column names, and rows with 17 digits a number. */
 enum hawser_status hawser__table_write(const struct hawser__table *table, const char *path,
                                        struct hawser_report *report) HAWSER_MUST_CHECK;
+/* The same for a reader, on standard output: columns side by side, and 7 digits a number. */
+enum hawser_status hawser__table_show(const struct hawser__table *table,
+                                      struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser__table_clear(struct hawser__table *table);
 
 /* --- json.c --- */

@@ -2,7 +2,6 @@
  * step itself is in motion_newton.c. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
-#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

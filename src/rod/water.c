@@ -9,7 +9,6 @@
 
 #include <string.h>
 
-#include "core/vec3.h"
 #include "rod/motion.h"
 #include "water/morison.h"
 #include "water/water.h"

@@ -16,7 +16,6 @@
 #include <ctype.h>
 #include <math.h>
 #include <pthread.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <udunits2.h>

@@ -4,7 +4,6 @@
 #define HAWSER_SCENE_UNITS_H
 
 #include <stddef.h>
-#include <hawser/status.h>
 
 /* A unit system, read from the database of udunits2 with the first unit that is none of the common
  * ones. Zero is a valid initial state; release with hawser__units_clear. */

@@ -19,7 +19,6 @@
 #include <hawser/cover.h>
 #include <hawser/frf.h>
 #include <hawser/friction.h>
-#include <hawser/gyroscopic.h>
 #include <hawser/hill.h>
 #include <hawser/identify.h>
 #include <hawser/integrate.h>
@@ -32,7 +31,6 @@
 #include <hawser/ropeway_modes.h>
 #include <hawser/line_rom.h>
 #include <hawser/net_rom.h>
-#include <hawser/linear.h>
 #include <hawser/obstacles.h>
 #include <hawser/drag.h>
 #include <hawser/tow.h>

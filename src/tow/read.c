@@ -6,7 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/report.h"
 #include "net/read/read.h"
 #include "rod/read.h"
 #include "tow/read.h"

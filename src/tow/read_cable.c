@@ -4,10 +4,8 @@
 #include "config.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
-#include "core/report.h"
 #include "net/read/read.h"
 #include "tow/read.h"
 

@@ -5,7 +5,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/report.h"
 #include "tow/read.h"
 
 enum { WAYPOINTS, FILE_OF, SPEED, ORBIT, WAYS };

@@ -29,8 +29,13 @@ if script -qec true /dev/null </dev/null >/dev/null 2>&1; then
 	TERM=dumb script -qec "'$HAWSER' check bad.yaml" /dev/null </dev/null >terminal 2>&1
 	try "not on a dumb one" sh -c "grep -q hawser: terminal && ! grep -q '$escape' terminal"
 	script -qec "'$HAWSER' frf '$chairlift' --from 0.98w1 --to 1.3w1 --step 0.05 -q" /dev/null </dev/null >terminal 2>&1
-	try "peaks on a terminal, the highest first" awk -F '\t' '$1 == "probe" {rows = 1; next} rows && NF > 5 {
-		if (n++ && $5 > before) exit 1; before = $5} END {exit !(n > 1 && n <= 10)}' terminal
+	try "peaks on a terminal, the highest first, in columns" awk '$1 == "probe" {at = index($0, "amplitude_m"); next}
+		at && NF > 4 {if (substr($0, at - 1, 2) !~ /^ [0-9]/ || n++ && substr($0, at) + 0 > before) exit 1
+		before = substr($0, at) + 0} END {exit !(n > 1 && n <= 10)}' terminal
+	script -qec "'$HAWSER' statics '$chairlift'" /dev/null </dev/null >terminal 2>&1
+	try "7 digits there" grep -q '^1\.252514   *1\.251094 ' terminal
+	script -qec "'$HAWSER' statics '$chairlift' --tsv -" /dev/null </dev/null >terminal 2>&1
+	try "17 with --tsv -" grep -q '^1\.25251444[0-9]*	1\.2510936[0-9]*	' terminal
 else
 	skip "terminals: the program script is missing, or there are none here"
 fi

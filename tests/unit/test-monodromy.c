@@ -1,5 +1,5 @@
 /* Multipliers of a linear equation with periodic coefficients: fast coordinates condensed or
- * integrated, an overdamped coordinate, damping matrices that oscillate or grow with Omega.
+ * integrated, overdamped coordinates, damping matrices that oscillate or grow with Omega.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -280,6 +280,46 @@ static void check_overdamped(void)
 	hawser_rom_clear(&rom);
 }
 
+/* Damping by stiffness, as that of a full-order model, whose fast coordinates decay within a step but
+ * whose motions are not fast enough to be condensed: the slow multipliers are those of a strict
+ * computation, which resolves everything. */
+static void check_decaying(void)
+{
+	double log_modulus[2][2*N], argument[2][2*N], T[(2*HARMONICS + 1)*N*N];
+	struct hawser__monodromy monodromy[2];
+	struct hawser_rom rom;
+
+	if (hawser__rom_init(&rom, N, NULL) || hawser__monodromy_init(&monodromy[0], N, NULL) ||
+	    hawser__monodromy_init(&monodromy[1], N, NULL))
+		return;
+	monodromy[1].finer = 1;
+	for (int k = 0; k < 4; k++) {
+		double worst = 0.0, bound;
+
+		random_system(T);
+		for (int e = 0; e < (2*HARMONICS + 1)*N*N; e++)
+			T[e] *= (e/N%N < 3) == (e%N < 3) ? 1.0 : 0.1;
+		for (int e = 0; e < N*N; e++)
+			rom.D[e] = 0.02*T[e] + between(-0.05, 0.05);
+		for (int side = 0; side < 2; side++)
+			if (!ok(!hawser__monodromy_multipliers(&monodromy[side], log_modulus[side],
+			                                       argument[side], &rom, T, HARMONICS, 1.0, NULL),
+			        "%s computation, %d steps", side ? "strict" : "usual", monodromy[side].steps))
+				return;
+		bound = fmax(monodromy[0].spread, 1e-9);
+		for (int j = 0; j < 6; j++) {
+			double apart = fabs(argument[0][j]) - fabs(argument[1][j]);
+
+			worst = fmax(worst, hypot(log_modulus[0][j] - log_modulus[1][j], apart));
+		}
+		ok(monodromy[0].steps < monodromy[1].steps/10 && worst < bound && bound < 1e-2,
+		   "fast decay: slow multipliers differ by %.1e, stated %.1e", worst, monodromy[0].spread);
+	}
+	for (int side = 0; side < 2; side++)
+		hawser__monodromy_release(&monodromy[side]);
+	hawser_rom_clear(&rom);
+}
+
 /* A damping that is proportional to a power of Omega, as the Coriolis forces of a rope that runs with
  * the load: the multipliers are those of the model whose constant D has that damping. */
 static void check_constant(void)
@@ -331,6 +371,7 @@ CASE(unit_monodromy)
 	check_halves();
 	check_turning();
 	check_overdamped();
+	check_decaying();
 	check_constant();
 	return done_testing();
 }

@@ -223,6 +223,16 @@ static void add_curve(struct hawser__motions *shown, int panel, int colour, cons
 		to->curve[to->curves++] = (struct hawser__motion_curve){label, colour, value};
 }
 
+/* The picture says on what the response depends. */
+static struct hawser__axis frequency_axis(const struct hawser_net_waves *waves)
+{
+	char text[LABEL];
+
+	snprintf(text, sizeof text, "Frequency of the waves {/Symbol W}%s",
+	         waves->touching ? ", contacts stay" : "");
+	return hawser__axis_of(text, "rad/s", 0.0);
+}
+
 /* Displacements, without those below a thousandth of the largest, and tensions at the upper ends of
  * cables; of a sea, their spectra below. */
 static enum hawser_status draw(const char *path, const void *of, struct hawser_report *report)
@@ -235,7 +245,7 @@ static enum hawser_status draw(const char *path, const void *of, struct hawser_r
 	char label[3*DRAWN][LABEL];
 	struct hawser__motions shown = {
 		points, waves->spectrum ? 3 : 2, waves->omega,
-		hawser__axis_of("Frequency of the waves {/Symbol W}", "rad/s", 0.0), {
+		frequency_axis(waves), {
 		{hawser__axis_of("Motion", "m/m", 0.0), 3*waves->probes, 0, {{0}}},
 		{hawser__axis_of("Tension", "N/m", highest(waves->T, 1, 2*points*waves->cables)),
 		 2*waves->cables, 0, {{0}}},
@@ -313,6 +323,19 @@ static void warn_slack(const struct result *result)
 	cli_warn(text);
 }
 
+/* Contacts that waves may open or close: the equations of a linear response keep them. */
+static void warn_contacts(const struct hawser_net_waves *waves)
+{
+	char text[CLI_WARNING_SIZE];
+
+	if (!waves->touching)
+		return;
+	snprintf(text, sizeof text, "this response is linear: %d nodes touch obstacles and go on touching "
+	         "them, and no other node comes to touch one: use hawser integrate where waves lift or "
+	         "drop a cable", waves->touching);
+	cli_warn(text);
+}
+
 /* Options of curves are refused. */
 static enum hawser_status check(const struct cli_common *common, struct hawser_report *report)
 {
@@ -363,6 +386,7 @@ enum hawser_status cli_waves_response(const struct cli_common *common, const cha
 	if (!status) {
 		warn_mean(&result->mesh.net.water);
 		warn_slack(result);
+		warn_contacts(&result->waves);
 	}
 	if (!status)
 		status = cli_show(common, &showing, result, report);

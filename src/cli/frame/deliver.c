@@ -240,7 +240,8 @@ static enum hawser_status put_out(const struct cli_common *common, const struct 
 		return status ? status : drawn;
 	cli_writing(0);
 	if (!any && (drawn || !common->plot))
-		status = hawser__table_write(table, "-", report);
+		status = isatty(STDOUT_FILENO) ? hawser__table_show(table, report)
+		                               : hawser__table_write(table, "-", report);
 	else if (!common->quiet)
 		hawser__table_print_comments(table, stdout);
 	return status ? status : drawn;

@@ -236,23 +236,26 @@ static enum hawser_status judge_curve(struct hawser_frf *frf, struct hawser_frf_
 /* A curve of modes whose motions so far are judged from time to time. */
 struct early {
 	struct hawser_progress progress; /* the caller's */
-	const struct cli_frf_result *result;
-	double next; /* work of the next judgement */
-	int called;  /* 1: no number of modes makes these motions right, and the curve has ended */
+	const struct cli_model *model;
+	double from, to, next; /* next: work of the next judgement */
+	int sought; /* 1: the exact energy takes its place, where no number of modes makes it right */
+	int called; /* 1: that is so, or the error is as large as any, and the curve has ended */
 };
 
 static int judge_early(void *data, const struct hawser_progress_state *state)
 {
 	struct early *early = data;
-	struct cli_frf_result so_far = *early->result;
+	const struct cli_model *model = early->model;
+	struct hawser_accuracy_fixed fixed;
 
 	if (state->frf && state->frf->points >= fewest &&
-	    hawser_orbit_work(&state->frf->cost, &so_far.model->rom) > early->next) {
+	    hawser_orbit_work(&state->frf->cost, &model->rom) > early->next) {
 		early->next *= later;
-		so_far.frf = state->frf;
-		so_far.error = (struct cli_model_error){.stated = 0};
-		early->called = !cli_fixed_estimate(&so_far, NULL) && so_far.error.stated &&
-		                hawser_accuracy_truncated(so_far.error.fixed.truncation);
+		early->called = !hawser_accuracy_fixed(&fixed, &model->rom, state->frf, model->modes.n,
+		                                       &model->statics, &model->scene, early->from,
+		                                       early->to, NULL) &&
+		                (early->sought ? hawser_accuracy_truncated(fixed.truncation)
+		                               : fixed.estimated >= 1.0);
 	}
 	return early->called || early->progress.function(early->progress.data, state);
 }
@@ -261,11 +264,13 @@ enum hawser_status cli_exact_trace(struct hawser_frf *frf, struct hawser_frf_opt
                                    struct cli_model *model, struct cli_frf_result *result, int step,
                                    struct hawser_report *report)
 {
-	struct early early = {options->progress, result, .next = soon};
+	struct early early = {options->progress, model, result->from, result->to, soon, .sought = 1};
 	struct hawser_frf_options choice = *options;
+	char lacks[CLI_WARNING_SIZE];
 	enum hawser_status status;
 
-	if (cli_exact_calls(model, NULL))
+	if (cli_exact_calls(model, NULL) &&
+	    !cli_known_lacks(lacks, sizeof lacks, model, fmax(result->from, result->to)))
 		choice.progress = (struct hawser_progress){judge_early, &early};
 	status = hawser_frf_trace(frf, &model->rom, &choice, report);
 	status = judge_curve(frf, options, model, result, step, status, report);
@@ -315,7 +320,9 @@ enum hawser_status cli_exact_range(struct cli_model *model, double from, double 
 	struct cli_watch watch = {{.quiet = common->quiet}, "the model's error"};
 	struct hawser_frf_options options = {.method = "balance", .from = from, .to = to,
 		.step_max = 0.02, .skip_events = 1, .unjudged = 1, .end_at_slack = 1,
-		.max_points = HAWSER_INSTEAD_POINTS, .samples = HAWSER_NONE, .progress = {cli_watch, &watch}};
+		.max_points = HAWSER_INSTEAD_POINTS, .samples = HAWSER_NONE};
+	struct early early = {{cli_watch, &watch}, model, from, to, soon,
+	                      .sought = after >= 0.0 && cli_exact_calls(model, NULL)};
 	struct hawser_accuracy better = {.tries = 0};
 	struct hawser_frf frf = {.n = 0};
 	enum hawser_status status;
@@ -327,12 +334,25 @@ enum hawser_status cli_exact_range(struct cli_model *model, double from, double 
 	                                        .timed = !common->reproducible,
 	                                        .about = "folds and peaks", .advice = cli_fixed_advice,
 	                                        .per_omega = cli_per_omega(model), .fixed.estimated = NAN};
+	options.progress = (struct hawser_progress){judge_early, &early};
 	status = judge(&frf, model, &options, report);
 	if (!status && after >= 0.0 && is_wanted(model, &model->error) &&
 	    (model->error.unweighed || isfinite(model->error.fixed.estimated))) {
+		int points = points_wanted(&frf, &options);
+
 		options.step_max = 0.0;
-		status = search(&better, model, &model->error, NULL, &options, &frf, frf.points, after, report);
+		options.progress = early.progress;
+		status = search(&better, model, &model->error, NULL, &options, &frf, points, after, report);
 		hawser_accuracy_clear(&better);
+	}
+	/* that of a part of the curve, which is not the model's error unless that is as large as any */
+	if (!status && early.called && early.sought && !model->exact.functions && !cli_interrupted() &&
+	    model->error.fixed.estimated < 1.0) {
+		hawser_frf_clear(&frf);
+		options.step_max = longest;
+		options.progress = (struct hawser_progress){judge_early, &early};
+		early.sought = early.called = 0;
+		status = judge(&frf, model, &options, report);
 	}
 	hawser_frf_clear(&frf);
 	cli_progress_end(&watch.progress);

@@ -5,7 +5,6 @@
 #define HAWSER_CLI_FIXED_H
 
 #include <hawser/accuracy.h>
-#include <hawser/law.h>
 
 struct cli_common;
 struct cli_frf_result;

@@ -4,7 +4,6 @@
 #define HAWSER_CLI_MADE_H
 
 #include <hawser/family.h>
-#include <hawser/line_rom.h>
 #include <hawser/net_rom.h>
 
 #include "cli/frame/cli.h"

@@ -8,8 +8,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
-#include <stdlib.h>
-
 #include "cli/model/made.h"
 
 /* Fewest candidates, within which those lie that the second and third harmonics drive, and how many

@@ -13,7 +13,6 @@
 #include "cli/statics/statics_net.h"
 #include "cli/statics/stiffness_net.h"
 #include "core/append.h"
-#include "core/report.h"
 #include "output/structures/structures.h"
 
 enum { SHOWN = 40 }; /* names and places in the comments */

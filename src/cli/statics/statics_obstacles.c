@@ -8,7 +8,6 @@
 #include <string.h>
 
 #include "cli/statics/statics_obstacles.h"
-#include "core/report.h"
 #include "output/structures/structures.h"
 
 static struct cli_head head(const void *of)

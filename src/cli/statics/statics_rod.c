@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include "cli/statics/rod_result.h"
-#include "core/file.h"
 #include "core/report.h"
 #include "output/structures/structures.h"
 #include "output/report/vtk.h"

@@ -3,11 +3,9 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
-#include <math.h>
 #include <string.h>
 
 #include "cli/statics/statics_ropeway.h"
-#include "core/report.h"
 #include "output/structures/structures.h"
 
 static struct cli_head head(const void *of)

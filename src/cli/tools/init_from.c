@@ -360,6 +360,7 @@ static enum hawser_status read_option(struct cli_mooring *mooring, const struct 
 	static const char *const bed[] = {"SeafloorFile", "SeafloorPath", "bathymetry",
 	                                  "bathymetryFile", "depth", "WtrDpth", "WtrDepth"};
 	double value;
+	int defaults = !strcasecmp(words->word[0], "default"); /* that of another program */
 	const struct {
 		const char *key;
 		double *value;
@@ -371,12 +372,14 @@ static enum hawser_status read_option(struct cli_mooring *mooring, const struct 
 		{"FrictionCoefficient", &mooring->friction}};
 
 	for (size_t i = 0; i < sizeof bed/sizeof *bed; i++)
-		if (!strcasecmp(words->word[1], bed[i]) && !number(&value, words->word[0]))
+		if (!strcasecmp(words->word[1], bed[i]) && !defaults && !number(&value, words->word[0]))
 			return cli_mooring_bed(mooring, words->word[0]) ? HAWSER_OK
 				: wrong(report, mooring, "the bathymetry '%s' cannot be read: its path is that of the "
 				        "folder where hawser runs, or of this file", words->word[0]);
 	for (size_t i = 0; i < sizeof known/sizeof *known; i++)
-		if (!strcasecmp(words->word[1], known[i].key))
+		if (!strcasecmp(words->word[1], known[i].key) && defaults)
+			left_out(mooring, "%s, which another program has", words->word[1]);
+		else if (!strcasecmp(words->word[1], known[i].key))
 			return numbers(known[i].value, 1, mooring, words, 0, report);
 	for (size_t i = 0; i < sizeof other/sizeof *other; i++)
 		if (!strcasecmp(words->word[1], other[i]) && strcmp(words->word[0], "0") != 0)
@@ -466,6 +469,8 @@ enum hawser_status cli_init_from(const char *path, struct hawser_report *report)
 	FILE *stream = fopen(path, "r");
 	struct hawser__locale locale;
 	enum hawser_status status;
+	char *text = NULL;
+	size_t size = 0;
 
 	if (!stream)
 		return hawser__fail(report, hawser__unreadable(errno), "init", "%s: %s", path,
@@ -473,17 +478,11 @@ enum hawser_status cli_init_from(const char *path, struct hawser_report *report)
 	hawser__locale_begin(&locale);
 	status = read_all(&mooring, stream, report);
 	fclose(stream);
-	if (!status) {
-		char *text = NULL;
-		size_t size = 0;
-		FILE *made = open_memstream(&text, &size);
-
-		if (made)
-			cli_mooring_write(made, &mooring);
-		status = made && fclose(made) == 0 ? hawser__file_put("-", text, size, report)
-		                                   : hawser__no_memory(report, "init");
-		free(text);
-	}
+	if (!status)
+		status = cli_mooring_scene(&text, &size, &mooring, report);
+	if (!status)
+		status = hawser__file_put("-", text, size, report);
+	free(text);
 	hawser__locale_end(&locale);
 	free(mooring.type);
 	free(mooring.body);

@@ -3,7 +3,6 @@
 #ifndef HAWSER_CLI_INIT_FROM_H
 #define HAWSER_CLI_INIT_FROM_H
 
-#include <stddef.h>
 #include <stdio.h>
 
 #include <hawser/status.h>
@@ -55,6 +54,8 @@ struct cli_mooring {
 /* init_write.c. _bed: the file of the bathymetry, as an option has it or beside the file of the
  * mooring; 0: none can be read. */
 int cli_mooring_bed(struct cli_mooring *mooring, const char *name);
-void cli_mooring_write(FILE *stream, const struct cli_mooring *mooring);
+/* The scene, whose text the caller frees; if it cannot be read as it is, standard error says why. */
+enum hawser_status cli_mooring_scene(char **text, size_t *size, const struct cli_mooring *mooring,
+                                     struct hawser_report *report) HAWSER_MUST_CHECK;
 
 #endif

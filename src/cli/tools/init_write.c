@@ -5,8 +5,10 @@
 #include <math.h>
 #include <string.h>
 
+#include "cli/frame/cli.h"
 #include "cli/tools/init_from.h"
 #include "core/file.h"
+#include "core/report.h"
 
 static void nodes(FILE *stream, const struct cli_mooring *mooring)
 {
@@ -140,7 +142,7 @@ int cli_mooring_bed(struct cli_mooring *mooring, const char *name)
 	return file != NULL;
 }
 
-void cli_mooring_write(FILE *stream, const struct cli_mooring *mooring)
+static void write_scene(FILE *stream, const struct cli_mooring *mooring)
 {
 	int deep = !isnan(mooring->depth);
 
@@ -169,4 +171,40 @@ void cli_mooring_write(FILE *stream, const struct cli_mooring *mooring)
 	if (mooring->friction > 0.0)
 		fprintf(stream, ", friction: %.12g", mooring->friction);
 	fprintf(stream, "}\n");
+}
+
+/* Say why the scene that was made cannot be read as it is, such as a bathymetry that is none. */
+static enum hawser_status check_scene(char *text, size_t size, struct hawser_report *report)
+{
+	FILE *stream = fmemopen(text, size, "r");
+	struct hawser_document document = {.text = NULL};
+	struct hawser_net net = {.nodes = 0};
+	struct hawser_report why = {.message = ""};
+	char all[CLI_WARNING_SIZE];
+	enum hawser_status status = stream ? hawser_document_read(&document, stream, "scene", &why)
+	                                   : HAWSER_ERR_MEMORY;
+
+	if (!status)
+		status = hawser_net_of(&net, &document, NULL, 0, &why);
+	hawser_net_clear(&net);
+	hawser_document_clear(&document);
+	if (stream)
+		fclose(stream);
+	if (status == HAWSER_ERR_MEMORY)
+		return hawser__no_memory(report, "init");
+	snprintf(all, sizeof all, "mend the scene by hand: %s", why.message);
+	if (status)
+		cli_warn(all);
+	return HAWSER_OK;
+}
+
+enum hawser_status cli_mooring_scene(char **text, size_t *size, const struct cli_mooring *mooring,
+                                     struct hawser_report *report)
+{
+	FILE *stream = open_memstream(text, size);
+
+	if (stream)
+		write_scene(stream, mooring);
+	return stream && fclose(stream) == 0 ? check_scene(*text, *size, report)
+	                                     : hawser__no_memory(report, "init");
 }

@@ -12,7 +12,6 @@
 #include "config.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "modes/complex/gyroscopic.h"

@@ -25,7 +25,6 @@
 
 #include <complex.h>
 #include <math.h>
-#include <stdlib.h>
 
 #include "modes/analytic.h"
 #include "modes/complex/gyroscopic.h"

@@ -17,7 +17,6 @@
 #include "config.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 #include "core/grow.h"
 #include "core/report.h"

@@ -7,7 +7,6 @@
 #include "config.h"
 
 #include <math.h>
-#include <stddef.h>
 
 #include "core/report.h"
 #include "modes/sweep/irvine_range.h"

@@ -8,7 +8,6 @@
 #include "config.h"
 
 #include <cblas.h>
-#include <math.h>
 #include <string.h>
 
 #include "net/balance/balance.h"

@@ -201,8 +201,8 @@ static void driving(struct hawser__net_planner *planner)
 	if (net->dynamics.releases)
 		say(planner, "release", 1, "%d supports are taken away at t = 0", net->dynamics.releases);
 	if (net->water.waves.count)
-		say(planner, "waves", 1, "%d component%s, in integrate and frf", net->water.waves.count,
-		    net->water.waves.count == 1 ? "" : "s");
+		say(planner, "waves", 1, "%d component%s, in integrate, frf and models in regular waves",
+		    net->water.waves.count, net->water.waves.count == 1 ? "" : "s");
 	if (net->failures + net->winches)
 		say(planner, "failures, winches", 1, "%d and %d, in integrate", net->failures, net->winches);
 	if (!harmonic && !net->motions && !tables && !net->dynamics.releases && !net->dynamics.from &&

@@ -10,7 +10,6 @@
 #include "core/report.h"
 #include "net/motion/motion.h"
 #include "net/plan/plan.h"
-#include "net/statics/solution.h"
 
 enum { PERIODS = 10, SECONDS = 10, MODES = 6, DEFAULT_ROWS = 200 };
 

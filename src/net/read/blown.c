@@ -12,7 +12,6 @@
 #include "core/report.h"
 #include "core/vec3.h"
 #include "net/read/read.h"
-#include "scene/tree_keys.h"
 #include "scene/wind_read.h"
 
 /* The flow over the height. */

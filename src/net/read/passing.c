@@ -12,10 +12,8 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
-#include "core/report.h"
 #include "net/read/read.h"
 
 enum { HARMONICS = 3, CALLED = 64 };

@@ -3,10 +3,8 @@
 #include "config.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
-#include "core/report.h"
 #include "net/statics/exact.h"
 #include "net/statics/solution.h"
 

@@ -14,7 +14,6 @@
 
 #include <math.h>
 
-#include "core/report.h"
 #include "net/touch/touch.h"
 
 /* Iterations without a residual of half the size; with obstacles, whose gaps make steps short, more. */

@@ -21,7 +21,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/report.h"
 #include "core/vec3.h"
 #include "net/touch/touch.h"
 

@@ -16,7 +16,6 @@
 #include "core/report.h"
 #include "net/body.h"
 #include "net/motion/motion.h"
-#include "net/water/water.h"
 #include "net/waves/linear.h"
 
 enum hawser_status hawser__linear_bodies_open(struct hawser__linear_mesh *linear,

@@ -16,7 +16,6 @@
 #include "core/report.h"
 #include "core/vec3.h"
 #include "net/body.h"
-#include "net/modes/eigen.h"
 #include "net/motion/motion.h"
 #include "net/touch/touch.h"
 #include "net/water/water.h"

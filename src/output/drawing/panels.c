@@ -4,7 +4,6 @@
 
 #include <math.h>
 
-#include "output/output.h"
 #include "output/drawing/panels.h"
 
 double hawser__panels_magnify(double mine, double other)

@@ -16,6 +16,8 @@
 #include "core/report.h"
 #include "output/fields/visit.h"
 
+#define SHORT "%.7g" /* digits of a number that is read on a terminal; chosen */
+
 static char *format_text(const char *format, va_list args)
 {
 	va_list again;
@@ -220,33 +222,67 @@ int hawser__table_visit(const struct hawser__table *table, struct hawser__visito
 	return -bad;
 }
 
+/* How cells are written: `width` is NULL for tabs and all digits. */
+struct printing {
+	FILE *stream;
+	const int *width; /* [columns] of columns side by side */
+};
+
+static void put_cell(const struct printing *by, const char *text, size_t i, size_t columns)
+{
+	if (by->width)
+		fprintf(by->stream, "%-*s", i + 1 < columns ? by->width[i] : 0, text);
+	else
+		fputs(text, by->stream);
+	fputs(i + 1 == columns ? "\n" : by->width ? "  " : "\t", by->stream);
+}
+
+/* The text of a cell; `number` has room for one. */
+static const char *cell_text(char number[32], const struct hawser__cell *cell, const char *format)
+{
+	if (cell->word)
+		return cell->word;
+	snprintf(number, 32, format, cell->number);
+	return number;
+}
+
 static int print_row(void *to, const struct hawser__cell *cell, size_t columns)
 {
-	FILE *stream = to;
+	const struct printing *by = to;
+	char number[32];
+
+	for (size_t i = 0; i < columns; i++)
+		put_cell(by, cell_text(number, &cell[i], by->width ? SHORT : "%.17g"), i, columns);
+	return ferror(by->stream);
+}
+
+static int widen_columns(void *to, const struct hawser__cell *cell, size_t columns)
+{
+	int *width = to;
+	char number[32];
 
 	for (size_t i = 0; i < columns; i++) {
-		if (cell[i].word)
-			fputs(cell[i].word, stream);
-		else
-			fprintf(stream, "%.17g", cell[i].number);
-		fputc(i + 1 < columns ? '\t' : '\n', stream);
+		int length = (int)strlen(cell_text(number, &cell[i], SHORT));
+
+		width[i] = width[i] < length ? length : width[i];
 	}
-	return ferror(stream);
+	return 0;
 }
 
 /* 0, or -1 when memory ran out. */
-static int print(const struct hawser__table *table, FILE *stream)
+static int print(const struct hawser__table *table, FILE *stream, const int *width)
 {
-	struct hawser__visitor by = {print_row, stream};
+	struct printing to = {stream, width};
+	struct hawser__visitor by = {print_row, &to};
 
 	hawser__table_print_comments(table, stream);
 	for (int i = 0; i < table->columns; i++)
-		fprintf(stream, "%s%c", table->column[i], i + 1 < table->columns ? '\t' : '\n');
+		put_cell(&to, table->column[i], (size_t)i, (size_t)table->columns);
 	return hawser__table_visit(table, &by);
 }
 
-enum hawser_status hawser__table_write(const struct hawser__table *table, const char *path,
-                                       struct hawser_report *report)
+static enum hawser_status write_to(const char *path, const struct hawser__table *table,
+                                   const int *width, struct hawser_report *report)
 {
 	struct hawser__file file;
 	enum hawser_status status = hawser__table_check(table, report);
@@ -255,11 +291,31 @@ enum hawser_status hawser__table_write(const struct hawser__table *table, const 
 		status = hawser__file_begin(&file, path, report);
 	if (status)
 		return status;
-	if (print(table, file.stream)) {
+	if (print(table, file.stream, width)) {
 		hawser__file_abort(&file);
 		return hawser__no_memory(report, "table");
 	}
 	return hawser__file_commit(&file, report);
+}
+
+enum hawser_status hawser__table_write(const struct hawser__table *table, const char *path,
+                                       struct hawser_report *report)
+{
+	return write_to(path, table, NULL, report);
+}
+
+enum hawser_status hawser__table_show(const struct hawser__table *table, struct hawser_report *report)
+{
+	int *width = calloc((size_t)table->columns + 1, sizeof *width);
+	struct hawser__visitor by = {widen_columns, width};
+	enum hawser_status status;
+
+	for (int i = 0; width && i < table->columns; i++)
+		width[i] = (int)strlen(table->column[i]);
+	status = !width || hawser__table_visit(table, &by) ? hawser__no_memory(report, "table")
+	         : write_to("-", table, width, report);
+	free(width);
+	return status;
 }
 
 static void free_list(char **list, int count)

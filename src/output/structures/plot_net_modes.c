@@ -4,8 +4,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
-#include <math.h>
-
 #include "output/drawing/panels.h"
 #include "output/drawing/perspective.h"
 #include "output/structures/structures.h"

@@ -7,8 +7,6 @@
 
 #include <hawser/line_modes.h>
 
-#include "output/output.h"
-
 struct hawser__ropeway_modes_picture {
 	const struct hawser_line_modes *modes;
 	const char *what;        /* "towers", "obstacles": in the legend */

@@ -1,5 +1,5 @@
 /* response/branch/closure.c - detection of closed curves, of branches that meet another one, and of
- * steps that jumped to another curve.
+ * steps that jumped to another curve or turned round.
  *
  * A branch that begins at a period doubling or a pitchfork is symmetric: the motion shifted by a
  * period of the load, or reflected, is a motion of the branch too. Where the branch meets that of
@@ -34,22 +34,35 @@ static int passes(const struct hawser__trace *trace, const double *goal, double 
 	                            trace->scratch.y, trace->direction, &metric);
 }
 
+/* The same in the direction of the tangent t [size] at that point; side -1: in the opposite one. */
+static int passes_along(const struct hawser__trace *trace, const double *goal, const double *t,
+                        double side, double *share)
+{
+	return side*hawser__orbit_dot(trace->orbit, t, trace->here.t) > ALIKE &&
+	       passes(trace, goal, share);
+}
+
 /* The curve is closed if it passes its first point. */
 int hawser__trace_closed(const struct hawser__trace *trace, double *share)
 {
-	return trace->frf->points >= FEWEST_CLOSED && passes(trace, trace->start_y, share);
+	return trace->frf->points >= FEWEST_CLOSED &&
+	       passes_along(trace, trace->start_y, trace->start_t, 1.0, share);
 }
 
 /* A curve cannot return to a point other than its first one. If it does, a step has jumped from it
  * to a closed curve nearby. The point for the comparison is the last one whose index is a power of
- * two, so that finally one on the closed curve is used (R. Brent, BIT 20 (1980) 176). */
+ * two, so that finally one on the closed curve is used (R. Brent, BIT 20 (1980) 176). Nor can it pass
+ * any point backwards, not even the first. If it does, it has turned round, as where a step turns by
+ * more than a right angle, beyond which the direction of a tangent is that of the way back. */
 int hawser__trace_came_back(const struct hawser__trace *trace)
 {
 	double share;
 
-	return trace->marked && trace->frf->points >= trace->marked + FEWEST_CLOSED &&
-	       hawser__orbit_dot(trace->orbit, trace->mark_t, trace->here.t) > ALIKE &&
-	       passes(trace, trace->mark_y, &share);
+	return passes_along(trace, trace->start_y, trace->start_t, -1.0, &share) ||
+	       (trace->marked &&
+	        (passes_along(trace, trace->mark_y, trace->mark_t, -1.0, &share) ||
+	         (trace->frf->points >= trace->marked + FEWEST_CLOSED &&
+	          passes_along(trace, trace->mark_y, trace->mark_t, 1.0, &share))));
 }
 
 void hawser__trace_mark(struct hawser__trace *trace)
@@ -71,8 +84,8 @@ enum hawser_status hawser__trace_jumped(struct hawser__trace *trace)
 	trace->jumped = 1;
 	return hawser__fail_at(trace->report, HAWSER_ERR_CONVERGENCE, "frf",
 	                       trace->frf->points, trace->here.correction.residual,
-	                       "the curve came back to an orbit that is not its first one, at %s: "
-	                       "a step has jumped to another branch; take shorter steps (--step)",
+	                       "the curve came back to an orbit that it had passed, at %s: a step has "
+	                       "jumped to another branch or back; take shorter steps (--step)",
 	                       hawser__orbit_where(trace->orbit, at).text);
 }
 

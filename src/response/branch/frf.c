@@ -248,7 +248,7 @@ static enum hawser_status arrive(void *owner, enum hawser__arrival *arrival, dou
 	}
 	if (outside && (status = hawser__trace_cut(trace, omega >= trace->hi ? trace->hi : trace->lo)))
 		return status;
-	if (!outside && hawser__trace_came_back(trace))
+	if (hawser__trace_came_back(trace))
 		return hawser__trace_jumped(trace);
 	round = !outside && hawser__trace_closed(trace, &share);
 	if (round && (status = hawser__trace_close(trace, share)))
@@ -356,6 +356,7 @@ static enum hawser_status open_trace(struct hawser__trace *trace, struct hawser_
 	trace->direction = hawser__hold(&trace->hold, (size_t)orbit->size, sizeof(double));
 	trace->side = hawser__hold(&trace->hold, (size_t)orbit->size, sizeof(double));
 	trace->start_y = hawser__hold(&trace->hold, (size_t)orbit->size, sizeof(double));
+	trace->start_t = hawser__hold(&trace->hold, (size_t)orbit->size, sizeof(double));
 	trace->mark_y = hawser__hold(&trace->hold, (size_t)orbit->size + (size_t)orbit->m, sizeof(double));
 	trace->mark_t = hawser__hold(&trace->hold, (size_t)orbit->size, sizeof(double));
 	trace->pairs = hawser__hold(&trace->hold, 6*(size_t)orbit->n, sizeof *trace->pairs);

@@ -11,6 +11,7 @@
 #include "response/branch/trace.h"
 
 #define FIRST_REFINEMENTS 3 /* refinements of the mesh at the first orbit; chosen */
+#define SAME_LOAD 1e-2 /* difference of two loads that says nothing of the mesh, relative; chosen */
 #define FIRST_WORK 30.0 /* most work for it, s, where nothing else is asked for; chosen */
 #define FIRST_STEP 0.05 /* relative to the orbit's size; short, since the first prediction has one
                          * tangent only; chosen */
@@ -32,12 +33,13 @@ static enum hawser_status place(struct hawser__trace *trace, double *omega)
 }
 
 /* From a state [m], or NULL. If the mesh is too coarse for the first orbit, Newton's method fails even
- * for a good initial value: refine it and try again. */
+ * for a good initial value: refine it and try again, unless the load could be raised as far before. */
 static enum hawser_status start(struct hawser__trace *trace, const double *x,
                                 struct hawser__raised *raised)
 {
 	const struct hawser_rom_family *family = trace->options.family;
 	struct hawser__orbit *orbit = trace->orbit;
+	double before = -1.0;
 	enum hawser_status status;
 
 	for (int refined = 0;; refined++) {
@@ -52,8 +54,10 @@ static enum hawser_status start(struct hawser__trace *trace, const double *x,
 		if (family)
 			trace->here.y[orbit->size - 1] = trace->options.begin;
 		if (status != HAWSER_ERR_CONVERGENCE || refined == FIRST_REFINEMENTS ||
-		    hawser__start_spent(orbit, raised))
+		    hawser__start_spent(orbit, raised) ||
+		    (before > 0.0 && raised->load <= before*(1.0 + SAME_LOAD)))
 			return status;
+		before = raised->load;
 		if ((status = orbit->ops->enrich(orbit, 1, trace->report)))
 			return status;
 	}
@@ -221,6 +225,7 @@ enum hawser_status hawser__trace_begin(struct hawser__trace *trace)
 	if ((status = hawser__trace_determined(trace, &trace->here)))
 		return status;
 	memcpy(trace->start_y, trace->here.y, (size_t)orbit->size*sizeof(double));
+	memcpy(trace->start_t, trace->here.t, (size_t)orbit->size*sizeof(double));
 	trace->known = 1;
 	trace->curve.ds = fmin(FIRST_STEP, hawser__trace_longest(trace));
 	status = hawser__record_point(trace->frf, trace->amplitude, &trace->here, orbit,

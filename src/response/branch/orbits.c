@@ -206,6 +206,11 @@ int hawser__known_ahead(struct hawser__trace *trace, double ds)
 	trace->orbit->known = trace->aim > 0.0 && ds == trace->aim;
 	if (!trace->orbit->known)
 		return 0;
-	unpack(trace->next.y, NULL, &known_to(trace)->item[trace->aimed], trace->orbit);
+	unpack(trace->next.y, trace->side, &known_to(trace)->item[trace->aimed], trace->orbit);
 	return !hawser__balance_hold((struct hawser__balance *)trace->orbit, trace->next.y, NULL);
+}
+
+const double *hawser__known_side(const struct hawser__trace *trace, double ds)
+{
+	return ds == trace->aim ? trace->side : trace->here.t;
 }

@@ -223,7 +223,7 @@ enum hawser_status hawser__trace_finish(void *owner, double ds, double *angle)
 	struct hawser__trace *trace = owner;
 	const struct hawser__metric metric = hawser__orbit_metric(trace->orbit);
 
-	hawser__station_turn(&trace->next, trace->orbit, trace->here.t);
+	hawser__station_turn(&trace->next, trace->orbit, hawser__known_side(trace, ds));
 	*angle = hawser__metric_angle(&metric, trace->here.t, trace->next.t);
 	trace->next.arc = trace->here.arc + ds;
 	if (refused(trace, *angle, ds)) /* multipliers would take most of the time of the step */

@@ -76,10 +76,10 @@ struct hawser__trace {
 	                                 * count */
 	double *direction, *side; /* [size] */
 	double complex *pairs;  /* [5 m/2] workspace of hawser__collide */
-	double *start_y;        /* [size] first point, to detect a closed curve */
+	double *start_y, *start_t; /* [size] first point and its tangent, to detect a closed curve */
 	double *mark_y, *mark_t; /* [size + m], [size] a later point and its tangent, to detect a jump */
 	int marked;             /* index of that point; 0: none */
-	int jumped;             /* 1: the curve returned to that point */
+	int jumped;             /* 1: the curve returned to that point, or to the first one backwards */
 	struct hawser__curve curve;
 	double lo, hi;
 	double began;           /* s, hawser__wall_seconds */
@@ -166,8 +166,9 @@ int hawser__trace_undamped(const struct hawser__trace *trace);
  * of the step; `close` moves next to that point. */
 int hawser__trace_closed(const struct hawser__trace *trace, double *share);
 enum hawser_status hawser__trace_close(struct hawser__trace *trace, double share);
-/* closure.c: whether the curve returns to another of its points, which means that a step jumped to
- * another curve; the failure with this reason; and the storage of the present point for this test. */
+/* closure.c: whether the curve returns to another of its points, or to any of them backwards, which
+ * means that a step jumped to another curve or turned round; the failure with this reason; and the
+ * storage of the present point for this test. */
 int hawser__trace_came_back(const struct hawser__trace *trace);
 enum hawser_status hawser__trace_jumped(struct hawser__trace *trace);
 void hawser__trace_mark(struct hawser__trace *trace);
@@ -190,6 +191,9 @@ enum hawser_status hawser__known_first(struct hawser__trace *trace, int *found);
  * a step of this length does, whose orbit is then that of next. */
 void hawser__known_aim(struct hawser__trace *trace);
 int hawser__known_ahead(struct hawser__trace *trace, double ds);
+/* orbits.c: which of the two directions of the tangent at the end of such a step is that of the curve:
+ * the known one, as it may turn by more than a right angle; otherwise that at its beginning. */
+const double *hawser__known_side(const struct hawser__trace *trace, double ds);
 
 /* slack.c: replace next by the point where the least tension, `from` >= 0 at here and `to` < 0 at next
  * (N), is zero; its event, but for `after`. */

@@ -4,8 +4,6 @@
 #ifndef HAWSER_RESPONSE_CYCLE_H
 #define HAWSER_RESPONSE_CYCLE_H
 
-#include <hawser/branches.h>
-
 #include "response/orbit/method.h"
 
 /* Equilibria: equilibrium.c. The "multipliers" of an equilibrium are (s + x)/(s - x) of the

@@ -25,7 +25,6 @@
 #include "response/cycle/cycle.h"
 #include "response/cycle/hopf.h"
 #include "response/floquet/floquet.h"
-#include "rom/terms/terms.h"
 
 #define SMALLEST 1e-6 /* size of coordinates below which all are the same; chosen */
 #define REMEMBERED 0.05 /* of the largest size so far, to which the metric does not shrink; chosen */

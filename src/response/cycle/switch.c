@@ -12,8 +12,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include <hawser/branches.h>
-
 #include "core/report.h"
 #include "response/cycle/cycle.h"
 #include "response/cycle/hopf.h"

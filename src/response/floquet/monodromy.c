@@ -39,6 +39,8 @@ enum hawser_status hawser__monodromy_init(struct hawser__monodromy *monodromy, i
 	monodromy->expected = HAWSER__EXPECTED;
 	hawser__collocation_make(&monodromy->gauss);
 	hawser__collocation_indirect(&monodromy->gauss);
+	hawser__collocation_make_radau(&monodromy->radau);
+	hawser__collocation_indirect(&monodromy->radau);
 	monodromy->part = calloc(3*(size_t)n, sizeof(int));
 	monodromy->pivot = calloc(wide, sizeof(int));
 	monodromy->memory = next = calloc(room, sizeof *next);
@@ -196,21 +198,6 @@ static enum hawser_status make_table(struct hawser__monodromy *monodromy, int or
 	return HAWSER_OK;
 }
 
-/* The rate at which the damping that differs between coordinates separates motions; of an
- * overdamped coordinate z both grows and decays. */
-static double spread(const struct hawser__component *c, const struct hawser__variational *system)
-{
-	double most = 0.0;
-
-	for (int p = 0; p < c->w; p++) {
-		int at = c->member[p]*(c->n + 1);
-		double over = 0.25*c->damping*c->damping - 0.5*system->K[at];
-
-		most = fmax(most, fabs(0.5*system->D[at] - c->damping) + 2.0*sqrt(fmax(over, 0.0)));
-	}
-	return most;
-}
-
 /* Whether half a period is enough: of stiff models, where it saves most. */
 static int halves(struct hawser__monodromy *monodromy, const struct hawser__variational *system,
                   const struct hawser__component *c)
@@ -228,16 +215,15 @@ static enum hawser_status solve_component(struct hawser__monodromy *monodromy, d
 {
 	int w = c->w, m = 2*w, parts = halves(monodromy, system, c) ? 2 : 1;
 	int steps = monodromy->steps/parts;
-	double period = 2.0*M_PI/system->omega, error = 0.0, loss, round_off;
+	double period = 2.0*M_PI/system->omega, error = 0.0, loss, round_off, apart;
 	struct hawser__factors factors = {.at = monodromy->factor, .m = m, .largest = -1.0,
 		.most = hawser__monodromy_factors(monodromy->n)};
 	enum hawser_status status = HAWSER_OK;
 
-	for (int p = 0; p < w; p++)
-		c->damping += 0.5*system->D[c->member[p]*(c->n + 1)]/w;
 	c->h = period/monodromy->steps;
-	factors.limit = fmax(STRETCH, spread(c, system)*period/factors.most);
 	monodromy->stretch = 0.0;
+	apart = hawser__component_damping(c, monodromy, system);
+	factors.limit = c->overdamped ? STRETCH : fmax(STRETCH, apart*period/factors.most);
 	for (int i = 0; i < steps; i++) {
 		if ((status = hawser__monodromy_step(monodromy, &error, system, c, i, report)))
 			return status;

@@ -107,7 +107,7 @@ struct hawser__monodromy {
 	int resolved;           /* 1: the steps of a stiff model resolve all kept coordinates */
 	double fastest;         /* largest relevant frequency of a stiff model, or infinite */
 	double top;             /* frequency of the fastest kept coordinate of a stiff model */
-	struct hawser__collocation gauss;
+	struct hawser__collocation gauss, radau;
 	int *part, *member;     /* [n] component of a coordinate; coordinates by components */
 	int *sign;              /* [n] of the coordinates of a component (hawser__monodromy_repeats) */
 	int parts;
@@ -214,7 +214,14 @@ struct hawser__component {
 	int w;             /* of the component */
 	double damping;    /* a */
 	double h;          /* time step */
+	int overdamped;    /* 1: some coordinates decay within a step */
+	const struct hawser__collocation *table;
 };
+
+/* Sets c->damping, overdamped and table; c->damping is 0. Returns the rate at which the damping that
+ * differs between coordinates separates motions. */
+double hawser__component_damping(struct hawser__component *c, const struct hawser__monodromy *monodromy,
+                                 const struct hawser__variational *system);
 
 /* Compute the transition matrix of one step, monodromy->step [2w][2w]; its estimated error is added
  * to *error. HAWSER_ERR_CONVERGENCE: the equations of the step are singular. */

@@ -355,6 +355,18 @@ static enum hawser_status descend(struct hawser__condensation *work,
 	return status;
 }
 
+/* The highest frequency of a coordinate that vibrates: an overdamped one has none to be resolved. */
+static double fastest_of(const struct hawser__monodromy *monodromy,
+                         const struct hawser__variational *system)
+{
+	double top = 0.0;
+
+	for (int j = 0; j < system->n; j++)
+		if (0.25*system->D[(size_t)j*(system->n + 1)] < monodromy->frequency[j])
+			top = fmax(top, monodromy->frequency[j]);
+	return top;
+}
+
 enum hawser_status hawser__monodromy_condense(struct hawser__monodromy *monodromy,
                                             struct hawser__variational *system, int *kept,
                                             struct hawser_report *report)
@@ -397,7 +409,7 @@ enum hawser_status hawser__monodromy_condense(struct hawser__monodromy *monodrom
 	if (status)
 		return status;
 	if (monodromy->left_out > (monodromy->rest && !monodromy->sharper ? BEARABLE : most)) {
-		monodromy->top = top;
+		monodromy->top = fastest_of(monodromy, system);
 		if (!work.singular || monodromy->finer)
 			return HAWSER_OK;
 		return hawser__fail(report, HAWSER_ERR_CONVERGENCE, "floquet",

@@ -11,6 +11,12 @@
  * approximation of exp). The coefficient is computed, and the error follows from it. If K varies,
  * both depend on the same decay of the coefficients.
  *
+ * Overdamped coordinates that decay within a step, as those of a full-order model with damping by its
+ * stiffness, need a method that lets them decay: Radau IIA, whose error is 7.4e-18 z^16. z is then
+ * x exp(at/2) with the least damping, since z would grow beyond any step with the mean. What counts is
+ * the error of motions that outlast some steps: the coefficient of those that the matrix of the step
+ * leaves.
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -25,6 +31,48 @@
 #define S HAWSER__NODES
 /* Coefficient of the last node polynomial in the solution over a step of one radian. */
 #define LAST_COEFFICIENT 5.8e-8
+#define RADAU_ERROR 7.4e-18 /* error of such a step with Radau's nodes; it grows with its 16th power */
+#define OUTLAST 4 /* steps that motions outlast whose error counts; chosen, half of the fewest */
+#define DECAY 6.0 /* largest rate of decay in a step of which Gauss' nodes are accurate, to 4e-6 */
+
+/* The rate at which the damping that differs between coordinates separates motions; of an
+ * overdamped coordinate z both grows and decays. */
+static double spread(const struct hawser__component *c, const struct hawser__variational *system)
+{
+	double most = 0.0;
+
+	for (int p = 0; p < c->w; p++) {
+		int at = c->member[p]*(c->n + 1);
+		double over = 0.25*c->damping*c->damping - 0.5*system->K[at];
+
+		most = fmax(most, fabs(0.5*system->D[at] - c->damping) + 2.0*sqrt(fmax(over, 0.0)));
+	}
+	return most;
+}
+
+/* The mean damping, with which the product keeps its norm; where others decay within a step
+ * (see above), that of the slowest motion. Such steps are those of a stiff model, which need not
+ * resolve everything, and the most steps of others. */
+double hawser__component_damping(struct hawser__component *c, const struct hawser__monodromy *monodromy,
+                                 const struct hawser__variational *system)
+{
+	int stiff = monodromy->fastest < INFINITY && !monodromy->haste;
+	double steps = stiff ? monodromy->steps : fmax(monodromy->steps, monodromy->most);
+	double apart, least = INFINITY;
+
+	for (int p = 0; p < c->w; p++) {
+		int at = c->member[p]*(c->n + 1);
+		double own = 0.5*system->D[at];
+
+		c->damping += own/c->w;
+		least = fmin(least, own - sqrt(fmax(own*own - 2.0*system->K[at], 0.0)));
+	}
+	apart = spread(c, system);
+	c->overdamped = apart*c->h*monodromy->steps > DECAY*steps;
+	c->damping = c->overdamped ? least : c->damping;
+	c->table = c->overdamped ? &monodromy->radau : &monodromy->gauss;
+	return apart;
+}
 
 /* K - a D/2 + a^2/4 and D - a, for z, at node i. */
 static double stiff_at(const struct hawser__monodromy *monodromy,
@@ -58,43 +106,51 @@ static void fill_system(struct hawser__monodromy *monodromy, const struct hawser
 				double *rhs = monodromy->rhs + (size_t)q*wide + (size_t)i*w + p;
 
 				for (int j = 0; j < S; j++)
-					at[(size_t)j*w*wide] = h*h*monodromy->gauss.twice[i][j]*k +
-					                       h*monodromy->gauss.once[i][j]*d;
+					at[(size_t)j*w*wide] = h*h*c->table->twice[i][j]*k +
+					                       h*c->table->once[i][j]*d;
 				at[(size_t)i*w*wide] += p == q;
 				rhs[0] = -k/monodromy->scale[c->member[q]];
-				rhs[(size_t)w*wide] = -monodromy->gauss.node[i]*h*k - d;
+				rhs[(size_t)w*wide] = -c->table->node[i]*h*k - d;
 			}
 }
 
 /* The transition matrix of the step [2w][2w] from the accelerations in rhs; returns the estimated
- * error. */
+ * error, from the last coefficients [w][2w]. */
 static double read_step(struct hawser__monodromy *monodromy, const struct hawser__component *c)
 {
-	int w = c->w, wide = S*w;
-	double h = c->h, worst = 0.0;
-	const struct hawser__collocation *gauss = &monodromy->gauss;
+	int w = c->w, wide = S*w, m = 2*w;
+	double h = c->h, worst = 0.0, *last = monodromy->product, *left = last + (size_t)w*m;
+	const struct hawser__collocation *table = c->table;
 
-	for (int q = 0; q < 2*w; q++) {
+	for (int q = 0; q < m; q++) {
 		const double *a = monodromy->rhs + (size_t)q*wide;
-		double last2 = 0.0;
 
 		for (int p = 0; p < w; p++) {
-			double once = 0.0, twice = 0.0, last = 0.0;
+			double once = 0.0, twice = 0.0, sum = 0.0;
 			double scale = monodromy->scale[c->member[p]];
 
 			for (int i = 0; i < S; i++) {
-				once += gauss->end_once[i]*a[i*w + p];
-				twice += gauss->end_twice[i]*a[i*w + p];
-				last += gauss->transform[S - 1][i]*a[i*w + p];
+				once += table->end_once[i]*a[i*w + p];
+				twice += table->end_twice[i]*a[i*w + p];
+				sum += table->transform[S - 1][i]*a[i*w + p];
 			}
-			last2 += last*last;
+			last[(size_t)p*m + q] = sum;
 			twice = h*h*twice + (q == p + w ? h : 0.0);
-			monodromy->step[(size_t)p*2*w + q] = scale*twice + (q == p);
-			monodromy->step[(size_t)(w + p)*2*w + q] = h*once + (q == p + w);
+			monodromy->step[(size_t)p*m + q] = scale*twice + (q == p);
+			monodromy->step[(size_t)(w + p)*m + q] = h*once + (q == p + w);
 		}
-		worst = fmax(worst, last2);
 	}
-	return HAWSER__STEP_ERROR*pow(h*sqrt(worst)/LAST_COEFFICIENT, 17.0/8.0);
+	for (int k = 0; k < OUTLAST && c->overdamped; k++) {
+		double *before = last;
+
+		cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, w, m, m, 1.0, before, m,
+		            monodromy->step, m, 0.0, left, m);
+		last = left;
+		left = before;
+	}
+	for (int q = 0; q < m; q++)
+		worst = fmax(worst, h*cblas_dnrm2(w, last + q, m)/LAST_COEFFICIENT);
+	return c->overdamped ? RADAU_ERROR*worst*worst : HAWSER__STEP_ERROR*pow(worst, 17.0/8.0);
 }
 
 /* K and D at the nodes of a step. */

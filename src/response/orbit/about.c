@@ -218,6 +218,7 @@ static enum hawser_status find(struct hawser__about *about, struct hawser__raise
 		lost = status == HAWSER_ERR_CONVERGENCE && raised->load >= 0.0 && !raised->turned;
 		if (!status) {
 			about->error = orbit->ops->error(orbit, correction.residual);
+			hawser__balance_transform((struct hawser__balance *)orbit);
 			status = take(about, rom, (const struct hawser__balance *)orbit, omega, report);
 		}
 		if (!status && !raised->slow)

@@ -254,12 +254,12 @@ static void take_trivial(struct hawser__orbit *orbit)
 static enum hawser_status multipliers(struct hawser__orbit *orbit, struct hawser_report *report)
 {
 	struct hawser__balance *balance = (struct hawser__balance *)orbit;
-	enum hawser_status status =
-		hawser__monodromy_multipliers(&balance->monodromy, orbit->log_modulus,
-	                                      orbit->argument, orbit->rom, balance->T,
-	                                      balance->spread, hawser__orbit_omega(orbit, balance->at),
-	                                      report);
+	enum hawser_status status;
 
+	hawser__balance_transform(balance);
+	status = hawser__monodromy_multipliers(&balance->monodromy, orbit->log_modulus, orbit->argument,
+	                                       orbit->rom, balance->T, balance->spread,
+	                                       hawser__orbit_omega(orbit, balance->at), report);
 	orbit->cost.dense += balance->monodromy.operations;
 	balance->monodromy.operations = 0.0;
 	orbit->multiplier_error = balance->monodromy.neglected;

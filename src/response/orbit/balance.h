@@ -54,7 +54,8 @@ struct hawser__balance {
 	double *kept;            /* [size] scratch */
 	double *orbit, *before;  /* [size] scratch of the error */
 	double *wave;            /* [2 top + 1][n] scratch */
-	double *T;
+	double *T;               /* of the last derivatives, once hawser__balance_transform has made it */
+	int transformed;         /* 1: it has */
 	int more;                /* 1: the model has terms (rom.h), or the exact force of a wind. Then: */
 	double *rates;           /* [R][n] velocities at the samples */
 	double *slope, *shift;   /* [R][n][n], [R][n] derivatives of these by velocities and Omega */
@@ -118,8 +119,11 @@ int hawser__balance_lowest(const struct hawser_rom *rom);
  * lowest. */
 void hawser__balance_release(struct hawser__balance *balance);
 
-/* balance_sample.c: defects at y for all harmonics of r, and with derive also T and by_omega. */
+/* balance_sample.c: defects at y for all harmonics of r; with derive also tangents and by_omega. */
 void hawser__balance_evaluate(struct hawser__balance *balance, const double *y, int derive);
+/* balance_sample.c: T, with the parametric stiffness: for matrices and multipliers, but not for
+ * products with vectors. */
+void hawser__balance_transform(struct hawser__balance *balance);
 
 /* balance_terms.c: the numbers of samples and the spread that terms need, at least those on entry. */
 void hawser__balance_reach(const struct hawser__balance *balance, int *samples, int *spread);

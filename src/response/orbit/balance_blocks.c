@@ -309,13 +309,14 @@ static int changed(const struct hawser__blocks *blocks, const struct hawser__bal
 	return others;
 }
 
-int hawser__blocks_factor(struct hawser__blocks *blocks, const struct hawser__balance *balance,
+int hawser__blocks_factor(struct hawser__blocks *blocks, struct hawser__balance *balance,
                           const double *row)
 {
 	int n = balance->base.n;
 
 	if (changed(blocks, balance) && hawser__blocks_arrange(blocks, balance))
 		return 1;
+	hawser__balance_transform(balance);
 	blocks->harmonics = hawser__blocks_harmonics(balance);
 	for (size_t e = 0; e < (2*(size_t)blocks->harmonics + 1)*n*n; e++)
 		blocks->T[e] = (float)balance->T[e];

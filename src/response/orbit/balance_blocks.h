@@ -79,7 +79,7 @@ void hawser__blocks_release(struct hawser__blocks *blocks);
 int hawser__blocks_arrange(struct hawser__blocks *blocks, const struct hawser__balance *balance);
 
 /* Factorise for the last derivatives, with `row` [size] as border. Returns 1 if singular. */
-int hawser__blocks_factor(struct hawser__blocks *blocks, const struct hawser__balance *balance,
+int hawser__blocks_factor(struct hawser__blocks *blocks, struct hawser__balance *balance,
                           const double *row);
 
 /* Replace x [P + 1] by an approximation of M^-1 x, where M is the scaled bordered matrix. */

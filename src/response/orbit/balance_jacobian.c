@@ -199,6 +199,7 @@ static void fill(struct hawser__balance *balance, double *matrix, int stride, in
 	int n = balance->base.n, origin = balance->unknowns;
 	double omega = balance->derived_at;
 
+	hawser__balance_transform(balance);
 	for (int i = 0; i < balance->unknowns; i++)
 		if ((balance->slot[i]/n + 1)/2 >= from) {
 			origin = i;

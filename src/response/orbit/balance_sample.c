@@ -146,17 +146,30 @@ static void add_linear(struct hawser__balance *balance, double omega)
 	}
 }
 
-/* Fourier coefficients of the sampled tangents, with the parametric stiffness. */
-static void transform_tangents(struct hawser__balance *balance, double omega)
+/* Means of the diagonals of the sampled tangents. */
+static void set_stiffness(struct hawser__balance *balance)
+{
+	int n = balance->base.n, rows = balance->base.rows;
+
+	for (int j = 0; j < n; j++) {
+		balance->stiffness[j] = 0.0;
+		for (int r = 0; r < rows; r++)
+			balance->stiffness[j] += balance->tangent[((size_t)r*n + j)*n + j]/rows;
+	}
+}
+
+void hawser__balance_transform(struct hawser__balance *balance)
 {
 	const struct hawser_rom *rom = balance->base.rom;
 	int n2 = rom->n*rom->n, rows = balance->base.rows;
+	double omega = balance->derived_at;
 
+	if (balance->transformed)
+		return;
+	balance->transformed = 1;
 	cblas_dgemm(CblasRowMajor, CblasTrans, CblasNoTrans, 2*balance->spread + 1, n2, rows,
 	            2.0/rows, balance->basis, 2*balance->width + 1, balance->tangent, n2, 0.0,
 	            balance->T, n2);
-	for (int j = 0; j < rom->n; j++)
-		balance->stiffness[j] = 0.5*balance->T[j*rom->n + j];
 	for (int p = 0; p < rom->harmonics; p++) {
 		const struct hawser_harmonic *harmonic = &rom->harmonic[p];
 		struct waves T = {balance->T, balance->spread, n2};
@@ -205,7 +218,8 @@ static void evaluate(struct hawser__balance *balance, int derive)
 	for (int p = 0; p < rom->harmonics; p++)
 		add_forcing(balance, &rom->harmonic[p], omega, derive);
 	if (derive)
-		transform_tangents(balance, omega);
+		set_stiffness(balance);
+	balance->transformed &= !derive;
 }
 
 static void swap(double **a, double **b)

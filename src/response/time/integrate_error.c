@@ -14,7 +14,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/report.h"
 #include "response/time/stepper.h"
 
 #define TIGHTER 0.01 /* tolerance of the second run relative to that of the first: 2 digits */

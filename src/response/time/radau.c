@@ -26,7 +26,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
-#include <cblas.h>
 #include <float.h>
 #include <lapacke.h>
 #include <math.h>

@@ -42,7 +42,6 @@
 
 #include "core/hold.h"
 #include "core/report.h"
-#include "modes/grid.h"
 #include "response/time/surge_parts.h"
 #include "rom/condense/answer.h"
 #include "rom/build/build.h"

@@ -3,7 +3,6 @@
 #ifndef HAWSER_ROM_BEND_H
 #define HAWSER_ROM_BEND_H
 
-#include <hawser/modes.h>
 #include "core/hold.h"
 #include "rom/condense/condense.h"
 

@@ -47,7 +47,6 @@
 #include "config.h"
 
 #include <cblas.h>
-#include <math.h>
 #include <string.h>
 
 #include "core/report.h"

@@ -3,8 +3,6 @@
 #ifndef HAWSER_ROM_EFFORT_H
 #define HAWSER_ROM_EFFORT_H
 
-#include <hawser/rom.h>
-
 /* What is evaluated: a force, or a force with its tangent; at one state, or at each of several in
  * one call. */
 enum hawser__effort_task {

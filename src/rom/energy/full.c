@@ -8,7 +8,6 @@
 #include "config.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 #include "core/report.h"
 #include "rom/build/build.h"

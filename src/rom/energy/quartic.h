@@ -4,8 +4,6 @@
 #ifndef HAWSER_ROM_QUARTIC_H
 #define HAWSER_ROM_QUARTIC_H
 
-#include <stddef.h>
-
 #include <hawser/rom.h>
 
 #include "core/hold.h"

@@ -18,7 +18,6 @@
 #include "rom/terms/absorbers.h"
 #include "rom/terms/dampers.h"
 #include "rom/condense/follow.h"
-#include "rom/energy/kernel.h"
 #include "rom/energy/project.h"
 #include "rom/energy/quartic.h"
 

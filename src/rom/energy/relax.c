@@ -12,7 +12,6 @@
 
 #include <cblas.h>
 #include <lapacke.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "rom/energy/relax.h"

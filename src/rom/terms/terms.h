@@ -3,8 +3,6 @@
 #ifndef HAWSER_ROM_TERMS_H
 #define HAWSER_ROM_TERMS_H
 
-#include <stddef.h>
-
 #include <hawser/rom.h>
 
 /* 1: the model has forces beyond D, K, Q, C and the parts f, D, K, Q of harmonics. */

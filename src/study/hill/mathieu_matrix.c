@@ -33,9 +33,7 @@
 
 #include <complex.h>
 #include <math.h>
-#include <stdlib.h>
 
-#include "core/report.h"
 #include "study/hill/mathieu.h"
 
 #define NARROW 1e-3  /* width of a tongue below which f is not used: its square is then 1e-6, so

@@ -3,7 +3,6 @@
 #ifndef HAWSER_STUDY_MAP_QUANTITY_H
 #define HAWSER_STUDY_MAP_QUANTITY_H
 
-#include <hawser/linear.h>
 #include <hawser/map.h>
 
 /* The workspace of a thread for models of up to n coordinates. */

@@ -14,11 +14,8 @@
 #include "config.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 #include <hawser/map.h>
-
-#include "core/report.h"
 
 static const double next_terms = 0.25, safety = 1.5;
 enum { MOST = 12, STEPS = 11 }; /* crossings of a line; halvings of a bracket, to 1/2000 of it */

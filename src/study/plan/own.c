@@ -6,10 +6,8 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
-#include "core/report.h"
 #include "study/accuracy/survey.h"
 
 enum { FUNCTIONS = 12 }; /* of the smallest basis that most scenes need */
