@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <stddef.h>
 #include <stdio.h>
 
 #include "cli/model/exact.h"
@@ -431,36 +432,14 @@ static struct cli_head head(const void *of)
 		result->model, result->folds->curves > 0 ? CURVES : 0u);
 }
 
-/* An event is written after the point that precedes it on the curve. */
-static void curve_rows(struct hawser__table *table, const struct curve *curve,
-                       const struct hawser__view *view)
-{
-	int e = 0;
-	struct row row;
-
-	for (int i = 0; i < curve->points; i++) {
-		point_row(&row, curve, (size_t)i);
-		hawser__fields_row(table, NULL, point_field, &row, view);
-		for (; e < curve->events; e++) {
-			event_row(&row, curve, (size_t)e);
-			if (row.event.after != i)
-				break;
-			hawser__fields_row(table, point_field, event_field, &row, view);
-		}
-	}
-}
-
 static void rows(struct hawser__table *table, const void *of)
 {
+	static const struct hawser__curve_lists lists = {&curve_list, &point_list, &event_list,
+	                                                 offsetof(struct row, event.after)};
 	const struct cli_folds_result *result = of;
 	struct hawser__view view = head(of).view;
-	struct curve curve;
 
-	hawser__fields_columns(table, point_field, &view);
-	for (int c = 0; c < result->folds->curves; c++) {
-		curve_row(&curve, result->folds, (size_t)c);
-		curve_rows(table, &curve, &view);
-	}
+	hawser__fields_curves(table, &lists, result->folds, &view);
 }
 
 const struct cli_showing cli_folds_showing = {

@@ -307,6 +307,15 @@ void hawser__fields_rows(struct hawser__table *table, const struct hawser__field
 void hawser__fields_row(struct hawser__table *table, const struct hawser__field *columns,
                         const struct hawser__field *field, const void *row,
                         const struct hawser__view *view);
+/* Columns and rows of curves: of each its points, and behind the point that precedes it each event. Of
+ * `parent` the curves, of these the points and events, all of them made; after: offset in an event of
+ * the index, an int, of that point on the curve. */
+struct hawser__curve_lists {
+	const struct hawser__list *curves, *points, *events;
+	size_t after;
+};
+void hawser__fields_curves(struct hawser__table *table, const struct hawser__curve_lists *of,
+                           const void *parent, const struct hawser__view *view);
 /* Comments "name = value unit" for the numbers of a row, named by their keys. */
 void hawser__fields_comments(struct hawser__table *table, const struct hawser__field *field,
                              const void *row, const struct hawser__view *view);

@@ -212,6 +212,34 @@ void hawser__fields_row(struct hawser__table *table, const struct hawser__field 
 	cells(table, columns ? columns : field, field, &at, view);
 }
 
+void hawser__fields_curves(struct hawser__table *table, const struct hawser__curve_lists *of,
+                           const void *parent, const struct hawser__view *view)
+{
+	const struct hawser__field *columns = of->points->field;
+	const struct hawser__at whole = {parent, parent, 0, 0};
+	union hawser__room room[3];
+	struct hawser__at curve, point, event;
+
+	hawser__fields_columns(table, columns, view);
+	for (size_t c = 0; c < hawser__count_of(of->curves, &whole); c++) {
+		size_t e = 0;
+
+		if (!hawser__make_row(&curve, &room[0], of->curves, &whole, c))
+			continue;
+		for (size_t i = 0; i < hawser__count_of(of->points, &curve); i++) {
+			if (hawser__make_row(&point, &room[1], of->points, &curve, i))
+				cells(table, columns, columns, &point, view);
+			for (; e < hawser__count_of(of->events, &curve); e++) {
+				if (!hawser__make_row(&event, &room[2], of->events, &curve, e))
+					continue;
+				if (*(const int *)((const char *)event.row + of->after) > (int)i)
+					break;
+				cells(table, columns, of->events->field, &event, view);
+			}
+		}
+	}
+}
+
 void hawser__fields_comments(struct hawser__table *table, const struct hawser__field *field,
                              const void *row, const struct hawser__view *view)
 {
