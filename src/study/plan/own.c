@@ -52,7 +52,7 @@ static void exceed(struct hawser_plan_row *row, struct hawser_survey *survey)
 	*row = full;
 }
 
-/* Modes that cannot be weighed are compared with full-order models, for as long as an error is worth. */
+/* Modes that cannot be weighed are compared with full-order models, for as long as that is worth it. */
 static void compare_unweighed(struct hawser_plan_row *row, const struct hawser_survey *survey)
 {
 	struct hawser_plan_row full = made("full", FUNCTIONS);
