@@ -11,7 +11,7 @@
 #include "study/accuracy/survey.h"
 
 enum { FUNCTIONS = 12 }; /* of the smallest basis that most scenes need */
-#define COMMAND 0.1 /* s: reading, statics, modes, model, its error and the peaks; median of 27 random
+#define COMMAND 0.1 /* s: reading, statics, modes, model, its error and the peaks; median of 12 random
                      * scenes whose modes are good enough */
 #define FOR_ERROR 6.0 /* most work of full-order models for an error that is not known otherwise, s */
 
