@@ -41,9 +41,8 @@ static const double each = 22.0, each_fold = 12.0;
 #define SEARCHED 6.6
 #define CHOSEN 2.6
 #define CHOICE 0.1
-/* Curves of a response with the exact energy in place of modes, with drafts: 0.03 to 2.5, median
- * 0.9, in 13 random scenes with 10 to 50 % of the sag; 1.3, 4.4 and 7.8 in b-table-5.6, deep-sag,
- * conductor. */
+/* Curves of a response with the exact energy in place of modes, with drafts: 0.1 to 2.5, median 0.9, in
+ * 13 random scenes of 10 to 50 % of the sag; 1.3 in b-table-5.6, 4.1 in deep-sag, 7.7 in conductor. */
 #define EXACT 1.2
 
 /* 1: the i-th of the modes at `index` is out of the plane. */

@@ -11,7 +11,7 @@
 #include "study/accuracy/survey.h"
 
 enum { FUNCTIONS = 12 }; /* of the smallest basis that most scenes need */
-#define COMMAND 0.1 /* s: reading, statics, modes, model, its error and the peaks; median of 27 random
+#define COMMAND 0.1 /* s: reading, statics, modes, model, its error and the peaks; median of 12 random
                      * scenes whose modes are good enough */
 #define FOR_ERROR 6.0 /* most work of full-order models for an error that is not known otherwise, s */
 
@@ -52,8 +52,7 @@ static void exceed(struct hawser_plan_row *row, struct hawser_survey *survey)
 	*row = full;
 }
 
-/* Modes that cannot be weighed are compared with full-order models, for as long as an error is
- * worth. */
+/* Modes that cannot be weighed are compared with full-order models, for as long as that is worth it. */
 static void compare_unweighed(struct hawser_plan_row *row, const struct hawser_survey *survey)
 {
 	struct hawser_plan_row full = made("full", FUNCTIONS);
