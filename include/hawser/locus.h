@@ -127,7 +127,8 @@ struct hawser_locus_options {
 	double step_max;             /* largest change of Omega or of the parameter in a step, relative to
 	                              * its range; 0: 0.02 */
 	double most_work;            /* of all responses and curves, s (hawser_orbit_work): they end there,
-	                              * and the search is `costly`; 0: no limit */
+	                              * and the search is `costly`; 0: no limit. Not
+	                              * read for models without a load */
 	int skip_events;             /* 1: no special points, no multipliers */
 	const struct hawser_rom_plane *plane; /* NULL, or two parameters at one frequency: the first one
 	                              * takes the place of Omega in `from`, `to`, `near`, in the points and

@@ -51,7 +51,7 @@ int hawser__told_to_stop(const struct hawser_progress *progress,
 	if (!progress->function)
 		return 0;
 	if (isnan(told.fraction) && told.expected > 0)
-		told.fraction = (double)told.done/(double)told.expected;
+		told.fraction = fmin((double)told.done/(double)told.expected, 1.0);
 	if (isnan(told.left) && fresh*told.fraction > 0.0)
 		told.left = told.seconds*(1.0 - told.fraction)/(fresh*told.fraction);
 	return progress->function(progress->data, &told);

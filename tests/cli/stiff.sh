@@ -30,4 +30,20 @@ a, b = json.load(open("balance.json"))["points"][-1], json.load(open("shooting.j
 largest = [max(m["log_modulus"] for m in p["multipliers"]) for p in (a, b)]
 assert a["unstable"] == b["unstable"] == 1 and abs(largest[0] - largest[1]) < 5e-3 < largest[1], largest
 END
+# dampers at a point: the damping that counts is between the coordinates, and the smallest multiplier e^-40
+python "a model that is damped between its coordinates" <<'END'
+import json
+
+n = range(8)
+json.dump({"hawser_rom": 1, "n": 8, "D": [[0.8 + 0.02*(i == j) for j in n] for i in n],
+           "K": [[(1 + 0.3*i)**2*(i == j) for j in n] for i in n], "Q": [], "C": [[0, 0, 0, 0, 0.1]],
+           "harmonics": [{"k": 1, "phase": "cos", "omega_power": 0, "f": [0.1] + 7*[0]}]}, open("damped.json", "w"))
+END
+works "its response by shooting" frf damped.json --method shooting --from 0.8 --to 1.2 --max-points 8 --json out.json -q
+python "has all multipliers" <<'END'
+import json
+
+gaps = [p["certificate"]["liouville"] for p in json.load(open("out.json"))["points"]]
+assert len(gaps) == 8 and max(gaps) < 1e-4, gaps
+END
 done_testing

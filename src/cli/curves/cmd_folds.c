@@ -151,7 +151,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (!status)
 		status = trace(&folds, settings, &result, label.state ? &first : NULL, report);
 	if (!status) {
-		cli_exact_costly(folds.costly);
+		cli_exact_costly(&model, folds.costly);
 		cli_range_warn(&model, cli_range_reach(NULL, &model, folds.coordinate, folds.points,
 		                                       model.rom.n));
 		status = cli_show(&settings->common, &cli_folds_showing, &result, report);

@@ -238,7 +238,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		status = trace(&locus, settings, &result, &over, settings->and ? &plane : NULL,
 		               settings->label ? &first : NULL, label.period, &model, report);
 	if (!status) {
-		cli_exact_costly(locus.costly);
+		cli_exact_costly(&model, locus.costly);
 		cli_range_warn(&model, cli_range_reach(NULL, &model, locus.coordinate, locus.points,
 		                                       model.rom.n));
 		status = cli_show(&settings->common, &cli_locus_showing, &result, report);

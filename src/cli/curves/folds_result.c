@@ -176,6 +176,9 @@ static void comments(struct hawser__table *table, const void *of)
 		hawser__table_comment(table, "note: %s", folds->note);
 	if (folds->interrupted)
 		hawser__table_comment(table, "interrupted: the curves are incomplete");
+	if (folds->costly)
+		hawser__table_comment(table, "costly: the search ended at its limit of work, "
+		                      "and more folds may exist: --max-points N lifts the limit");
 	hawser__table_comment(table, "%d curve%s, %d points", folds->curves, folds->curves == 1 ? "" : "s",
 	                      folds->points);
 }
@@ -391,6 +394,8 @@ static const struct hawser__field folds_field[] = {
 	{"note", NULL, "what could not be looked at", OF(note), .flags = HAWSER__OMIT},
 	{"interrupted", NULL, "whether curves are incomplete",
 	 HAWSER__FLAG_AT(struct hawser_folds, interrupted)},
+	{"costly", NULL, "whether the search ended at its limit of work",
+	 HAWSER__FLAG_AT(struct hawser_folds, costly)},
 	HAWSER__END,
 };
 static const struct hawser__field cost_field[] = {

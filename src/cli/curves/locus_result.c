@@ -72,6 +72,9 @@ static void comments(struct hawser__table *table, const void *of)
 		                      locus->lost_at[i]*per, first_unit(result));
 	if (locus->interrupted)
 		hawser__table_comment(table, "interrupted: the curves are incomplete");
+	if (locus->costly)
+		hawser__table_comment(table, "costly: the search ended at its limit of work, "
+		                      "and more curves may exist: --max-points N lifts the limit");
 	hawser__table_comment(table, "%d curve%s, %d points", locus->curves, locus->curves == 1 ? "" : "s",
 	                      locus->points);
 }
@@ -214,6 +217,8 @@ static const struct hawser__field locus_field[] = {
 	 HAWSER__AT(struct hawser_locus, lost)},
 	{"interrupted", NULL, "whether curves are incomplete",
 	 HAWSER__FLAG_AT(struct hawser_locus, interrupted)},
+	{"costly", NULL, "whether the search ended at its limit of work",
+	 HAWSER__FLAG_AT(struct hawser_locus, costly)},
 	HAWSER__END,
 };
 static const struct hawser__field cost_field[] = {

@@ -352,6 +352,7 @@ void cli_warn_wake(const struct hawser_scene *scene, const struct hawser_statics
 }
 
 static char **kept, *said; /* lines; `said`: since the last result */
+static int silent;
 
 char **cli_warn_into(char **text)
 {
@@ -374,8 +375,15 @@ static void keep(char **into, const char *line)
 	*into = text;
 }
 
+void cli_warn_off(int off)
+{
+	silent = off;
+}
+
 void cli_warn(const char *warning)
 {
+	if (silent)
+		return;
 	keep(&said, warning);
 	if (kept)
 		keep(kept, warning);

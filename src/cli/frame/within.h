@@ -46,6 +46,8 @@ void cli_show_to(const struct cli_taker *taker);
 /* From now on add warnings, a line each, to *text, which the caller frees, in place of standard
  * error; NULL: no longer. */
 char **cli_warn_into(char **text);
+/* 1: warnings are dropped, as of a trial; 0: no longer. */
+void cli_warn_off(int off);
 /* Add "warnings", and forget them after a result. */
 void cli_warnings_json(struct hawser__json *json);
 void cli_warnings_end(void);

@@ -92,7 +92,8 @@ enum hawser_status cli_certify(struct cli_frf_result *result, struct hawser_repo
 		own.own.seconds = NAN;
 	if (result->frf->branch <= 1 || shown->own.count == 0)
 		*shown = own;
-	if (!isfinite(own.own.distance))
+	if (!isfinite(own.own.distance) &&
+	    !(own.own.refused > 0 && !isfinite(error->fixed.estimated)))
 		return status;
 	error->corrected = 1;
 	error->before = error->compared ? NAN : error->fixed.estimated;

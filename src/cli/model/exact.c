@@ -66,11 +66,16 @@ double cli_exact_allowed(const struct cli_model *model)
 	return model->rom.exact ? 0.0 : cli_exact_failed(model, &model->error) ? glance : CLI_BEARABLE;
 }
 
-void cli_exact_costly(int costly)
+void cli_exact_costly(const struct cli_model *model, int costly)
 {
-	if (costly)
-		cli_warn("time: the search takes more than is done unasked, and ends there: fewer modes (-n) "
-		         "or a narrower range take less, --max-points N goes on");
+	char text[CLI_WARNING_SIZE];
+
+	if (!costly)
+		return;
+	snprintf(text, sizeof text, "time: the search takes more than is done unasked, and ends there: %sa "
+	         "narrower range takes less, --max-points N lifts the limit",
+	         model->has_scene || model->made ? "a model of fewer modes (-n) or " : "");
+	cli_warn(text);
 }
 
 /* The model is now what the scene would be with these keys. */

@@ -12,7 +12,7 @@
  * limit, of the exact energy. */
 double cli_exact_allowed(const struct cli_model *model);
 /* Says on standard error that one ended there. */
-void cli_exact_costly(int costly);
+void cli_exact_costly(const struct cli_model *model, int costly);
 
 /* Whether model.energy: auto calls for it: a span of condensed modes with this error, or (NULL) one
  * whose modes give no answer. */

@@ -8,9 +8,11 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "cli/curves/frf_over.h"
+#include "cli/frame/within.h"
 #include "cli/model/exact.h"
 #include "cli/model/key_sweep.h"
 #include "core/report.h"
@@ -71,9 +73,9 @@ static void set_corner(struct corner *corner, const struct cli_plane *plane, int
 	}
 }
 
-/* Where of these the error of the modes is largest; the scene as it is where no axis is a key of
- * it, or none has one. */
-static enum hawser_status worst_corner(struct corner *worst, const struct cli_plane *plane,
+/* Where of these the error of the modes is largest, and of how many it is not known; the scene as it is
+ * where no axis is a key of it, or none has one. */
+static enum hawser_status worst_corner(struct corner *worst, int *lost, const struct cli_plane *plane,
                                        const struct cli_model *model, int n, double from, double to,
                                        const struct cli_common *common)
 {
@@ -81,7 +83,9 @@ static enum hawser_status worst_corner(struct corner *worst, const struct cli_pl
 	double most = -1.0;
 	int found = -1;
 
+	*lost = 0;
 	set_corner(worst, plane, 0, common);
+	cli_warn_off(1);
 	for (int which = 0; worst->keys > 0 && which <= MIDDLE && status != HAWSER_ERR_MEMORY; which++) {
 		struct cli_model own = *model;
 
@@ -90,11 +94,13 @@ static enum hawser_status worst_corner(struct corner *worst, const struct cli_pl
 			continue;
 		set_corner(worst, plane, which, common);
 		status = choose_for(&own, n, from, to, -1.0, &worst->common, NULL);
+		*lost += status || !isfinite(own.error.fixed.estimated);
 		if (!status && own.error.fixed.estimated > most) {
 			most = own.error.fixed.estimated;
 			found = which;
 		}
 	}
+	cli_warn_off(0);
 	if (found >= 0) {
 		set_corner(worst, plane, found, common);
 	} else {
@@ -111,6 +117,7 @@ enum hawser_status cli_exact_plane(const struct cli_plane *plane, struct cli_mod
 	double from = axis ? plane->from[k] : plane->omega/around;
 	double to = axis ? plane->to[k] : plane->omega*around;
 	struct corner worst;
+	int lost;
 	enum hawser_status status;
 
 	if (!model->has_scene && from > 0.0)
@@ -118,11 +125,15 @@ enum hawser_status cli_exact_plane(const struct cli_plane *plane, struct cli_mod
 	if (!model->has_scene || model->scene.beam.form || !(from > 0.0) ||
 	    (model->scene.travel.present && plane->rows == 0)) /* of which judged.h states the error */
 		return HAWSER_OK;
-	status = worst_corner(&worst, plane, model, n, from, to, common);
+	status = worst_corner(&worst, &lost, plane, model, n, from, to, common);
 	if (!status)
 		status = choose_for(model, n, from, to, plane->rows > 0 ? row*plane->rows : -1.0, &worst.common,
 		                    report);
 	if (worst.keys > 0 && model->error.stated)
-		model->error.about = "folds and peaks at the worst of corners and middle of the plane";
+		model->error.about = model->exact.functions
+			? "folds and peaks where the modes are worst, of corners and middle of the plane"
+			: lost > 0 ? "folds and peaks at the worst of those corners of the plane, and its "
+			  "middle, of which it is known"
+			: "folds and peaks at the worst of corners and middle of the plane";
 	return status;
 }

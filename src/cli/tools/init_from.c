@@ -378,7 +378,8 @@ static enum hawser_status read_option(struct cli_mooring *mooring, const struct 
 				        "folder where hawser runs, or of this file", words->word[0]);
 	for (size_t i = 0; i < sizeof known/sizeof *known; i++)
 		if (!strcasecmp(words->word[1], known[i].key) && defaults)
-			left_out(mooring, "%s, which another program has", words->word[1]);
+			left_out(mooring, "%s: DEFAULT, the number of the program that calls MoorDyn",
+			         words->word[1]);
 		else if (!strcasecmp(words->word[1], known[i].key))
 			return numbers(known[i].value, 1, mooring, words, 0, report);
 	for (size_t i = 0; i < sizeof other/sizeof *other; i++)

@@ -46,8 +46,8 @@ int hawser__trace_told_to_stop(struct hawser__trace *trace)
 {
 	struct hawser_progress_state state;
 
-	if (!hawser__is_watched(&trace->options.progress))
-		return 0;
+	if (trace->stopped || !hawser__is_watched(&trace->options.progress))
+		return trace->stopped;
 	state = hawser__progress_state("response", "points", trace->frf->points, trace->began);
 	state.frf = trace->frf;
 	state.events = trace->frf->events;
@@ -57,7 +57,7 @@ int hawser__trace_told_to_stop(struct hawser__trace *trace)
 		state.omega = omega/trace->rom->time;
 		foretell(&state, trace, omega);
 	}
-	trace->stopped |= hawser__told_to_stop(&trace->options.progress, &state);
+	trace->stopped = hawser__told_to_stop(&trace->options.progress, &state);
 	return trace->stopped;
 }
 

@@ -86,6 +86,8 @@ int hawser__floquet_directly(double *log_modulus, double *argument, double *kind
 {
 	int n = rom->n, m = 2*n;
 	double *product = work, *scale = product + (size_t)m*m, *room = scale + m, damping = 0.0;
+	double norm;
+	int known;
 
 	memset(kind, 0, (size_t)m*sizeof *kind);
 	multiply_all(product, room, segment, segments, m);
@@ -95,10 +97,14 @@ int hawser__floquet_directly(double *log_modulus, double *argument, double *kind
 		product[e] *= scale[e/m]/scale[e%m];
 	for (int j = 0; j < n; j++)
 		damping = fmax(damping, rom->D[(size_t)j*(n + 1)]);
-	if (!(cblas_dnrm2(m*m, product, 1)*exp(damping*2.0*M_PI/omega) < LARGEST) ||
-	    hawser__floquet_vectors(log_modulus, argument, has_kinds(rom) ? kind : NULL, product, m, scale,
-	                            NULL, room, room + (size_t)m*m))
-		return 0;
-	hawser__floquet_sort(log_modulus, argument, kind, m);
-	return 1;
+	norm = cblas_dnrm2(m*m, product, 1);
+	known = norm*exp(damping*2.0*M_PI/omega) < LARGEST &&
+	        !hawser__floquet_vectors(log_modulus, argument, has_kinds(rom) ? kind : NULL, product, m,
+	                                 scale, NULL, room, room + (size_t)m*m);
+	if (known)
+		hawser__floquet_sort(log_modulus, argument, kind, m);
+	known = known && norm < LARGEST*exp(log_modulus[m - 1]); /* damping may be between coordinates */
+	if (!known)
+		memset(kind, 0, (size_t)m*sizeof *kind);
+	return known;
 }

@@ -306,7 +306,7 @@ static enum hawser_status trace_all(struct hawser_locus *locus, struct hawser__l
 	}
 	locus->interrupted = walk->stopped;
 	locus->costly = hawser__locus_left(walk) <= 0.0;
-	if (locus->costly && locus->curves == 0)
+	if (locus->costly && locus->curves == 0 && locus->lost == 0)
 		return hawser__fail(report, HAWSER_ERR_CONVERGENCE, "locus",
 		                    "the work of the response at the parameter %.9g came to its limit before "
 		                    "a locus was begun: take fewer modes (-n) or a narrower range, or lift the "

@@ -268,7 +268,8 @@ static enum hawser_status draw(struct hawser__draft *draft, struct hawser__trace
 	draft->until = draft->work*traced->curve.points/fmax(a->frf.points, 1.0);
 	told = hawser__progress_state("response", "points", a->frf.points, a->began);
 	foretell(&told, &watch, draft->work, 0.0, draft->until);
-	(void)hawser__told_to_stop(&options->frf.progress, &told);
+	if (hawser__told_to_stop(&options->frf.progress, &told))
+		a->frf.end = HAWSER_END_INTERRUPTED;
 	traced->functions = draft->functions;
 	traced->end = a->frf.end;
 	return hawser__curve_marks(traced->mark, &traced->marks, &traced->curve, report);

@@ -67,7 +67,7 @@ static int watch(void *data, const struct hawser_progress_state *state)
 	if (piece->points > beyond &&
 	    piece->point[piece->points - 1 - beyond].arc - piece->point[0].arc > job->length)
 		return 1;
-	job->stopped = hawser__told_to_stop(&job->options->progress, state);
+	job->stopped |= hawser__told_to_stop(&job->options->progress, state);
 	return job->stopped;
 }
 
