@@ -66,6 +66,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/locus/folds_begin.c \
 	%D%/locus/folds_end.c \
 	%D%/locus/folds_events.c \
+	%D%/locus/folds_image.c \
 	%D%/locus/folds_isola.c \
 	%D%/locus/folds_known.c \
 	%D%/locus/folds_known.h \

@@ -50,6 +50,32 @@ END
 try "the table says what was searched" \
 	grep -q '^# searched: load factor 0.150201, Omega .* rad/s, from both ends: 0 folds$' short.tsv
 try "and where jumps begin" grep -q '^# jumps begin at load factor 0.154845.*(cusp)$' short.tsv
+# A span that swings out of its plane in two ways, each nearly the mirror image of the other: the load in
+# the plane tells them apart. Both are found, whatever the tolerance.
+cp "$SRCDIR/notebooks-data/scenes/b-table-4.5.yaml" images.yaml
+works "images" folds images.yaml --starts 0 --json images.json -q
+works "images, more accurate" folds images.yaml --starts 0 --tolerance 1e-9 --json images-9.json -q
+python "both isolas and both cusps beside them, by harmonic balance" <<'END'
+import json
+for name, tolerance in (("images", 1e-7), ("images-9", 1e-9)):
+    r = json.load(open(name + ".json"))
+    least = sorted(c["least_load"] for c in r["curves"])
+    # by hawser frf, shooting with --tolerance 1e-12, from a motion on either isola at the load itself
+    for fold in (1.6352312856337, 1.7587657188131, 1.6352367771680, 1.7587632273895):
+        found = min(abs(e["Omega"]/fold - 1) for i in r["isolas"] for e in i["events"])
+        assert found < tolerance, (name, fold, found)
+    assert len(r["curves"]) == 7 and len(r["isolas"]) == 2, (name, least)
+    assert len(set(round(l, 7) for l in least)) == 7, (name, least)
+END
+# without the load in the plane they are exact images, of one curve
+works "exact images" folds images.yaml --starts 0 --load-to 1.5 --json exact.json -q \
+	--set 'load.per_length=[0, 0, 0.3]'
+python "which has none of its own" <<'END'
+import json
+least = sorted(c["least_load"] for c in json.load(open("exact.json"))["curves"])
+assert all(b - a > 1e-6*a for a, b in zip(least, least[1:])), least
+END
+
 # the response at 0.4 of the load, to compare: the folds that the stay's curves pass there
 works "the stay at 0.4 of its load" frf stay.yaml -n 5 --from 0.9w1 --to 1.1w2 --json frf.json -q \
 	--set 'load.per_length=[0, 10, 7.2]'

@@ -209,8 +209,7 @@ static enum hawser_status follow(struct hawser__fold_search *search, struct haws
 	return status;
 }
 
-/* The curve through the start. */
-static enum hawser_status trace_curve(struct hawser__fold_search *search)
+enum hawser_status hawser__fold_new(struct hawser__fold_search *search)
 {
 	struct hawser_folds *folds = search->folds;
 	struct hawser__fold_walk *walk = &search->walk;
@@ -218,6 +217,8 @@ static enum hawser_status trace_curve(struct hawser__fold_search *search)
 	int size = search->fold.size;
 	enum hawser_status status = HAWSER_OK;
 
+	if (known(search))
+		return HAWSER_OK;
 	if (walk->start.z[size - 1] == 1.0) {
 		struct hawser_folds_event event = {.kind = HAWSER_FOLDS_NOMINAL,
 			.omega = walk->start.z[size - 2], .load = 1.0};
@@ -271,7 +272,7 @@ enum hawser_status hawser__fold_curves(struct hawser__fold_search *search,
 		if (failed)
 			status = hawser__fold_lost(search, frf->event[e].omega, load);
 		else if (!known(search))
-			status = trace_curve(search);
+			status = hawser__fold_images(search);
 	}
 	return status;
 }

@@ -124,6 +124,11 @@ void hawser__fold_note_cut(struct hawser__fold_search *search, const struct haws
 enum hawser_status hawser__fold_curves(struct hawser__fold_search *search,
                                        const struct hawser_frf *frf, double load);
 
+/* folds.c: trace the curve through walk.start, unless it is known. */
+enum hawser_status hawser__fold_new(struct hawser__fold_search *search);
+/* folds_image.c: the same, and then the curves through the images of that fold. */
+enum hawser_status hawser__fold_images(struct hawser__fold_search *search);
+
 /* folds.c: record a fold through which no curve was traced. */
 enum hawser_status hawser__fold_lost(struct hawser__fold_search *search, double omega, double load);
 
