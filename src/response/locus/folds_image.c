@@ -113,9 +113,10 @@ enum hawser_status hawser__fold_images(struct hawser__fold_search *search)
 	size_t n = (size_t)rom->n, bytes = (size_t)search->fold.size*sizeof(double);
 	int *flip = calloc(n*(n + 1), sizeof *flip), count = 0;
 	double *z = malloc(bytes);
-	enum hawser_status status = flip && z ? reflections(search, flip, &count)
-	                                      : hawser__no_memory(search->report, "folds");
+	enum hawser_status status = flip && z ? HAWSER_OK : hawser__no_memory(search->report, "folds");
 
+	if (!status && !search->options->first) /* of one response only, they are not asked for */
+		status = reflections(search, flip, &count);
 	if (!status) {
 		memcpy(z, search->walk.start.z, bytes);
 		status = hawser__fold_new(search);
