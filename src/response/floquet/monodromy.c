@@ -152,7 +152,7 @@ static void set_angle(double *pair, double angle)
 
 /* The cosines and sines at a node are those at the start of its step, which are roots of unity, turned
  * by its place in the step. Both are computed once, behind the table. */
-static void fill_table(double *table, const struct hawser__collocation *gauss, int steps, int order)
+static void fill_table(double *table, const struct hawser__collocation *nodes, int steps, int order)
 {
 	int columns = 2*order + 1;
 	double *root = table + (size_t)S*steps*columns, *turn = root + 2*(size_t)steps;
@@ -161,7 +161,7 @@ static void fill_table(double *table, const struct hawser__collocation *gauss, i
 		set_angle(root + 2*(size_t)s, 2.0*M_PI*s/steps);
 	for (int i = 0; i < S; i++)
 		for (int k = 1; k <= order; k++)
-			set_angle(turn + 2*((size_t)i*(order + 1) + k), 2.0*M_PI*k*gauss->node[i]/steps);
+			set_angle(turn + 2*((size_t)i*(order + 1) + k), 2.0*M_PI*k*nodes->node[i]/steps);
 	for (int node = 0; node < S*steps; node++) {
 		const double *by = turn + 2*(size_t)(node%S)*(order + 1);
 		double *row = table + (size_t)node*columns;
@@ -176,13 +176,14 @@ static void fill_table(double *table, const struct hawser__collocation *gauss, i
 	}
 }
 
-static enum hawser_status make_table(struct hawser__monodromy *monodromy, int order,
+static enum hawser_status make_table(struct hawser__monodromy *monodromy,
+                                     const struct hawser__collocation *nodes, int order,
                                      struct hawser_report *report)
 {
 	int columns = 2*order + 1, steps = monodromy->steps;
 	size_t room = (size_t)S*steps*columns + 2*((size_t)steps + S*((size_t)order + 1));
 
-	if (monodromy->table_steps == monodromy->steps && monodromy->order == order)
+	if (monodromy->table_steps == steps && monodromy->order == order && monodromy->table_nodes == nodes)
 		return HAWSER_OK;
 	if (room > monodromy->table_room) {
 		double *larger = realloc(monodromy->table, 2*room*sizeof *larger);
@@ -192,8 +193,9 @@ static enum hawser_status make_table(struct hawser__monodromy *monodromy, int or
 		monodromy->table = larger;
 		monodromy->table_room = 2*room;
 	}
-	fill_table(monodromy->table, &monodromy->gauss, steps, order);
+	fill_table(monodromy->table, nodes, steps, order);
 	monodromy->table_steps = steps;
+	monodromy->table_nodes = nodes;
 	monodromy->order = order;
 	return HAWSER_OK;
 }
@@ -215,15 +217,18 @@ static enum hawser_status solve_component(struct hawser__monodromy *monodromy, d
 {
 	int w = c->w, m = 2*w, parts = halves(monodromy, system, c) ? 2 : 1;
 	int steps = monodromy->steps/parts;
+	int order = system->order > system->order_d ? system->order : system->order_d;
 	double period = 2.0*M_PI/system->omega, error = 0.0, loss, round_off, apart;
 	struct hawser__factors factors = {.at = monodromy->factor, .m = m, .largest = -1.0,
 		.most = hawser__monodromy_factors(monodromy->n)};
-	enum hawser_status status = HAWSER_OK;
+	enum hawser_status status;
 
 	c->h = period/monodromy->steps;
 	monodromy->stretch = 0.0;
 	apart = hawser__component_damping(c, monodromy, system);
 	factors.limit = c->overdamped ? STRETCH : fmax(STRETCH, apart*period/factors.most);
+	if ((status = make_table(monodromy, c->table, order, report)))
+		return status;
 	for (int i = 0; i < steps; i++) {
 		if ((status = hawser__monodromy_step(monodromy, &error, system, c, i, report)))
 			return status;
@@ -257,12 +262,10 @@ static enum hawser_status solve_all(struct hawser__monodromy *monodromy, double 
                                     struct hawser_report *report)
 {
 	int n = system->n, begin = 0;
-	int order = system->order > system->order_d ? system->order : system->order_d;
-	enum hawser_status status;
+	enum hawser_status status = HAWSER_OK;
 
 	if (monodromy->rest && monodromy->fastest < INFINITY) /* see halves */
 		monodromy->steps += monodromy->steps%2;
-	status = make_table(monodromy, order, report);
 	monodromy->error = monodromy->loss = monodromy->spread = monodromy->round_off = 0.0;
 	while (!status && begin < n && !(monodromy->error > monodromy->allowed)) {
 		struct hawser__component c = {.member = monodromy->member + begin, .n = n};

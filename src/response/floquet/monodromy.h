@@ -80,7 +80,8 @@ struct hawser__block {
 struct hawser__monodromy {
 	int n;                  /* largest number of coordinates */
 	int steps;              /* number of steps per period */
-	int table_steps, order; /* parameters of the table below */
+	int table_steps, order; /* parameters of the table below, */
+	const struct hawser__collocation *table_nodes; /* and the nodes of its steps */
 	double error;           /* estimated error of the last multipliers' logarithms */
 	double loss;            /* error of the entries of the product, with round-off */
 	double round_off;       /* its part that is due to round-off */
