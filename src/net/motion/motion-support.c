@@ -12,6 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/grow.h"
 #include "core/locale.h"
 #include "core/report.h"
 #include "net/motion/motion.h"
@@ -171,17 +172,12 @@ void hawser__support_within(double x[3], double v[3], const struct hawser__suppo
 static int grow(struct hawser__support_table *table, int *room)
 {
 	int more = *room ? 2**room : 64;
-	double *t;
-	double (*x)[3];
 
 	if (table->rows < *room)
 		return 1;
-	t = realloc(table->t, (size_t)more*sizeof *t);
-	table->t = t ? t : table->t;
-	x = realloc(table->x, (size_t)more*sizeof *x);
-	table->x = x ? x : table->x;
 	*room = more;
-	return t && x;
+	return !hawser__resize(&table->t, (size_t)more, sizeof *table->t) &&
+	       !hawser__resize(&table->x, (size_t)more, sizeof *table->x);
 }
 
 /* One line; *blank is 1 if it has no numbers. */

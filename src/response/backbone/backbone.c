@@ -9,6 +9,7 @@
 
 #include <hawser/backbone.h>
 
+#include "core/grow.h"
 #include "core/progress.h"
 #include "core/report.h"
 #include "core/settle.h"
@@ -69,21 +70,11 @@ static enum hawser_status grow(struct hawser_backbone *backbone, struct hawser_r
 {
 	size_t capacity = backbone->capacity ? 2*(size_t)backbone->capacity : 64;
 	size_t n = (size_t)backbone->n, probes = (size_t)backbone->probes;
-	struct hawser_backbone_point *point = realloc(backbone->point, capacity*sizeof *point);
-	double *coordinate, *probe, *start;
 
-	if (point)
-		backbone->point = point;
-	coordinate = realloc(backbone->coordinate, capacity*n*sizeof *coordinate);
-	if (coordinate)
-		backbone->coordinate = coordinate;
-	probe = realloc(backbone->probe, (capacity*probes*3 + 1)*sizeof *probe);
-	if (probe)
-		backbone->probe = probe;
-	start = realloc(backbone->start, capacity*n*sizeof *start);
-	if (start)
-		backbone->start = start;
-	if (!point || !coordinate || !probe || !start)
+	if (hawser__resize(&backbone->point, capacity, sizeof *backbone->point) ||
+	    hawser__resize(&backbone->coordinate, capacity*n, sizeof(double)) ||
+	    hawser__resize(&backbone->probe, capacity*probes*3, sizeof(double)) ||
+	    hawser__resize(&backbone->start, capacity*n, sizeof(double)))
 		return hawser__no_memory(report, where);
 	backbone->capacity = (int)capacity;
 	return HAWSER_OK;

@@ -13,6 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/grow.h"
 #include "core/report.h"
 #include "response/floquet/half.h"
 
@@ -258,11 +259,8 @@ static const struct hawser__orbit_ops ops = {
 
 static enum hawser_status arrange(struct hawser__half *half, int steps, struct hawser_report *report)
 {
-	double *samples = realloc(half->base.samples, 2*(size_t)steps*(size_t)half->base.n*sizeof *samples);
-
-	if (!samples)
+	if (hawser__resize(&half->base.samples, 2*(size_t)steps*(size_t)half->base.n, sizeof(double)))
 		return hawser__no_memory(report, where);
-	half->base.samples = samples;
 	half->steps = steps;
 	half->base.rows = half->base.resolution = 2*steps;
 	return HAWSER_OK;

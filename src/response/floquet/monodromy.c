@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/grow.h"
 #include "core/report.h"
 #include "response/floquet/floquet.h"
 #include "response/floquet/monodromy.h"
@@ -186,11 +187,8 @@ static enum hawser_status make_table(struct hawser__monodromy *monodromy,
 	if (monodromy->table_steps == steps && monodromy->order == order && monodromy->table_nodes == nodes)
 		return HAWSER_OK;
 	if (room > monodromy->table_room) {
-		double *larger = realloc(monodromy->table, 2*room*sizeof *larger);
-
-		if (!larger)
+		if (hawser__resize(&monodromy->table, 2*room, sizeof(double)))
 			return hawser__no_memory(report, "orbit");
-		monodromy->table = larger;
 		monodromy->table_room = 2*room;
 	}
 	fill_table(monodromy->table, nodes, steps, order);

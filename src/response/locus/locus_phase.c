@@ -27,6 +27,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/grow.h"
 #include "core/report.h"
 #include "response/locus/locus_walk.h"
 
@@ -147,18 +148,14 @@ static enum hawser_status add(struct hawser_frf *frf, const double value[2], int
 {
 	const struct hawser_frf_point *a = &frf->point[after], *b = a + 1;
 	size_t wide = 2*(size_t)frf->n, count = (size_t)frf->events + 1;
-	double part = value[0]/(value[0] - value[1]), *state;
-	struct hawser_frf_event *event = realloc(frf->event, count*sizeof *event);
+	double part = value[0]/(value[0] - value[1]);
 
-	frf->event = event ? event : frf->event;
-	state = realloc(frf->event_state, count*wide*sizeof *state);
-	frf->event_state = state ? state : frf->event_state;
-	/* cppcheck-suppress memleak ; they are kept in *frf */
-	if (!event || !state)
+	if (hawser__resize(&frf->event, count, sizeof *frf->event) ||
+	    hawser__resize(&frf->event_state, count*wide, sizeof(double)))
 		return hawser__no_memory(report, "locus");
 	for (size_t i = 0; i < wide; i++)
-		state[(count - 1)*wide + i] = NAN;
-	event[count - 1] = (struct hawser_frf_event){.kind = HAWSER_RESONANCE, .after = after,
+		frf->event_state[(count - 1)*wide + i] = NAN;
+	frf->event[count - 1] = (struct hawser_frf_event){.kind = HAWSER_RESONANCE, .after = after,
 		.omega = a->omega + part*(b->omega - a->omega),
 		.parameter = a->parameter + part*(b->parameter - a->parameter),
 		.arc = a->arc + part*(b->arc - a->arc), .bracket = {a->omega, b->omega}};

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/grow.h"
 #include "core/report.h"
 #include "response/floquet/floquet.h"
 #include "response/orbit/shooting.h"
@@ -40,12 +41,9 @@ enum hawser_status hawser__shooting_remesh(struct hawser__shooting *shooting, in
 	shooting->steps = steps;
 	shooting->base.rows = shooting->base.resolution = rows;
 	if (rows > shooting->sample_capacity) {
-		double *larger = realloc(shooting->base.samples,
-		                         2*(size_t)rows*shooting->base.n*sizeof *larger);
-
-		if (!larger)
+		if (hawser__resize(&shooting->base.samples, 2*(size_t)rows*(size_t)shooting->base.n,
+		                   sizeof(double)))
 			return hawser__no_memory(report, "orbit");
-		shooting->base.samples = larger;
 		shooting->sample_capacity = 2*rows;
 	}
 	return HAWSER_OK;

@@ -12,6 +12,7 @@
 #include <hawser/frf.h>
 
 #include "core/progress.h"
+#include "core/grow.h"
 #include "core/report.h"
 #include "core/settle.h"
 #include "response/branch/amplitude.h"
@@ -44,14 +45,10 @@ static double norm(const double *x, int m)
 
 static int make_room(struct sweep *sweep)
 {
-	double *larger;
-
 	if (sweep->steps <= sweep->capacity)
 		return 0;
-	larger = realloc(sweep->samples, (size_t)sweep->steps*sweep->rom->n*sizeof *larger);
-	if (!larger)
+	if (hawser__resize(&sweep->samples, (size_t)sweep->steps*(size_t)sweep->rom->n, sizeof(double)))
 		return 1;
-	sweep->samples = larger;
 	sweep->capacity = sweep->steps;
 	return 0;
 }

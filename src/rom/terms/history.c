@@ -23,6 +23,7 @@
 
 #include <lapacke.h>
 
+#include "core/grow.h"
 #include "core/report.h"
 #include "rom/terms/ends.h"
 #include "rom/energy/exact.h"
@@ -256,7 +257,7 @@ enum hawser_status hawser__history_signal(struct hawser_rom *rom, int number, co
                                           struct hawser_report *report)
 {
 	struct hawser_rom_history *history = rom->history;
-	struct hawser_history_signal *signal, made = {.rows = rows};
+	struct hawser_history_signal made = {.rows = rows};
 	double *work;
 	int failed = 0;
 	enum hawser_status status = check_rows(rom, time, value, rows, report);
@@ -264,12 +265,10 @@ enum hawser_status hawser__history_signal(struct hawser_rom *rom, int number, co
 	if (status)
 		return status;
 	if (number >= history->signals) {
-		signal = realloc(history->signal, ((size_t)number + 1)*sizeof *signal);
-		if (!signal)
+		if (hawser__resize(&history->signal, (size_t)number + 1, sizeof *history->signal))
 			return hawser__no_memory(report, where);
-		history->signal = signal;
 		while (history->signals <= number)
-			signal[history->signals++] = (struct hawser_history_signal){.rows = 0};
+			history->signal[history->signals++] = (struct hawser_history_signal){.rows = 0};
 	}
 	made.time = copied(time, (size_t)rows, &failed);
 	made.value = copied(value, (size_t)rows, &failed);
@@ -292,18 +291,13 @@ struct hawser_ramp_term *hawser__history_term(struct hawser_rom *rom,
 {
 	struct hawser_rom_history *history = rom->history;
 	size_t count = (size_t)history->terms + 1;
-	struct hawser_ramp_term *term = realloc(history->term, count*sizeof *term);
-	struct hawser_history_factor *factors;
+	struct hawser_ramp_term *term;
 
-	if (!term)
+	if (hawser__resize(&history->term, count, sizeof *history->term) ||
+	    hawser__resize(&history->factor, count, sizeof *history->factor))
 		return NULL;
-	history->term = term;
-	factors = realloc(history->factor, count*sizeof *factors);
-	if (!factors)
-		return NULL;
-	history->factor = factors;
-	factors[history->terms] = *factor;
-	term += history->terms++;
+	history->factor[history->terms] = *factor;
+	term = history->term + history->terms++;
 	*term = (struct hawser_ramp_term){.quads = 0};
 	return term;
 }

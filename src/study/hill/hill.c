@@ -22,6 +22,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/grow.h"
 #include "core/progress.h"
 #include "core/report.h"
 #include "core/settle.h"
@@ -117,11 +118,9 @@ enum hawser_status hawser__hill_append(struct hawser_hill_boundary *boundary, co
 {
 	if (boundary->points == boundary->capacity) {
 		int more = boundary->capacity ? 2*boundary->capacity : 64;
-		double *larger = realloc(boundary->at, (size_t)more*2*sizeof *larger);
 
-		if (!larger)
+		if (hawser__resize(&boundary->at, 2*(size_t)more, sizeof(double)))
 			return hawser__no_memory(report, "hill");
-		boundary->at = larger;
 		boundary->capacity = more;
 	}
 	memcpy(boundary->at + 2*(size_t)boundary->points++, at, 2*sizeof *at);

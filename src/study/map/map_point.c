@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "core/append.h"
+#include "core/grow.h"
 #include "core/report.h"
 #include "response/orbit/about.h"
 #include "response/floquet/linear_margin.h"
@@ -116,20 +117,20 @@ static enum hawser_status scale(struct worker *worker, const struct hawser_rom *
                                 double damping, struct hawser_report *report)
 {
 	size_t n = (size_t)rom->n, h = (size_t)rom->harmonics;
-	double *numbers = realloc(worker->numbers, (n*n + h*(n + 2*n*n))*sizeof *numbers);
-	double *next, share;
+	double *numbers, *next, share;
 	struct hawser_quad *quad;
 	size_t quads = 0;
-	struct hawser_harmonic *harmonic = realloc(worker->harmonic, (h + 1)*sizeof *harmonic);
+	struct hawser_harmonic *harmonic;
 
 	for (size_t i = 0; i < h; i++)
 		quads += (size_t)rom->harmonic[i].quads;
-	quad = realloc(worker->quad, (quads + 1)*sizeof *quad);
-	worker->numbers = numbers ? numbers : worker->numbers;
-	worker->harmonic = harmonic ? harmonic : worker->harmonic;
-	worker->quad = quad ? quad : worker->quad;
-	if (!numbers || !harmonic || !quad)
+	if (hawser__resize(&worker->numbers, n*n + h*(n + 2*n*n), sizeof *numbers) ||
+	    hawser__resize(&worker->harmonic, h, sizeof *harmonic) ||
+	    hawser__resize(&worker->quad, quads, sizeof *quad))
 		return hawser__no_memory(report, "map");
+	numbers = worker->numbers;
+	harmonic = worker->harmonic;
+	quad = worker->quad;
 	worker->scaled = *rom;
 	worker->scaled.D = numbers;
 	worker->scaled.harmonic = harmonic;
