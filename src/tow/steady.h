@@ -27,11 +27,6 @@ enum hawser_status hawser__tow_above_bed(const struct hawser_tow *tow, double y,
 void hawser__tow_flow(double u[3], const struct hawser__tow_frame *frame, const double x[3]);
 void hawser__tow_gravity(double w[3], const struct hawser__tow_frame *frame, const double x[3]);
 
-/* Of a cable at the height x[1] of the frame: the part of its drag that there is, 1 but at the surface
- * of water and above it, and its *buoyancy (N/m). */
-double hawser__tow_wet(double *buoyancy, const struct hawser__tow_frame *frame,
-                       const struct hawser_tow_segment *segment, const double x[3]);
-
 /* Where a direction t between `from` and the flow u (at most a half turn apart) has no force across
  * it: force(F, context, t) is drag that vanishes across t where t is along u, and `weight` is along
  * `from`. */

@@ -42,8 +42,10 @@ void hawser__tow_gravity(double w[3], const struct hawser__tow_frame *frame, con
 	w[2] = frame->spin*frame->spin*x[2];
 }
 
-double hawser__tow_wet(double *buoyancy, const struct hawser__tow_frame *frame,
-                       const struct hawser_tow_segment *segment, const double x[3])
+/* Of a cable at the height x[1] of the frame: the part of its drag that there is, 1 but at the surface
+ * of water and above it, and its *buoyancy (N/m). */
+static double wet(double *buoyancy, const struct hawser__tow_frame *frame,
+                  const struct hawser_tow_segment *segment, const double x[3])
 {
 	const struct hawser_water *water = &frame->tow->water;
 	double band = HAWSER__WATER_BAND*segment->diameter, part;
@@ -119,7 +121,7 @@ static void rates(double dy[6], const struct string *of, const double y[6])
 {
 	const double *n = &y[3];
 	double T = hawser__norm(n), t[3], u[3], w[3], f[3], up;
-	double part = hawser__tow_wet(&up, of->frame, of->segment, y);
+	double part = wet(&up, of->frame, of->segment, y);
 
 	for (int i = 0; i < 3; i++)
 		t[i] = T > 0.0 ? n[i]/T : of->fallback[i];
@@ -159,7 +161,7 @@ static void line_drag(double f[3], const void *context, const double t[3])
 /* The direction of a free end without tension at x. */
 static void free_direction(struct string *of, const double *x)
 {
-	double w[3], u[3], t[3], up, part = hawser__tow_wet(&up, of->frame, of->segment, x);
+	double w[3], u[3], t[3], up, part = wet(&up, of->frame, of->segment, x);
 
 	hawser__tow_flow(u, of->frame, x);
 	hawser__tow_gravity(w, of->frame, x);

@@ -20,7 +20,6 @@ int hawser__way_add(struct hawser__way *way, double load, const double *y, int c
  * corresponds to its orbit `here`, the same is added that these differ by; here -1: none is. */
 void hawser__way_predict(double *y, const struct hawser__way *way, int next, int here,
                          const double *from, int count);
-void hawser__way_drop(struct hawser__way *way); /* the last orbit */
 void hawser__way_clear(struct hawser__way *way);
 
 /* How far the load could be raised. The first six are set by the caller. */
@@ -29,7 +28,7 @@ struct hawser__raised {
 	struct hawser__way *way;         /* of a lone one: orbits that are passed are added; or NULL */
 	const struct hawser__way *guide; /* of a lone one: the way of a model like this, along which the
 	                                  * load is raised; or NULL */
-	int slow;     /* 1: not at once from the linear response */
+	int slow;     /* 1: the load is raised even where the linear response leads to an orbit */
 	double rough; /* of a lone one: tolerance of the orbits below the whole load */
 	double most; /* work, s (hawser_orbit_work), at which it ends; 0: no limit */
 	double load; /* factor of the load; -1: that was not tried, or other loads would not help */

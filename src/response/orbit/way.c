@@ -21,15 +21,16 @@
 
 #define ARC 0.3         /* first and largest step along the curve over the load, relative to orbit and
                          * load, and */
-#define LEAST_ARC 1e-2  /* the least one; */
-#define LEAST_FINE 1e-3 /* of fine orbits, which follow where this loses the curve */
+#define LEAST_ARC 1e-2  /* the least one: if a shorter step is needed, the curve counts as lost,
+                         * and is followed again with fine orbits, with */
+#define LEAST_FINE 1e-3 /* this least step; all chosen */
 #define STRAY 0.3       /* largest distance of an orbit from the predicted one, relative to the step,
                          * and */
 #define BEND 0.1        /* that for which the next step is meant */
 #define SHIFT 0.02      /* distance, relative to the orbit, by which rough orbits are off the curve
                          * where it turns sharply, however short the step is */
-#define SAME 0.9        /* a shorter step that fails by this part of the shift of the one before, or
-                         * more: the orbits have not the same harmonics; chosen */
+#define SAME 0.9        /* if half the step is off its prediction by this part of what the whole step
+                         * was, or more, the two orbits have different harmonics; chosen */
 #define DIP 0.06        /* a fold after which the load falls by less is passed, relative to the load */
 
 int hawser__way_add(struct hawser__way *way, double load, const double *y, int count)
@@ -56,11 +57,6 @@ void hawser__way_predict(double *y, const struct hawser__way *way, int next, int
 		if (here >= 0)
 			y[i] += from[i] - (i < way->passed[here].length ? way->passed[here].y[i] : 0.0);
 	}
-}
-
-void hawser__way_drop(struct hawser__way *way)
-{
-	free(way->passed[--way->count].y);
 }
 
 void hawser__way_clear(struct hawser__way *way)
@@ -168,7 +164,7 @@ static void step_back(struct hawser__climb *climb, const struct hawser__raised *
 	climb->load = climb->peak = climb->last_load;
 	climb->last_load = 0.0;
 	if (raised->way)
-		hawser__way_drop(raised->way);
+		free(raised->way->passed[--raised->way->count].y);
 }
 
 /* Correct y in the plane of the row; returns what correct_at does. */
@@ -195,8 +191,9 @@ int hawser__climb_turned(const struct hawser__climb *climb)
 	return climb->load <= (1.0 - DIP)*climb->peak && climb->peak > 0.0;
 }
 
-/* The greatest load between the last orbit and one at this load and `step` behind it, where the curve
- * has the direction t: by parabolas through both, with the slopes of both. */
+/* The greatest load on the curve between the last orbit and the next one, which is `step` further and
+ * has this load and the tangent t: of the parabolas of the load over the arclength that have value and
+ * slope of either end. */
 static double crest(const struct hawser__climb *climb, double load, const double *t, double step,
                     int count)
 {
@@ -206,9 +203,9 @@ static double crest(const struct hawser__climb *climb, double load, const double
 	return rise > 0.0 && fall > 0.0 ? fmax(climb->load + rise*rise*part, load + fall*fall*part) : load;
 }
 
-/* The last orbit again, at its load, with the harmonics that the next one has, and the direction
- * there; as it was where that leads to none or to another one, as near a fold. Returns what correct_at
- * does. */
+/* Correct the last orbit again at its load, with the harmonics that the next one needed, and compute
+ * the direction of the curve there. If that fails or ends at another orbit, as near a fold, both stay
+ * as they were. Returns what correct_at does. */
 static int begin_again(double *y, struct hawser__climb *climb, struct hawser__orbit *orbit,
                        struct hawser__correction *correction, double omega, double rough,
                        struct hawser_report *report)
