@@ -11,10 +11,13 @@
 
 #include "core/progress.h"
 
-#define WORTH 0.02  /* part of a whole above which a time left is told; chosen */
-#define RECENT 0.4  /* last part of a run in which the end that was foreseen is to be the same, */
-#define SAME 1.45   /* to this factor; chosen, below 1/(1 - RECENT), that of a part that stays */
-#define LONGER 1.25 /* factor on the earliest end that was told, above which another says so; chosen */
+#define WORTH 0.02  /* fraction of several stages from which on a time left is computed; chosen */
+#define RECENT 0.4  /* a time left is told if the end of the run that follows from it has
+                     * changed, in this last part of the run so far, by less than */
+#define SAME 1.45   /* this factor. While a fraction stands still, the end moves in this part by
+                     * 1/(1 - RECENT) = 1.67, and is not told; both chosen */
+#define LONGER 1.25 /* ratio of an end to the earliest one that was told, from which on the text
+                     * says that it is later than foreseen; chosen */
 
 double hawser__wall_seconds(void)
 {
@@ -90,7 +93,8 @@ static void remember(struct hawser__forecast *forecast, double at, double end)
 	forecast->past[forecast->count++].end = end;
 }
 
-/* If this end has been foreseen for the last part of the run, the latest one that was; else NAN. */
+/* The latest end that was foreseen in the last part of the run; NAN if the ends differ by more than
+ * SAME, or none was foreseen so long ago. */
 static double latest(const struct hawser__forecast *forecast, double at, double end)
 {
 	double low = end, high = end, since = at;

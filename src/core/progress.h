@@ -40,12 +40,12 @@ struct hawser__forecast {
 	int count;
 };
 
-/* Hear what each state says of its stage. */
+/* Take the time left of a state, if it has one. To be called with each state. */
 void hawser__forecast_hear(struct hawser__forecast *forecast,
                            const struct hawser_progress_state *state);
-/* What can be told of the run in its place. `left` is that of the last state that had one, if the end
- * that it means has stayed about where it is for the last part of the run; else NAN. `fraction` follows
- * from that; it never falls. */
+/* state->left and `fraction` become those of the run. `left` follows from the last state that had one,
+ * and is NAN unless the end of the run that follows from it has hardly changed for the last part of the
+ * run. `fraction` follows from the latest of these ends; it never falls. */
 void hawser__forecast_tell(struct hawser__forecast *forecast, struct hawser_progress_state *state);
 
 /* Whether the caller is to be asked. */

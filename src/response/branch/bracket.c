@@ -23,9 +23,10 @@
 #define CROSSED 0.01 /* smallest ratio of the logarithms of a modulus at both ends by which an event is
                       * located; chosen */
 #define CLEAR 1e-7 /* smallest size of these logarithms: above the errors of multipliers */
-#define SMALL 1e-4 /* largest |f| at a zero; chosen, and */
-#define OF_END 0.1 /* relative to that of the end which is nearest to zero, */
-#define LEAST_VALUE 1e-10 /* unless that end is at the event already; chosen */
+#define SMALL 1e-4 /* largest |f| at a zero, and */
+#define OF_END 0.1 /* the same over the smaller |f| of the two ends of the bracket: where an end is near
+                    * the event, |f| is small everywhere; both chosen */
+#define LEAST_VALUE 1e-10 /* |f| of an end that is at the event, above which OF_END counts; chosen */
 #define SECANT 10.0 /* safety factor on a change of Omega that is estimated by a secant; chosen */
 #define SEPARABLE 1e-4 /* arclength: a search in a longer bracket ends where it shows further events,
                         * and the bracket is halved (account.c) */

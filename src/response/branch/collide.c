@@ -107,7 +107,7 @@ static double apart(double complex lambda)
 	return fmax(0.0, fmax(-cimag(lambda), cimag(lambda) - M_PI));
 }
 
-/* Where a pair that was at `from` is expected: beyond 0 or pi, a complex one at the conjugate. */
+/* `lambda`, or of a pair that was complex at `from` the conjugate whose argument is in 0 to pi. */
 static double complex reflect(double complex lambda, double complex from)
 {
 	double angle = fabs(cimag(lambda));
@@ -165,8 +165,8 @@ static double match(double complex *next, const double complex *expected, double
 	return worst;
 }
 
-/* The rate of a pair from one station to the next, `along` apart, where it was expected at from + rate
- * along: that of the conjugate if it has passed 0 or pi. */
+/* The rate at which the logarithm of a pair changes from one station to the next, `along` apart. If it
+ * was expected beyond 0 or pi, at from + rate along, `to` is the conjugate of where it went. */
 static double complex rate_of(double complex from, double complex to, double complex rate, double along)
 {
 	double angle = cimag(from + rate*along);

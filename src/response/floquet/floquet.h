@@ -27,8 +27,8 @@ enum hawser_status hawser__floquet(double *log_modulus, double *argument, double
 int hawser__floquet_vectors(double *log_modulus, double *argument, double *kind, double *product, int m,
                             const double *scale, const int *member, double *v, double *work);
 
-/* The same of the product of segment [segments][m][m] in the model, if round-off does not hide its
- * smallest multipliers: 1. The kinds are 0 where K is not symmetric, or D not symmetric and constant.
+/* The same of the product of segment [segments][m][m] in the model. Returns 1, or 0 if round-off hides
+ * the smallest multipliers. The kinds are 0 where K is not symmetric, or D not symmetric and constant.
  * work is [2 m m + 37 m]. */
 int hawser__floquet_directly(double *log_modulus, double *argument, double *kind, double *work,
                              const double *segment, int segments, const struct hawser_rom *rom,

@@ -14,7 +14,8 @@
 #include "rom/terms/terms.h"
 
 #define POTENTIAL 1e-9 /* largest asymmetry of forces that derive from a potential, relative; chosen */
-#define LARGEST 1e4    /* norm of the product over the smallest multiplier; leaves twelve digits */
+#define LARGEST 1e4    /* norm of the product over the modulus of its smallest multiplier, which has
+                        * twelve digits then; chosen */
 
 /* Whether K and D are symmetric, and D is constant. */
 static int has_kinds(const struct hawser_rom *rom)
@@ -103,7 +104,8 @@ int hawser__floquet_directly(double *log_modulus, double *argument, double *kind
 	                                 scale, NULL, room, room + (size_t)m*m);
 	if (known)
 		hawser__floquet_sort(log_modulus, argument, kind, m);
-	known = known && norm < LARGEST*exp(log_modulus[m - 1]); /* damping may be between coordinates */
+	/* off its diagonal D may damp more */
+	known = known && norm < LARGEST*exp(log_modulus[m - 1]);
 	if (!known)
 		memset(kind, 0, (size_t)m*sizeof *kind);
 	return known;

@@ -54,8 +54,8 @@ struct hawser__balance {
 	double *kept;            /* [size] scratch */
 	double *orbit, *before;  /* [size] scratch of the error */
 	double *wave;            /* [2 top + 1][n] scratch */
-	double *T;               /* of the last derivatives, once hawser__balance_transform has made it */
-	int transformed;         /* 1: it has */
+	double *T;               /* of the last derivatives, if */
+	int transformed;         /* 1: hawser__balance_transform was called since */
 	int more;                /* 1: the model has terms (rom.h), or the exact force of a wind. Then: */
 	double *rates;           /* [R][n] velocities at the samples */
 	double *slope, *shift;   /* [R][n][n], [R][n] derivatives of these by velocities and Omega */

@@ -13,8 +13,9 @@
 
 #define LONG 0.2        /* largest step of a curve for comparison, relative to the range; chosen */
 #define CARRIED 0.3     /* work of the marks in the next basis over that of a draft; chosen */
-/* For progress: work after a first draft until two bases agree, over that of it, and of the marks after
- * a further one; of conductor.yaml and deep-sag.yaml. */
+/* For the time left alone, relative to the work of a draft: the work after the first draft until two
+ * bases agree (0.8 with rope.yaml and b-table-5.6.yaml, 1.8 with deep-sag.yaml, 6 with conductor.yaml),
+ * and that after a further draft (0 to 0.9 with them). */
 #define AGAIN 1.0
 #define CHECKED 0.5
 #define ROUGH 1e-5      /* least tolerance of orbits at marks; chosen, far below the distances */
@@ -75,8 +76,8 @@ static double so_far(const struct hawser__draft_watch *watch, int points, double
 }
 
 /* Whether a draft is more than can be borne, of which a part is of no use either. The range of one that
- * follows a part ends there, so that what it needs is known to a factor. What is foreseen with more
- * points than were expected is the least. */
+ * follows a part ends there, so that what it needs is known to a factor. Once a trace has more points
+ * than were expected, the work that is foreseen is a lower bound. */
 static int is_costly(const struct hawser__draft_watch *watch, int points, double work)
 {
 	double bearable = watch->options->bearable, spent = watch->before + work;
@@ -109,7 +110,8 @@ static int wanders(struct hawser__draft_watch *watch, const struct hawser_frf *f
 	return watch->vain;
 }
 
-/* The time left: of the trace, and of what follows one whose work is `whole` in all. */
+/* The fraction and the time left of the whole search: `work` of this trace is done, `left` remains of
+ * it, and what follows is estimated from `whole`, its work up to the end of the range. */
 static void foretell(struct hawser_progress_state *state, const struct hawser__draft_watch *watch,
                      double work, double left, double whole)
 {
@@ -122,14 +124,15 @@ static void foretell(struct hawser_progress_state *state, const struct hawser__d
 		all += hawser__draft_follows(watch->options, watch->n, watch->expected, whole);
 	if (watch->drafts)
 		all += (chosen->functions ? CHECKED : AGAIN)*whole;
-	if (watch->drafts && watch->options->partial) /* more ends the range */
+	if (watch->drafts && watch->options->partial) /* where it takes more, the range ends */
 		all = fmax(done, fmin(all, bearable*(watch->a->foreseen > bearable ? A_PART : 1.0)));
 	state->fraction = fmin(done/all, 1.0);
 	state->left = (hawser__wall_seconds() - watch->began)*fmax(all/done - 1.0, 0.0);
 }
 
-/* The work of a trace in all. The part of it that is done is the mean of those by its points, which
- * crowd at peaks, and by the range, where folds turn back; that is NAN or 0 where it is not known. */
+/* The whole work of a trace. The fraction that is done is the mean of two estimates: by the number of
+ * points, which crowd at peaks, and by the range of Omega, in which folds turn back; by_range is NAN or
+ * 0 if it is not known. */
 static double whole_of(double work, double by_points, double by_range)
 {
 	return work/(0.5*(by_points + (by_range > 0.0 ? by_range : by_points)));
