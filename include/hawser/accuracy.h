@@ -51,7 +51,7 @@ struct hawser_accuracy {
 	struct hawser_accuracy_try attempt[HAWSER_ACCURACY_TRIES];
 	int tries;
 	double seconds;              /* wall time of the whole search */
-	double began;                /* s, on a clock of its own: when full-order models began */
+	double began;                /* s, CLOCK_MONOTONIC: when full-order models began */
 	int functions;               /* of the last full-order model that was looked at; 0: none */
 	int checked;                 /* options->after: coordinates of the model that confirms it */
 	double foreseen;             /* s of processor time of full-order models and what follows, as
@@ -205,6 +205,8 @@ enum hawser_status hawser_accuracy_once(struct hawser_accuracy_fixed *fixed,
 /* What answers in place of a response of a reduced model that is not good enough, as model.energy: auto
  * does in hawser frf: hawser_accuracy_exact, with these options. */
 enum { HAWSER_INSTEAD_POINTS = 1500 }; /* of its response, at most */
+#define HAWSER_INSTEAD_FOR_ERROR 6.0 /* s: most work of full-order models for the error of a
+                                      * response that nothing else tells; chosen */
 /* Whether such an error is reason enough; limit: of the whole error, 0: 0.02. */
 int hawser_accuracy_poor(const struct hawser_accuracy_fixed *fixed, double limit);
 /* Whether that part of it is, that no number of modes makes up for. */

@@ -31,7 +31,7 @@ struct hawser_progress_state {
 	double load;        /* load factor of the last point; NAN: none */
 	int events;         /* number of located bifurcations; -1: not counted */
 	const struct hawser_frf *frf; /* the response curve so far, or NULL */
-	int longer;         /* 1: `left` is more than was told before; by who shows it */
+	int longer;         /* 1: the end is later than was shown before; set by what shows it */
 };
 
 /* All zero: progress is not reported. */

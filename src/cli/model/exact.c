@@ -18,8 +18,6 @@
 
 /* The longest step of its curves, relative to the range (hawser__accuracy_settle). */
 static const double longest = 0.02;
-/* Work of it that an error is worth which is not known otherwise; chosen. */
-static const double for_error = 6.0;
 
 /* Work of a search with a model that may be off by more than 100 %; chosen. */
 static const double glance = 5.0;
@@ -169,7 +167,7 @@ static enum hawser_status search(struct hawser_accuracy *better, struct cli_mode
 	choice.rom = &model->rom;
 	choice.response = unweighed ? response : NULL;
 	if (unweighed)
-		choice.bearable = for_error;
+		choice.bearable = HAWSER_INSTEAD_FOR_ERROR;
 	else if (after > 0.0)
 		choice.bearable = fmin(choice.bearable, CLI_BEARABLE);
 	status = hawser_accuracy_exact(better, &model->statics, &model->scene, &choice, &why);

@@ -166,8 +166,8 @@ static enum hawser_status begin(struct hawser__free_walk *walk, struct hawser_re
 	return record(walk, &correction, report);
 }
 
-/* The part of a curve that is done, by its amplitudes or energies: at first they grow by a factor a
- * step, then by lengths. */
+/* The fraction of the curve that is done, from its amplitude, or the root of its energy, relative to
+ * the last one. At first steps multiply it, later they add to it: the mean of both. */
 static double part_of(const struct hawser__free_walk *walk)
 {
 	const struct hawser_backbone *backbone = walk->backbone;

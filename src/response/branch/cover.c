@@ -65,8 +65,8 @@ static int cut(struct gaps *gaps, const struct hawser_frf *frf)
 	return 0;
 }
 
-/* How much of the range further branches cover says nothing of the time that they take: beginnings that
- * are sought in vain take most of it. */
+/* No time left is told: most of the time is taken by searches for further branches that find none, and
+ * the part of the range that is covered says nothing of them. */
 static int watch_gaps(void *data, const struct hawser_progress_state *state)
 {
 	struct hawser_progress_state told = *state;

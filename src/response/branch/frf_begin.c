@@ -11,7 +11,8 @@
 #include "response/branch/trace.h"
 
 #define FIRST_REFINEMENTS 3 /* refinements of the mesh at the first orbit; chosen */
-#define SAME_LOAD 1e-2 /* difference of two loads that says nothing of the mesh, relative; chosen */
+#define SAME_LOAD 1e-2 /* relative increase of the load that was reached, below which a mesh is not
+                        * refined again; chosen */
 #define FIRST_WORK 30.0 /* most work for it, s, where nothing else is asked for; chosen */
 #define FIRST_STEP 0.05 /* relative to the orbit's size; short, since the first prediction has one
                          * tangent only; chosen */
@@ -33,7 +34,7 @@ static enum hawser_status place(struct hawser__trace *trace, double *omega)
 }
 
 /* From a state [m], or NULL. If the mesh is too coarse for the first orbit, Newton's method fails even
- * for a good initial value: refine it and try again, unless the load could be raised as far before. */
+ * for a good initial value: refine it and try again, unless the mesh before reached the same load. */
 static enum hawser_status start(struct hawser__trace *trace, const double *x,
                                 struct hawser__raised *raised)
 {

@@ -25,9 +25,10 @@
 #define REFINED_STEP 100.0     /* factor on that step with a finer discretisation; chosen */
 #define MOST_ENRICHED 4        /* finer discretisations of one orbit, each of which has to reduce */
 #define ENRICHED_ERROR 0.5     /* its error by this factor; both chosen */
-#define CUT_CONTRACTION 3.0    /* borne by the corrector between two points of the branch, where no
-                                * other one is: the second step has what a stiff coordinate follows
-                                * by in the second order, as large as the first; chosen */
+#define CUT_CONTRACTION 3.0    /* largest ratio of two successive corrections of a point between two
+                                * points of the branch, where there is no other branch: the second
+                                * one has the second-order response of stiff coordinates, and may be
+                                * larger than the first; chosen */
 #define WORST_ERROR 0.05       /* largest estimated relative error of an accepted orbit; chosen */
 
 /* Part of the range that is done and time left: folds turn back, and the furthest place counts. Not

@@ -117,8 +117,8 @@ enum hawser_status hawser__frf_trace(struct hawser_frf *frf, const struct hawser
                                      const struct hawser__trace_watch *watch,
                                      struct hawser_report *report);
 
-/* step.c: whether the caller's progress function ends the trace, now or when it was last asked. _tick
- * asks, and the next step ends the trace. */
+/* step.c: whether the caller's progress function asks to end the trace, in this call or in an earlier
+ * one. hawser__trace_tick calls it within a step; the trace then ends before the next step. */
 int hawser__trace_told_to_stop(struct hawser__trace *trace);
 void hawser__trace_tick(void *owner);
 

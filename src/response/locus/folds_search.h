@@ -23,7 +23,7 @@ struct hawser__fold_search {
 	struct hawser__fold_known known;    /* points of the known curves */
 	int unfinished; /* 1: a curve ended because the corrector failed or a limit was reached */
 	int for_folds;  /* 1: of the present response only the folds are of interest */
-	int unasked;    /* 1: nobody said from how many motions detached curves are looked for */
+	int unasked;    /* 1: the number of pseudo-random motions (`starts`) is the default */
 	int cut;        /* responses that ended at options->most_unstable */
 	double window[2]; /* scaled Omega: the range with margins */
 	double part[2]; /* of the whole search, of the responses at the present load */

@@ -9,7 +9,7 @@
 #include "response/locus/folds_search.h"
 #include "response/branch/trace.h"
 
-/* Work of a response where all that may be done is done already, s: of its first orbit. */
+/* Most work of a response once the search has none left, s: it ends after its first orbit. */
 static const double least_work = 1e-9;
 
 /* The equations of a fold have the unknowns of harmonic balance. */

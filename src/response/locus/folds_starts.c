@@ -38,8 +38,8 @@
 #define SETTLED 1e-3  /* relative change over a period of a settled motion: Newton's method goes on */
 #define FINER 2       /* steps of a period relative to those of small motions; chosen */
 #define FEWEST 8      /* frequencies; chosen */
-#define UNASKED 8.0   /* s, as counted (hawser_orbit_work): motions that nobody asked for take no more
-                       * if FEWEST frequencies don't, at fewer frequencies; chosen */
+#define UNASKED 8.0   /* s, as counted (hawser_orbit_work): work to which a default number of motions is
+                       * reduced, but not below FEWEST frequencies; chosen */
 #define ALIKE 1e-4    /* largest relative difference of amplitudes of the same orbit; chosen, above the
                        * errors of orbits and below their distances */
 #define SAME_POINT 1e-6 /* relative difference of Omega of two branch points that are one; chosen */
@@ -205,7 +205,8 @@ static double frequency(const struct hunt *hunt, int g, int count)
 	return walk->omega_lo + (walk->omega_hi - walk->omega_lo)*(g + 0.5)/count;
 }
 
-/* Number of frequencies: fewer if nobody asked and motions that don't settle take too long. */
+/* Number of frequencies: if the number of motions is the default, fewer where those that never settle
+ * would take too long. */
 static int frequencies(const struct hunt *hunt)
 {
 	const struct hawser__fold_search *search = hunt->search;
@@ -305,7 +306,7 @@ static enum hawser_status follow(struct hunt *hunt, double omega)
 		if (status || frf.points < 2 || first.known) {
 			folds->starts.known += first.known;
 			folds->starts.lost += frf.points == 0;
-			/* all work was done at its orbit, of which nothing is known */
+			/* the work ended at its first orbit, which was not compared: not counted */
 			folds->starts.starts -= direction > 0 && frf.points == 1 && frf.end == HAWSER_END_WORK;
 			hawser_frf_clear(&frf);
 			return status;

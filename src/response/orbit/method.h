@@ -96,7 +96,7 @@ struct hawser__orbit {
 	int unjudged;         /* not 0: no multipliers are wanted: each orbit counts as stable */
 	double rate;          /* factor by which a step with a guessed Jacobian reduces the defects */
 	double *step, *spare; /* [size] workspace of the corrector and of the metric */
-	void (*tick)(void *owner); /* called before each correction, so that no search is silent; or NULL */
+	void (*tick)(void *owner); /* called before each correction, for progress; or NULL */
 	void *owner;
 	struct hawser_orbit_cost cost;
 };

@@ -20,7 +20,7 @@ struct hawser__draft {
 	struct hawser__orbits orbits;
 	int functions, points;
 	double work;
-	double until;      /* of that, the part up to where the range now ends */
+	double until;      /* its part up to the present end of the range */
 	int largest[2];    /* columns of the peaks of the traced curve, when the search has left it */
 };
 
@@ -38,7 +38,7 @@ struct hawser__draft_watch {
 	struct hawser_accuracy *a;
 	double before; /* work of the traces that have ended */
 	double next;   /* work of another draft, over that of this one */
-	double began;  /* s, hawser__wall_seconds: when that began whose work `before` is */
+	double began;  /* s, hawser__wall_seconds: when the first of those traces began */
 	int expected;  /* points of the trace; 0: not known */
 	const struct hawser_rom *rom; /* of the trace */
 	const struct hawser__draft *chosen; /* of a draft: the basis before it, whose response follows if

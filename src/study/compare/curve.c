@@ -38,9 +38,9 @@ static const double apart = 0.4, small = 0.02; /* arclength between two marks, r
                                                  * which on there are marks; chosen */
 static const double counted_peak = 0.2; /* smallest that counts, of the component; as of landmarks */
 static const double singular = 1e-6; /* smallest determinant, of equations scaled to 1; chosen */
-static const double faintest = 0.5; /* smallest relevant component, relative to the largest one:
-                                     * peaks are compared down to the same size, and the two largest
-                                     * ones: other components may be larger at an end of the range */
+static const double faintest = 0.5; /* smallest component that counts, relative to the largest one, as
+                                     * of the peaks that are compared. Those with the two largest
+                                     * peaks count too: others may be larger at an end of the range */
 
 void hawser__curve_clear(struct hawser__drawn_curve *curve)
 {

@@ -21,7 +21,7 @@
 
 #define ORBIT 1e-6 /* see struct hawser_map_source: a hundredth of the width of a map's brackets */
 
-#define LEVEL 1e-8 /* of logarithms: below it a multiplier counts as on the unit circle */
+#define LEVEL 1e-8 /* logarithm of a real multiplier that counts as above 1; chosen */
 
 struct worker {
 	struct hawser__map_cable *cable;
@@ -291,7 +291,7 @@ static enum hawser_status of_point(const struct hawser_rom **rom, double *omega,
 	return status ? status : apply(rom, omega, worker, at, report);
 }
 
-/* A report that names the frequency alone gets the other keys of the point, in front. */
+/* Put the keys of the point in front of the message, which names the frequency only. */
 static void name_keys(struct hawser_report *report, const struct hawser__map_cable *cable,
                       const double at[2])
 {
@@ -413,7 +413,7 @@ static enum hawser_status measure(struct worker *worker, struct hawser_map_sampl
 	                    : HAWSER_OK;
 }
 
-/* Whether an odd number of multipliers are real and above 1. */
+/* Whether an odd number of multipliers are real and above 1, as behind a fold. */
 static int is_odd(const struct hawser__map_room *room)
 {
 	int count = 0;

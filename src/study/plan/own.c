@@ -13,7 +13,6 @@
 enum { FUNCTIONS = 12 }; /* of the smallest basis that most scenes need */
 #define COMMAND 0.1 /* s: reading, statics, modes, model, its error and the peaks; median of 12 random
                      * scenes whose modes are good enough */
-#define FOR_ERROR 6.0 /* most work of full-order models for an error that is not known otherwise, s */
 
 static const struct hawser_fidelity *named(const char *name)
 {
@@ -52,7 +51,8 @@ static void exceed(struct hawser_plan_row *row, struct hawser_survey *survey)
 	*row = full;
 }
 
-/* Modes that cannot be weighed are compared with full-order models, for as long as that is worth it. */
+/* If the effect of modes that are left out cannot be estimated, full-order models are computed for the
+ * error. */
 static void compare_unweighed(struct hawser_plan_row *row, const struct hawser_survey *survey)
 {
 	struct hawser_plan_row full = made("full", FUNCTIONS);
@@ -61,7 +61,7 @@ static void compare_unweighed(struct hawser_plan_row *row, const struct hawser_s
 		return;
 	full.n = 3*FUNCTIONS;
 	hawser__estimate_exact_cost(&full, survey);
-	hawser__estimate_with(row, fmin(full.seconds, FOR_ERROR*survey->slowness));
+	hawser__estimate_with(row, fmin(full.seconds, HAWSER_INSTEAD_FOR_ERROR*survey->slowness));
 }
 
 enum hawser_status hawser__estimate_own(struct hawser_plan_row *row, struct hawser_survey *survey,
