@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "net/motion/motion.h"
-#include "net/water/water.h"
 #include "water/near.h"
 #include "water/water.h"
 

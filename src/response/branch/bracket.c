@@ -14,7 +14,6 @@
 
 #include "core/report.h"
 #include "response/branch/bracket.h"
-#include "response/time/flow.h"
 #include "response/branch/locate.h"
 
 /* If |f| of the nearest trial is below this, a failure of the corrector is attributed to a branch

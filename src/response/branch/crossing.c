@@ -16,7 +16,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/report.h"
 #include "response/branch/crossing.h"
 #include "response/branch/locate.h"
 #include "response/branch/trace.h"

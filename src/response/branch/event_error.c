@@ -27,7 +27,6 @@
 
 #include <math.h>
 
-#include "core/report.h"
 #include "response/branch/event_error.h"
 #include "response/floquet/monodromy.h"
 

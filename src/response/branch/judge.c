@@ -13,7 +13,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "core/report.h"
 #include "response/branch/collide.h"
 #include "response/branch/trace.h"
 #include "response/floquet/floquet.h"

@@ -4,7 +4,6 @@
 
 #include <math.h>
 
-#include "core/report.h"
 #include "response/branch/bracket.h"
 #include "response/branch/event_error.h"
 #include "response/branch/locate.h"

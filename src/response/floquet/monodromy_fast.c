@@ -6,7 +6,6 @@
 #include <lapacke.h>
 #include <math.h>
 
-#include "core/report.h"
 #include "response/floquet/monodromy.h"
 
 #define FAR 2.0            /* least frequency of a fast coordinate relative to W; chosen */

@@ -12,7 +12,6 @@
 #include <string.h>
 
 #include "continuation/false_position.h"
-#include "core/report.h"
 #include "response/locus/folds_walk.h"
 
 #define MOST_ITERATIONS 30 /* iterations of false position with halvings: 1e-9 of the step in the

@@ -18,7 +18,6 @@
 
 #include "core/grow.h"
 #include "core/report.h"
-#include "response/time/flow.h"
 #include "response/locus/folds_search.h"
 
 #define BELOW 0.97 /* first load examined below the least known load, relative to it; chosen */

@@ -24,7 +24,6 @@
 #include <lapacke.h>
 
 #include "core/report.h"
-#include "response/time/flow.h"
 #include "response/locus/folds_search.h"
 
 #define MARGIN 0.1 /* margin of the window on either side of the range, relative; chosen */

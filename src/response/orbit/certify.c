@@ -24,7 +24,6 @@
 #include "response/orbit/certify.h"
 #include "response/torus/circle.h"
 #include "response/orbit/method.h"
-#include "response/orbit/shooting.h"
 
 #define ROUGH 1e3     /* see above; chosen */
 #define ROUGHEST 1e-4 /* of steps of the load's own length; chosen */

@@ -8,7 +8,6 @@
 #include "core/grow.h"
 #include "core/report.h"
 #include "response/torus/torus.h"
-#include "response/branch/trace.h"
 #include "rom/energy/kernel.h"
 
 #define WHERE "tori"

@@ -12,7 +12,6 @@
 
 #include "core/report.h"
 #include "core/share.h"
-#include "response/floquet/linear_margin.h"
 #include "study/hill/hill.h"
 #include "study/map/map_cable.h"
 

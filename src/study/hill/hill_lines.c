@@ -15,7 +15,6 @@
 #include "core/progress.h"
 #include "core/report.h"
 #include "core/share.h"
-#include "response/floquet/linear_margin.h"
 #include "study/hill/hill.h"
 
 struct scan {

@@ -19,7 +19,6 @@
 #include "core/append.h"
 #include "core/report.h"
 #include "response/floquet/linear_margin.h"
-#include "rom/build/build.h"
 #include "rom/terms/load.h"
 #include "rom/condense/support.h"
 #include "rom/terms/terms.h"
