@@ -90,7 +90,7 @@ struct hawser_locus_curve {
 
 struct hawser_locus {
 	enum hawser_event_kind kind;
-	int n, points, room, curves, events, event_room;
+	int n, points, curves, events;
 	struct hawser_locus_point *point; /* [points] curve after curve */
 	double *coordinate;               /* [points][n] max over the period of |u_j|, scaled */
 	double *state;                    /* [points][2n] u then du/dt at tau = 0, scaled */

@@ -56,7 +56,6 @@ int hawser__stepper_acceleration(struct hawser__stepper *stepper, double *accele
 		if (isfinite(acceleration[j]))
 			continue;
 		stepper->bad_coordinate = j;
-		stepper->bad_time = t;
 		return -1;
 	}
 	return 0;

@@ -40,7 +40,6 @@ struct hawser__stepper {
 	long max_steps;
 	long steps, evaluations, jacobians;
 	int bad_coordinate; /* index in the last acceleration that was not finite; -1: none */
-	double bad_time;
 };
 
 struct hawser__method {
