@@ -41,8 +41,9 @@ static const double each = 22.0, each_fold = 12.0;
 #define SEARCHED 6.6
 #define CHOSEN 2.6
 #define CHOICE 0.1
-/* Curves of a response with the exact energy in place of modes, with drafts: 0.1 to 2.5, median 0.9, in
- * 13 random scenes of 10 to 50 % of the sag; 1.3 in b-table-5.6, 4.1 in deep-sag, 7.7 in conductor. */
+/* Number of curves whose work a response with the exact energy takes, drafts included: 0.1 to 2.5,
+ * median 0.9, in 13 random scenes whose amplitude is 10 to 50 % of the sag; 1.3 with b-table-5.6.yaml,
+ * 4.1 with deep-sag.yaml, 7.7 with conductor.yaml. */
 #define EXACT 1.2
 
 /* 1: the i-th of the modes at `index` is out of the plane. */
