@@ -237,7 +237,7 @@ enum hawser_status hawser__fold_levels(struct hawser__fold_search *search)
 		done = folds->nearly_linear || load <= floor;
 	}
 	folds->searched = done && !cut && !folds->interrupted;
-	if (!folds->searched && hawser__walk_left(&search->walk) <= 0.0)
+	if (!folds->searched && search->walk.costly)
 		note_rest(search);
 	if (search->cut > 0)
 		hawser__fold_note(search, "%d responses at other loads ended where more than %d multipliers "
