@@ -293,8 +293,8 @@ enum hawser_status hawser__draft_carry(struct hawser__draft *draft, double *away
 	frf.tolerance = fmax(frf.tolerance, ROUGH);
 	if (traced->orbits.count < traced->curve.points)
 		return HAWSER_OK;
-	status = hawser__full_map(&map, &rows, &columns, &a->modes.statics, traced->functions, draft->functions,
-	                          report);
+	status = hawser__full_map(&map, &rows, &columns, &a->modes.statics, traced->functions,
+	                          draft->functions, report);
 	if (!status && rows == draft->rom.n && columns == traced->orbits.n)
 		status = hawser__carry(&found, &lost, &draft->rom, &traced->orbits, traced->mark,
 		                       traced->marks, map, &frf, report);
