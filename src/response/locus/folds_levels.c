@@ -87,7 +87,7 @@ static enum hawser_status respond(struct hawser__fold_search *search, struct haw
 	*same = watch.same;
 	search->cut += !status && frf->end == HAWSER_END_UNSTABLE;
 	*failed = status || hawser__fold_limited(frf);
-	search->folds->interrupted |= !status && !watch.same && frf->end == HAWSER_END_INTERRUPTED;
+	search->folds->interrupted |= !watch.same && frf->end == HAWSER_END_INTERRUPTED;
 	if (load->factor < 1.0 && load->factor >= least(search->folds))
 		return HAWSER_OK; /* a fold at a lower load is known: this failure has no effect */
 	if (!wide && !status)

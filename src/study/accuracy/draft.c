@@ -252,6 +252,8 @@ static enum hawser_status draw(struct hawser__draft *draft, struct hawser__trace
 	status = hawser__frf_trace(&a->frf, &draft->rom, &frf, &keep, &why);
 	if (ends_range(a, &watch, draft->functions, status, &why))
 		status = HAWSER_OK;
+	else if (status == HAWSER_ERR_CONVERGENCE && a->frf.end == HAWSER_END_INTERRUPTED)
+		return HAWSER_OK; /* without a point; the search ends */
 	else if (status && report)
 		*report = why;
 	draft->points = a->frf.points;
