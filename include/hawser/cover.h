@@ -17,8 +17,8 @@ struct hawser_cover {
 	double *gap;               /* [gaps][2] scaled Omega, ascending: parts of the range in which no
 	                            * branch was found */
 	double work;               /* of all of it, s (hawser_orbit_work) */
-	int costly;                /* 1: it ended at options->most_work, which limits all branches
-	                            * together */
+	int costly;                /* 1: a branch ended, or was left out, at options->most_work
+	                            * of all branches together */
 };
 
 /* Whether `first`, traced with these options, leaves a part of the range uncovered that

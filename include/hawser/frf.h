@@ -212,11 +212,12 @@ struct hawser_frf_options {
 
 void hawser_frf_settle(struct hawser_frf_options *options);
 
-/* Trace the branch. On HAWSER_ERR_CONVERGENCE with at least one point, *frf has the points traced
- * so far, and frf->end is HAWSER_END_FAILED. With most_unstable, where the last of them are
- * unstable, the status is HAWSER_OK and the end HAWSER_END_LOST; the branch might become stable again
- * beyond, and hawser_cover_trace looks for motions there. Release with hawser_frf_clear. Others:
- * HAWSER_ERR_ARGUMENT (range, model without forcing), HAWSER_ERR_NAN, HAWSER_ERR_MEMORY. */
+/* Trace the branch. On HAWSER_ERR_CONVERGENCE, *frf has the points traced so far, and frf->end is
+ * HAWSER_END_FAILED; or HAWSER_END_INTERRUPTED, without points, where `progress` ended it before the
+ * first one. With most_unstable, where the last of them are unstable, the status is HAWSER_OK and the
+ * end HAWSER_END_LOST; the branch might become stable again beyond, and hawser_cover_trace looks for
+ * motions there. Release with hawser_frf_clear. Others: HAWSER_ERR_ARGUMENT (range, model without
+ * forcing), HAWSER_ERR_NAN, HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_frf_trace(struct hawser_frf *frf, const struct hawser_rom *rom,
                                     const struct hawser_frf_options *options,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;

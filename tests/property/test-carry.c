@@ -50,6 +50,13 @@ static double off(const struct hawser_rom *of, const struct hawser_rom *to, cons
 	return worst/size;
 }
 
+static int stop(void *data, const struct hawser_progress_state *state)
+{
+	(void)data;
+	(void)state;
+	return 1;
+}
+
 static void compare(struct hawser_rom *rom, const double *map)
 {
 	struct hawser_frf_options options = range(sqrt(rom[1].K[0]));
@@ -89,6 +96,10 @@ static void compare(struct hawser_rom *rom, const double *map)
 	rom[1].harmonic[0].f[1] *= 3.0;
 	ok(!hawser__carry(&frf[2], &lost, &rom[1], &orbits, mark, marks, map, &options, &report) && lost,
 	   "with another load there is none nearby");
+	hawser_frf_clear(&frf[2]);
+	options.progress.function = stop;
+	ok(!hawser__carry(&frf[2], &lost, &rom[1], &orbits, mark, marks, map, &options, &report) && lost &&
+	   frf[2].end == HAWSER_END_INTERRUPTED, "and a stop is told from that");
 	hawser_frf_clear(&frf[2]);
 	hawser__orbits_clear(&orbits);
 	free(mark);

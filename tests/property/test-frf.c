@@ -289,6 +289,13 @@ static int stop_at_five(void *data, const struct hawser_progress_state *state)
 	return state->frf->points >= 5;
 }
 
+static int stop_at_once(void *data, const struct hawser_progress_state *state)
+{
+	(void)data;
+	(void)state;
+	return 1;
+}
+
 static void check_ends_and_errors(void)
 {
 	struct hawser_rom rom;
@@ -321,6 +328,13 @@ static void check_ends_and_errors(void)
 	options.progress.function = stop_at_five;
 	ok(!hawser_frf_trace(&frf, &rom, &options, &report) && frf.points == 5 &&
 	   frf.end == HAWSER_END_INTERRUPTED, "stops when asked and says so");
+	hawser_frf_clear(&frf);
+	bad = options;
+	bad.start = (const double[]){1e200, 1e200};
+	bad.progress.function = stop_at_once;
+	ok(hawser_frf_trace(&frf, &rom, &bad, &report) == HAWSER_ERR_CONVERGENCE && frf.points == 0 &&
+	   frf.end == HAWSER_END_INTERRUPTED && strstr(report.message, "before its first orbit"),
+	   "before the first orbit, too: %s", report.message);
 	hawser_frf_clear(&frf);
 	bad = options;
 	bad.from = 1.0;

@@ -104,6 +104,10 @@ static void test_limited(const struct hawser_frf *first, const struct hawser_cov
 	   part.branches == 1 && part.branch[0].end == HAWSER_END_WORK && part.gaps == 1 &&
 	   part.work < 0.9*cover->work, "half of the other branch, and a gap");
 	hawser_cover_clear(&part);
+	options.most_work = cover->work;
+	ok(!hawser_cover_trace(&part, first, rom, &options, NULL) && !part.costly && part.gaps == 0 &&
+	   part.work == cover->work, "with just what it takes, nothing is left out");
+	hawser_cover_clear(&part);
 }
 
 /* From the upper end, on the lower branch, the curve returns; the upper branch begins at the other

@@ -138,6 +138,18 @@ static enum hawser_status cross(struct hawser__account *account, struct hawser_f
 	return HAWSER_OK;
 }
 
+/* Whether Omega of a fold between a and b is an extreme of it, as on one curve. Where it is not,
+ * the curve has a gap there: a bifurcation that a small load has broken, across which b was reached. */
+static int turns_at(double omega, const struct hawser__account *account,
+                    const struct hawser__orbit *orbit, const struct hawser__station *a,
+                    const struct hawser__station *b)
+{
+	int last = orbit->size - 1;
+	double way = a->t[last] > 0.0 ? 1.0 : -1.0, farthest = fmax(way*a->y[last], way*b->y[last]);
+
+	return way*omega >= farthest - account->event_tolerance*hawser__orbit_extent(orbit, a->y);
+}
+
 /* Locate the event of one kind between a and b if its test function changes sign. */
 static enum hawser_status add_located(struct hawser__account *account, struct hawser__orbit *orbit,
                                       const struct hawser__station *a,
@@ -151,7 +163,8 @@ static enum hawser_status add_located(struct hawser__account *account, struct ha
 	                                           kind, account->sure, account->tolerance,
 	                                           account->event_tolerance, report);
 
-	if (status == HAWSER_ERR_CONVERGENCE) {
+	if (status == HAWSER_ERR_CONVERGENCE ||
+	    (!status && found && kind == HAWSER_FOLD && !turns_at(event.omega, account, orbit, a, b))) {
 		account->gaps++;
 		return HAWSER_OK;
 	}

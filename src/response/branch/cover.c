@@ -90,7 +90,7 @@ static int widest(const struct gaps *gaps, double range)
 }
 
 /* A further branch; *frf is it, and stays valid until the next call. It is dropped where it has no two
- * points, and *frf is NULL then. */
+ * points, and *frf is NULL then, as where no work is left for it. */
 static enum hawser_status add(struct hawser_cover *cover, struct hawser_frf **frf,
                               const struct hawser_rom *rom, const struct hawser_frf_options *options,
                               struct hawser_report *report)
@@ -101,13 +101,17 @@ static enum hawser_status add(struct hawser_cover *cover, struct hawser_frf **fr
 	enum hawser_status status;
 
 	*frf = NULL;
+	if (options->most_work > 0.0) {
+		left.most_work = options->most_work - cover->work;
+		cover->costly = left.most_work <= 0.0;
+	}
+	if (cover->costly)
+		return HAWSER_OK;
 	if (hawser__more(&cover->branch, cover->branches, sizeof *cover->branch))
 		return hawser__no_memory(report, "frf");
-	if (options->most_work > 0.0)
-		left.most_work = options->most_work - cover->work;
 	status = hawser__frf_trace(&cover->branch[cover->branches], rom, &left, &watch, &local);
 	cover->work += hawser_orbit_work(&cover->branch[cover->branches].cost, rom);
-	cover->costly = options->most_work > 0.0 && cover->work >= options->most_work;
+	cover->costly = cover->branch[cover->branches].end == HAWSER_END_WORK;
 	if (status && status != HAWSER_ERR_CONVERGENCE) {
 		hawser_frf_clear(&cover->branch[cover->branches]);
 		if (report)

@@ -45,11 +45,12 @@ static enum hawser_status count(void *context, struct hawser__trace *trace)
 /* The trace that the detour is for has no points yet. */
 static int watch(void *data, const struct hawser_progress_state *state)
 {
-	const struct hawser__trace *trace = data;
+	struct hawser__trace *trace = data;
 	struct hawser_progress_state told = *state;
 
 	told.frf = trace->frf;
-	return hawser__told_to_stop(&trace->options.progress, &told);
+	trace->stopped |= hawser__told_to_stop(&trace->options.progress, &told);
+	return trace->stopped;
 }
 
 static void tell(char tried[80], const struct hawser_frf *frf, enum hawser_status status, int given_up)

@@ -459,7 +459,7 @@ static enum hawser_status trace_own(struct hawser_frf *frf, const struct hawser_
 	if (!status && frf->end != HAWSER_END_INTERRUPTED && settled.samples > 0 && !is_own(&settled) &&
 	    strcmp(frf->method, hawser__shooting_method.about.name) != 0)
 		status = hawser__certify(frf, rom, &settled, &local);
-	if (status)
+	if (status && frf->end != HAWSER_END_INTERRUPTED)
 		frf->end = HAWSER_END_FAILED;
 	if (status && report)
 		*report = local;

@@ -85,6 +85,15 @@ static enum hawser_status no_orbit(const struct hawser__trace *trace, double loa
 	                       HAWSER_SHOWN(orbit->rom, omega), load, ways);
 }
 
+/* The caller ended the trace while its first orbit was looked for. */
+static enum hawser_status stopped(const struct hawser__trace *trace)
+{
+	trace->frf->end = HAWSER_END_INTERRUPTED;
+	return hawser__fail(trace->report, HAWSER_ERR_CONVERGENCE, "frf",
+	                    "the trace was ended before its first orbit, at %s, was found",
+	                    hawser__orbit_where(trace->orbit, trace->options.begin).text);
+}
+
 static enum hawser_status first_orbit(struct hawser__trace *trace)
 {
 	int ways = trace->watch && trace->watch->direct ? 0 : HAWSER__WAYS, found;
@@ -107,7 +116,8 @@ static enum hawser_status first_orbit(struct hawser__trace *trace)
 	status = start(trace, trace->options.start, &raised);
 	if (status != HAWSER_ERR_CONVERGENCE || raised.load < 0.0)
 		return status;
-	for (int way = 0; way < ways && !hawser__start_spent(trace->orbit, &raised); way++) {
+	for (int way = 0; way < ways && !trace->stopped &&
+	                  !hawser__start_spent(trace->orbit, &raised); way++) {
 		if ((status = hawser__detour(x, &found, tried[way], trace, way, &raised)))
 			return status;
 		if (!found)
@@ -207,7 +217,7 @@ enum hawser_status hawser__trace_begin(struct hawser__trace *trace)
 		status = first_along(trace, &failed);
 	} else {
 		if ((status = first_orbit(trace)))
-			return status;
+			return status == HAWSER_ERR_CONVERGENCE && trace->stopped ? stopped(trace) : status;
 		status = hawser__trace_settle(trace, &trace->here, heading(&trace->options), NULL,
 		                              &failed);
 	}

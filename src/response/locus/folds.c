@@ -359,7 +359,7 @@ static enum hawser_status given_response(struct hawser__fold_search *search)
 	hawser__fold_note_cut(search, frf, 1.0);
 	if (!folds->interrupted)
 		status = hawser__fold_curves(search, frf, 1.0);
-	if (status || hawser__fold_ended(search) || frf->points < 2 || frf->end == HAWSER_END_CLOSED)
+	if (status || frf->points < 2 || frf->end == HAWSER_END_CLOSED || hawser__fold_ended(search))
 		return status;
 	choice.start = frf->state;
 	choice.along = NULL;
@@ -427,7 +427,7 @@ static enum hawser_status search_responses(struct hawser__fold_search *search)
 	enum hawser_status status = nominal_load(search);
 
 	hawser__fold_part(search, NOMINAL, LARGEST);
-	if (!status && !hawser__fold_ended(search) && search->options->load_to > 1.0)
+	if (!status && search->options->load_to > 1.0 && !hawser__fold_ended(search))
 		status = hawser__fold_level(search, search->options->load_to, 0, &level);
 	if (!status && !folds->interrupted)
 		status = hawser__fold_levels(search);
@@ -446,7 +446,7 @@ static enum hawser_status search_curves(struct hawser__fold_search *search)
 
 	hawser__fold_part(search, 0.0, search->options->first ? 1.0 : NOMINAL);
 	status = search->options->first ? given_response(search) : search_responses(search);
-	folds->costly = hawser__walk_left(&search->walk) <= 0.0;
+	folds->costly = search->walk.costly;
 	if (status || folds->interrupted)
 		return status;
 	if (folds->curves == 0)

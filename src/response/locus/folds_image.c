@@ -121,11 +121,11 @@ enum hawser_status hawser__fold_images(struct hawser__fold_search *search)
 		memcpy(z, search->walk.start.z, bytes);
 		status = hawser__fold_new(search);
 	}
-	for (int i = 0; !status && i < count && !hawser__fold_ended(search); i++) {
+	for (int i = 0; !status && i < count; i++) {
 		const int *sign = flip + (size_t)i*n;
 		double here = misfit(rom, sign, 0), there = misfit(rom, sign, 1), least = fmin(here, there);
 
-		if (least > 0.0 && least < UNLIKE)
+		if (least > 0.0 && least < UNLIKE && !hawser__fold_ended(search))
 			status = image(search, z, sign, there < here);
 	}
 	free(z);

@@ -158,13 +158,15 @@ enum hawser_status hawser__fold_isolas(struct hawser__fold_search *search)
 {
 	struct hawser_folds *folds = search->folds;
 	/* the list of events grows in this loop */
-	for (int e = 0; e < folds->events && !hawser__fold_ended(search); e++) {
+	for (int e = 0; e < folds->events; e++) {
 		double omega = folds->event[e].omega;
 		int failed, found = 0;
 		enum hawser_status status;
 
 		if (folds->event[e].kind != HAWSER_FOLDS_NOMINAL || visited(folds, omega))
 			continue;
+		if (hawser__fold_ended(search))
+			break;
 		status = at_fold(search, omega, &failed);
 		if (!status && !failed)
 			status = trace(search, omega, &found);

@@ -86,7 +86,7 @@ static enum hawser_status respond(struct hawser__fold_search *search, struct haw
 	*same = watch.same;
 	search->cut += !status && frf->end == HAWSER_END_UNSTABLE;
 	*failed = status || hawser__fold_limited(frf);
-	search->folds->interrupted |= !status && !watch.same && frf->end == HAWSER_END_INTERRUPTED;
+	search->folds->interrupted |= !watch.same && frf->end == HAWSER_END_INTERRUPTED;
 	if (load->factor < 1.0 && load->factor >= least(search->folds))
 		return HAWSER_OK; /* a fold at a lower load is known: this failure has no effect */
 	if (!wide && !status)
@@ -236,7 +236,7 @@ enum hawser_status hawser__fold_levels(struct hawser__fold_search *search)
 		done = folds->nearly_linear || load <= floor;
 	}
 	folds->searched = done && !cut && !folds->interrupted;
-	if (!folds->searched && hawser__walk_left(&search->walk) <= 0.0)
+	if (!folds->searched && search->walk.costly)
 		note_rest(search);
 	if (search->cut > 0)
 		hawser__fold_note(search, "%d responses at other loads ended where more than %d multipliers "

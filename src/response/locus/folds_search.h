@@ -99,10 +99,11 @@ enum hawser_status hawser__fold_levels(struct hawser__fold_search *search);
 /* folds_levels.c: the least load of the result. */
 void hawser__fold_least(struct hawser__fold_search *search);
 
-/* Whether the search is to end: told so, or after the most work. */
-static inline int hawser__fold_ended(const struct hawser__fold_search *search)
+/* Whether the search is to end although something remains to be done: told so, or after the most
+ * work. */
+static inline int hawser__fold_ended(struct hawser__fold_search *search)
 {
-	return search->folds->interrupted || hawser__walk_left(&search->walk) <= 0.0;
+	return search->folds->interrupted || hawser__walk_refused(&search->walk);
 }
 
 /* Whether a response ended at a limit. */

@@ -38,6 +38,7 @@ enum hawser_status hawser__fold_trace(struct hawser__fold_search *search, struct
 		limited.most_work = fmax(hawser__walk_left(&search->walk), least_work);
 	status = hawser__frf_trace(frf, rom, &limited, &watch, report);
 	search->walk.work += hawser_orbit_work(&frf->cost, rom);
+	search->walk.costly |= frf->end == HAWSER_END_WORK;
 	return search->seeds.failed ? hawser__no_memory(report, "folds") : status;
 }
 

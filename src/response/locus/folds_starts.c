@@ -311,13 +311,14 @@ static enum hawser_status follow(struct hunt *hunt, double omega)
 			hawser_frf_clear(&frf);
 			return status;
 		}
-		if ((status = take(hunt, &frf)) || closed || hawser__fold_ended(hunt->search))
+		if ((status = take(hunt, &frf)) || closed ||
+		    (direction > 0 && hawser__fold_ended(hunt->search)))
 			return status;
 	}
 	return HAWSER_OK;
 }
 
-static int ended(const struct hunt *hunt)
+static int ended(struct hunt *hunt)
 {
 	return hunt->search->folds->starts.fresh >= MOST_NEW || hawser__fold_ended(hunt->search);
 }

@@ -188,10 +188,18 @@ double hawser__walk_left(const struct hawser__fold_walk *walk)
 	       : INFINITY;
 }
 
+int hawser__walk_refused(struct hawser__fold_walk *walk)
+{
+	int refused = hawser__walk_left(walk) <= 0.0;
+
+	walk->costly |= refused;
+	return refused;
+}
+
 static enum hawser_status prepare(void *owner, int *ended)
 {
 	struct hawser__fold_walk *walk = owner;
-	int costly = hawser__walk_left(walk) <= 0.0;
+	int costly = hawser__walk_refused(walk);
 
 	*ended = costly || walk->list->points >= walk->options->max_points;
 	if (*ended)

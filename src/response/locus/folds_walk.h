@@ -67,6 +67,7 @@ struct hawser__fold_walk {
 	int known;                 /* number of stations before here, and here itself */
 	int stopped;
 	double work;               /* of the responses so far, s, as counted (hawser_orbit_work) */
+	int costly;                /* 1: something was left out, as no work was left */
 	const char *stage;
 	struct hawser__span span;  /* of the whole search */
 	struct hawser_report *report;
@@ -87,6 +88,8 @@ static inline int hawser__fold_width(const struct hawser__fold_list *list)
 
 /* Work that is left for responses and curves, s; INFINITY: it has no limit. */
 double hawser__walk_left(const struct hawser__fold_walk *walk);
+/* Whether none is left for what is to be done next: walk->costly then. */
+int hawser__walk_refused(struct hawser__fold_walk *walk);
 
 enum hawser_status hawser__walk_open(struct hawser__fold_walk *walk, struct hawser__fold *fold,
                                      const struct hawser_folds_options *options,

@@ -272,7 +272,7 @@ static enum hawser_status trace_events(struct hawser_locus *locus, struct hawser
                                        const struct hawser_frf *frf, int only, int *any,
                                        struct hawser_report *report)
 {
-	for (int e = 0; e < frf->events && !walk->stopped && hawser__locus_left(walk) > 0.0; e++) {
+	for (int e = 0; e < frf->events && !walk->stopped; e++) {
 		enum hawser_status status;
 
 		if (frf->event[e].kind != walk->options->kind || (only >= 0 && e != only))
@@ -280,6 +280,8 @@ static enum hawser_status trace_events(struct hawser_locus *locus, struct hawser
 		*any = 1;
 		if (is_known(locus, frf->event[e].parameter, walk->locus->extent))
 			continue;
+		if (hawser__locus_refused(walk))
+			break;
 		tell_part(walk, frf, e);
 		if ((status = trace_from(locus, walk, frf, e, report)))
 			return status;
@@ -295,17 +297,19 @@ static enum hawser_status trace_all(struct hawser_locus *locus, struct hawser__l
 	struct start only = nearest(all, o);
 	int any = 0;
 
+	walk->costly |= all->cover.costly;
 	for (int k = 0; k <= all->cover.branches; k++) {
+		const struct hawser_frf *frf = hawser__locus_response(all, k);
 		enum hawser_status status = HAWSER_OK;
 
+		walk->costly |= frf->end == HAWSER_END_WORK;
 		if (only.response < 0 || only.response == k)
-			status = trace_events(locus, walk, hawser__locus_response(all, k), only.event, &any,
-			                      report);
+			status = trace_events(locus, walk, frf, only.event, &any, report);
 		if (status)
 			return status;
 	}
 	locus->interrupted = walk->stopped;
-	locus->costly = hawser__locus_left(walk) <= 0.0;
+	locus->costly = walk->costly;
 	if (locus->costly && locus->curves == 0 && locus->lost == 0)
 		return hawser__fail(report, HAWSER_ERR_CONVERGENCE, "locus",
 		                    "the work of the response at the parameter %.9g came to its limit before "

@@ -43,6 +43,7 @@ static enum hawser_status trace_one(struct hawser_cover *cover, const struct haw
 		return hawser__no_memory(report, "locus");
 	cover->branches = 1;
 	status = hawser_frf_trace(cover->branch, rom, choice, report);
+	cover->work = hawser_orbit_work(&cover->branch->cost, rom);
 	return status == HAWSER_ERR_CONVERGENCE ? HAWSER_OK : status;
 }
 

@@ -194,19 +194,21 @@ enum hawser_status hawser__locus_finish(struct hawser__locus_walk *walk,
 
 /* --- the operations of a step --- */
 
-double hawser__locus_left(const struct hawser__locus_walk *walk)
+int hawser__locus_refused(struct hawser__locus_walk *walk)
 {
 	const struct hawser_orbit_cost cost = {.dense = walk->locus->dense};
+	double most = walk->options->most_work;
+	int refused = most > 0.0 &&
+	              walk->locus->spent + hawser_orbit_work(&cost, walk->locus->rom) >= most;
 
-	return walk->options->most_work > 0.0
-	       ? walk->options->most_work - walk->locus->spent - hawser_orbit_work(&cost, walk->locus->rom)
-	       : INFINITY;
+	walk->costly |= refused;
+	return refused;
 }
 
 static enum hawser_status prepare(void *owner, int *ended)
 {
 	struct hawser__locus_walk *walk = owner;
-	int costly = hawser__locus_left(walk) <= 0.0;
+	int costly = hawser__locus_refused(walk);
 
 	*ended = costly || walk->list->points >= walk->options->max_points;
 	if (*ended)

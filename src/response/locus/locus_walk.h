@@ -45,6 +45,7 @@ struct hawser__locus_walk {
 	struct hawser__locus_list *list;
 	struct hawser__curve curve;
 	int known, stopped;
+	int costly;                  /* 1: something was left out, as no work was left */
 	struct hawser__span span;    /* of the whole search; set by the caller */
 };
 
@@ -67,8 +68,8 @@ enum hawser_status hawser__locus_finish(struct hawser__locus_walk *walk,
 enum hawser_status hawser__locus_follow(struct hawser__locus_walk *walk,
                                         struct hawser__locus_list *list, int direction);
 
-/* Work that is left for responses and curves, s; INFINITY: it has no limit. */
-double hawser__locus_left(const struct hawser__locus_walk *walk);
+/* Whether no work is left for what is to be done next: walk->costly then. */
+int hawser__locus_refused(struct hawser__locus_walk *walk);
 
 /* locus_begin.c: z = the orbit through the state x [2n] at `first`, Omega or the first parameter. */
 enum hawser_status hawser__locus_orbit_through(struct hawser__locus_walk *walk, double *z,

@@ -194,7 +194,8 @@ static enum hawser_status is_behind(int *behind, struct hawser__about *about, do
 }
 
 /* The model about the response. Where rough orbits on the way lose it, fine ones follow; and from rest
- * where an orbit was found that may lie behind a fold, from a guide or the linear response. */
+ * where an orbit was found that may lie behind a fold, from a guide or the linear response:
+ * raised->slow. */
 static enum hawser_status find(struct hawser__about *about, struct hawser__raised *raised,
                                double tolerance, const struct hawser_rom *rom, double omega,
                                struct hawser_report *report)
@@ -226,7 +227,7 @@ static enum hawser_status find(struct hawser__about *about, struct hawser__raise
 		close_orbit(orbit, y);
 		again = behind || (lost && raised->rough > FINE);
 		raised->rough = FINE;
-		raised->slow = behind;
+		raised->slow |= behind;
 		raised->guide = behind ? NULL : raised->guide;
 	} while (again);
 	return status;
@@ -245,6 +246,11 @@ enum hawser_status hawser__about_response(struct hawser__about *about, const str
 		                      raised.turned
 		                      ? "at Omega %.9g%s the response that grows out of rest has a fold at "
 		                        "%.3g of the excitation, where it jumps: hawser frf follows it"
+		                      : raised.slow
+		                      ? "at Omega %.9g%s the response that grows out of rest was lost at "
+		                        "%.3g of the excitation, and another motion at the whole excitation "
+		                        "may lie behind a fold or a branch point of it: hawser frf --over "
+		                        "factor.load, from 0.01, at this point tells"
 		                      : "at Omega %.9g%s the response that grows out of rest was lost at "
 		                        "%.3g of the excitation: it has a fold there, where it jumps, or "
 		                        "changes too fast to be followed in all points of a plane; hawser "

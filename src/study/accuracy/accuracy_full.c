@@ -151,7 +151,8 @@ static enum hawser_status compare_condensed(struct condensed *condensed,
 /* error [2] of a basis whose marks are moved by the next one: that, and with the factor of safety by
  * what the one after it moves them further, if there is one. The second one is that of the
  * displacements with the largest peaks. */
-static enum hawser_status bound_error(double *error, const struct hawser__traced *traced,
+static enum hawser_status bound_error(double *error, struct hawser_accuracy *a,
+                                      const struct hawser__traced *traced,
                                       const struct hawser__drawn_curve *chosen,
                                       const struct hawser__draft *next, double moved, int functions,
                                       const struct hawser_accuracy_bases *of,
@@ -165,7 +166,7 @@ static enum hawser_status bound_error(double *error, const struct hawser__traced
 
 	last.functions = functions;
 	if (!status && last.rom.n > 0)
-		status = hawser__draft_carry(&last, &away, traced, &of->modes->statics, settled, report);
+		status = hawser__draft_carry(&last, &away, traced, a, settled, report);
 	for (int k = 0; k < 2; k++) {
 		if (!status && k)
 			status = hawser__curve_points_distance(&moved, curve, traced->mark, own, &next->curve,
@@ -179,19 +180,25 @@ static enum hawser_status bound_error(double *error, const struct hawser__traced
 	return status;
 }
 
-/* Whether what follows a draft is more than can be borne. Where the error of a response is wanted,
- * nothing does. */
-static int is_costly(const struct hawser__draft *draft, const struct hawser_accuracy_options *options,
-                     double work)
+/* Whether what follows a draft, after this work, is more than can be borne: a->foreseen, a->costly. */
+static int is_costly(struct hawser_accuracy *a, const struct hawser__draft *draft,
+                     const struct hawser_accuracy_options *options, double work)
 {
-	return options->bearable > 0.0 && !options->partial && !options->response &&
-	       work + hawser__draft_follows(options, draft->rom.n, draft->points, draft->work) >
-	       options->bearable;
+	a->foreseen = work + hawser__draft_follows(options, draft->rom.n, draft->points, draft->work);
+	a->costly = options->bearable > 0.0 && !options->partial && a->foreseen > options->bearable;
+	return a->costly;
+}
+
+/* The same in a search among bases. Where the error of a response is wanted, no other follows. */
+static int ends_search(struct hawser_accuracy *a, const struct hawser__draft *draft,
+                       const struct hawser_accuracy_options *options, double work)
+{
+	return !options->response && !options->partial && is_costly(a, draft, options, work);
 }
 
 /* The first bases of which two agree: *chosen is the smaller one, *moved the distance of the two,
  * error [2] that of the smaller one, of all and of the largest peaks, and *checked the coordinates of
- * the larger. If no two agree, the last ones. */
+ * the larger. If no two agree, the last ones of which anything is known. */
 static enum hawser_status choose(struct hawser__draft *chosen, double *moved, double *error,
                                  int *checked, struct condensed *condensed,
                                  struct hawser_accuracy *a, const struct hawser_scene *scene,
@@ -216,7 +223,7 @@ static enum hawser_status choose(struct hawser__draft *chosen, double *moved, do
 			break;
 		a->functions = next.functions = functions;
 		if (traced.functions)
-			status = hawser__draft_carry(&next, &away, &traced, &a->modes.statics, frf, report);
+			status = hawser__draft_carry(&next, &away, &traced, a, frf, report);
 		*work += next.work;
 		if (traced.functions) { /* as many points, each of which takes longer */
 			next.points = chosen->points;
@@ -230,7 +237,11 @@ static enum hawser_status choose(struct hawser__draft *chosen, double *moved, do
 		if (!status && away <= NEAR &&
 		    !is_rough(condensed, *moved, chosen, &next, *work, options->bearable)) {
 			condensed->off += *moved;
-		} else if (!status && !is_costly(&next, options, *work + next.work)) {
+		} else if (!status && (a->frf.end == HAWSER_END_INTERRUPTED ||
+		                       ends_search(a, &next, options, *work + next.work))) {
+			hawser__draft_clear(&next); /* of which nothing is known */
+			break;
+		} else if (!status) {
 			away = INFINITY;
 			status = hawser__draft_draw(&next, moved, &traced, chosen, a, options, frf, *work, report);
 			*work += next.work;
@@ -251,14 +262,14 @@ static enum hawser_status choose(struct hawser__draft *chosen, double *moved, do
 		error[0] = error[1] = HAWSER__SAFETY_BASIS**moved;
 		if (status || hawser__accuracy_cut(a) || *error <= enough) {
 			if (!status && away <= NEAR)
-				status = bound_error(error, &traced, &chosen->curve, &next, *moved, functions, &of,
-				                     frf, report);
+				status = bound_error(error, a, &traced, &chosen->curve, &next, *moved, functions,
+				                     &of, frf, report);
 			hawser__draft_clear(&next);
 			break;
 		}
 		hawser__draft_clear(chosen);
 		*chosen = next;
-		if (is_costly(chosen, options, *work)) /* and so is any larger basis */
+		if (ends_search(a, chosen, options, *work)) /* and so is any larger basis */
 			break;
 	}
 	hawser__traced_give(&traced, chosen);
@@ -362,9 +373,8 @@ static enum hawser_status search(struct hawser_accuracy *a, struct hawser__marks
 		return status;
 	if (condensed->lent)
 		a->attempt[0].moved = condensed->off;
-	a->foreseen = work + hawser__draft_follows(options, chosen->rom.n, chosen->points, chosen->work);
-	a->costly = options->bearable > 0.0 && !options->partial && a->foreseen > options->bearable;
-	if (a->costly || (options->agreed && !(*error <= a->asked))) {
+	if (a->costly || is_costly(a, chosen, options, work) ||
+	    (options->agreed && !(*error <= a->asked))) {
 		condensed->near = 1.0; /* far off, and stated */
 		if (condensed->lent && is_right(a, condensed, *error, checked))
 			a->functions = chosen->functions;

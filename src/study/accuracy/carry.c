@@ -121,7 +121,10 @@ enum hawser_status hawser__carry(struct hawser_frf *frf, int *lost, const struct
 		if (!status && !*lost)
 			status = orbit->ops->relax(orbit, options->tolerance, report);
 		told = hawser__progress_state("marks", "points", i + 1, began);
-		*lost |= hawser__told_to_stop(&options->progress, &told);
+		if (hawser__told_to_stop(&options->progress, &told)) {
+			frf->end = HAWSER_END_INTERRUPTED;
+			*lost = 1;
+		}
 	}
 	if (orbit)
 		orbit->ops->clear(orbit);

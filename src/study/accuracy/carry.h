@@ -9,8 +9,9 @@
 
 /* The orbits which[count] of another model, `rom`, which moves by map [rom->n][orbits->n] as that of
  * the orbits does: each is the point nearest to that orbit on the curve of `rom`, in the plane normal
- * to the other curve. *lost: 1: one of them was not found, or it is far away; the search ends there.
- * `frf` becomes these points, with the arclength of the other curve; clear it, whatever the status.
+ * to the other curve. *lost: 1: one of them was not found, or it is far away, or the caller stopped the
+ * search (frf->end says so); it ends there. `frf` becomes these points, with the arclength of the other
+ * curve; clear it, whatever the status.
  * Statuses: HAWSER_ERR_MEMORY, HAWSER_ERR_CONVERGENCE. */
 enum hawser_status hawser__carry(struct hawser_frf *frf, int *lost, const struct hawser_rom *rom,
                                  const struct hawser__orbits *orbits, const int *which, int count,

@@ -255,6 +255,8 @@ static enum hawser_status draw(struct hawser__draft *draft, struct hawser__trace
 	status = hawser__frf_trace(&a->frf, &draft->rom, &frf, &keep, &why);
 	if (ends_range(a, &watch, draft->functions, status, &why))
 		status = HAWSER_OK;
+	else if (status == HAWSER_ERR_CONVERGENCE && a->frf.end == HAWSER_END_INTERRUPTED)
+		return HAWSER_OK; /* without a point; the search ends */
 	else if (status && report)
 		*report = why;
 	draft->points = a->frf.points;
@@ -282,7 +284,7 @@ static enum hawser_status draw(struct hawser__draft *draft, struct hawser__trace
  * curve. */
 enum hawser_status hawser__draft_carry(struct hawser__draft *draft, double *away,
                                        const struct hawser__traced *traced,
-                                       const struct hawser_statics *statics,
+                                       struct hawser_accuracy *a,
                                        const struct hawser_frf_options *settled,
                                        struct hawser_report *report)
 {
@@ -296,13 +298,15 @@ enum hawser_status hawser__draft_carry(struct hawser__draft *draft, double *away
 	frf.tolerance = fmax(frf.tolerance, ROUGH);
 	if (traced->orbits.count < traced->curve.points)
 		return HAWSER_OK;
-	status = hawser__full_map(&map, &rows, &columns, statics, traced->functions, draft->functions,
-	                          report);
+	status = hawser__full_map(&map, &rows, &columns, &a->modes.statics, traced->functions,
+	                          draft->functions, report);
 	if (!status && rows == draft->rom.n && columns == traced->orbits.n)
 		status = hawser__carry(&found, &lost, &draft->rom, &traced->orbits, traced->mark,
 		                       traced->marks, map, &frf, report);
 	free(map);
 	draft->work = hawser_orbit_work(&found.cost, &draft->rom);
+	if (found.end == HAWSER_END_INTERRUPTED)
+		a->frf.end = HAWSER_END_INTERRUPTED;
 	if (!status && !lost)
 		status = hawser__curve_copy(&draft->curve, &found, report);
 	if (!status && !lost)

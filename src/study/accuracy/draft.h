@@ -72,10 +72,10 @@ double hawser__draft_reach(const struct hawser_frf *frf, int points,
 int hawser__draft_watch_trace(void *data, const struct hawser_progress_state *state);
 
 /* The counterparts of the marks in the model of *draft, if there are, and how far they are from the
- * curve. */
+ * curve. Told to stop, a->frf.end says so. */
 enum hawser_status hawser__draft_carry(struct hawser__draft *draft, double *away,
                                        const struct hawser__traced *traced,
-                                       const struct hawser_statics *statics,
+                                       struct hawser_accuracy *a,
                                        const struct hawser_frf_options *settled,
                                        struct hawser_report *report);
 

@@ -50,6 +50,7 @@ struct hawser__sharpening {
 	int reach;     /* number of points of the window on either side of the peak; 0: 2 */
 	double known;  /* peaks with a smaller relative error by interpolation, with a factor of safety,
 	                * are not traced again; 0: all are */
+	int orbits;    /* 1: nor are those whose error is mostly that of the orbits; where this counts */
 };
 
 /* The factor of safety on the error by interpolation of a peak that is not traced again. */

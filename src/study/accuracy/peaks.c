@@ -90,7 +90,7 @@ enum hawser_status hawser_peaks(struct hawser_landmark **peak, int *count,
 		struct hawser_study_curve curve = {.frf = *frf, .landmark = *peak, .landmarks = *count};
 		const struct hawser__sharpening how = {.wanted = wanted, .known = wanted,
 			.step = wanted < finest ? 0.0 : wanted < fine ? shorter : step,
-			.reach = wanted < fine ? 2 : 1};
+			.reach = wanted < fine ? 2 : 1, .orbits = 1};
 
 		again.method = frf->method;
 		hawser_frf_settle(&again);

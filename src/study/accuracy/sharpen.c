@@ -170,20 +170,21 @@ static void follow(struct job *job, const struct window *window)
 	hawser_frf_clear(&piece);
 }
 
-/* Mark in near [points] `reach` points on either side of each peak that is not accurate enough and,
- * unless all are wanted (known: 0), whose error is not mostly that of the orbits, which shorter steps
- * do not reduce. */
-static void mark(char *near, const struct hawser_study_curve *curve, int reach, double known)
+/* Mark in near [points] the points on either side of each peak that is not accurate enough and, if the
+ * errors of the orbits count, whose error is not mostly theirs, which shorter steps do not reduce. */
+static void mark(char *near, const struct hawser_study_curve *curve,
+                 const struct hawser__sharpening *how)
 {
 	const struct hawser_frf *frf = &curve->frf;
+	int reach = how->reach ? how->reach : 2;
 
 	for (int k = 0; k < curve->landmarks; k++) {
 		const struct hawser_landmark *peak = &curve->landmark[k];
 
-		double orbits = known > 0.0 ? peak->size_orbits + peak->omega_orbits : 0.0;
+		double orbits = how->orbits ? peak->size_orbits + peak->omega_orbits : 0.0;
 
 		if (peak->kind == HAWSER_LANDMARK_FOLD ||
-		    hawser__peak_unread(peak) < fmax(known/safety, orbits))
+		    hawser__peak_unread(peak) < fmax(how->known/safety, orbits))
 			continue;
 		for (int i = 0; i < frf->points; i++) {
 			int before = i > reach ? i - reach : 0;
@@ -214,7 +215,7 @@ enum hawser_status hawser__study_sharpen(struct hawser_study_curve *curve,
 	}
 	for (int k = 0; k < peaks; k++)
 		unread[k] = hawser__peak_unread(&curve->landmark[k]);
-	mark(near, curve, how->reach ? how->reach : 2, how->known);
+	mark(near, curve, how);
 	for (int i = 0; i + 1 < points && !job.stopped; i = window.last + 1) {
 		window.first = window.last = i;
 		while (near[i] && window.last + 1 < points && near[window.last + 1])
