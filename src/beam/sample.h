@@ -5,8 +5,7 @@
 
 #include <hawser/beam.h>
 
-/* --- spectrum.c: eigenvalues with right and left vectors, and properties of a beam's equation
- * --- */
+/* --- spectrum.c: eigenvalues with right and left vectors, and properties of its equation --- */
 
 /* As hawser_beam_eigenvalues, with the left vectors in left [count][2][n]; left may be NULL. */
 enum hawser_status hawser__beam_eigen(struct hawser_beam_eigenvalue *value, double *vector,

@@ -160,8 +160,7 @@ double hawser__eigen_floor(int order);
 enum hawser_status hawser__eigen_lost(int number, int in_plane, double lowest,
                                       struct hawser_report *report);
 
-/* --- compliance_springs.c: internal to compliance: forces that springs and the fixed ends exert
- * --- */
+/* --- compliance_springs.c: internal to compliance: forces of springs and fixed ends --- */
 
 enum { HAWSER__MAX_FORCES = HAWSER__MAX_D + HAWSER__MAX_SPRINGS }; /* most constants z */
 

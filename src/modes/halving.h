@@ -6,8 +6,7 @@
 #include <hawser/modes.h>
 #include <hawser/status.h>
 
-/* --- krylov.c: the largest eigenvalues of a linear operator given by its product with a vector
- * --- */
+/* --- krylov.c: the largest eigenvalues of an operator given by its product with a vector --- */
 
 /* y[size] = A x[size]. */
 struct hawser__operator {

@@ -75,8 +75,7 @@ double hawser__rod_energy(const struct hawser__rod_element *el, const struct haw
 void hawser__rod_forces(double *f, double *K, const struct hawser__rod_element *el,
                         const struct hawser__rod_strain *at);
 
-/* --- band.c: the band matrix of a rod, its unknowns in the order of the nodes, and its factors
- * --- */
+/* --- band.c: the band matrix of a rod, unknowns in the order of the nodes, and its factors --- */
 
 enum { HAWSER__BAND_SIDE = 11 }; /* diagonals on either side: two nodes of six unknowns */
 /* Of a column: 2*SIDE above the diagonal, with fill by pivots, SIDE below, and two that stay 0. */

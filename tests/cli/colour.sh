@@ -34,6 +34,11 @@ if script -qec true /dev/null </dev/null >/dev/null 2>&1; then
 		before = substr($0, at) + 0} END {exit !(n > 1 && n <= 10)}' terminal
 	script -qec "'$HAWSER' statics '$chairlift'" /dev/null </dev/null >terminal 2>&1
 	try "7 digits there" grep -q '^1\.252514   *1\.251094 ' terminal
+	printf '%s\n' 'cable: {EA: 25 MN, rho: 1.6}' 'span: {d: 400 m, h: 0}' 'tension: {H: 28 kN, state: reference}' \
+		'cases: [{name: Wärme, temperature: {change: 9 K}}]' 'temperature: {change: 0, expansion: 1.9e-5}' >cases.yaml
+	script -qec "'$HAWSER' statics cases.yaml --cases -q" /dev/null </dev/null >terminal 2>&1
+	try "columns beside names of other letters" awk '{sub("ä", "a")} $1 == "case" {at = index($0, "H_N")}
+		$1 == "Warme" {found = substr($0, at - 1, 2) ~ /^ [0-9]/} END {exit !found}' terminal
 	script -qec "'$HAWSER' statics '$chairlift' --tsv -" /dev/null </dev/null >terminal 2>&1
 	try "17 with --tsv -" grep -q '^1\.25251444[0-9]*	1\.2510936[0-9]*	' terminal
 else

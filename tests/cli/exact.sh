@@ -63,4 +63,11 @@ assert 0.88 < json.load(open("wave.json"))["basis"]["load_lacking"] < 0.9
 END
 works "rom takes what the load needs" rom "$top/tests/reference/wave.yaml" --set model.energy=exact --tsv wave.tsv
 try "18 functions" grep -q '^# 54 coordinates' wave.tsv
+# The first orbit, to which the load is raised, is at the frequency asked for, where a map has its first point.
+run frf "$top/notebooks-data/scenes/conductor.yaml" --set "temperature.change=7.5 K" --set model.energy=exact \
+	--set model.basis=4 --from 0.98 --to 1.164 --max-points 2 -q --json first.json
+python "a response begins where it was asked to" <<'END'
+import json
+assert abs(json.load(open("first.json"))["points"][0]["Omega"]/0.98 - 1) < 1e-14
+END
 done_testing

@@ -194,6 +194,7 @@ refuses_like 2 "the response through that motion has no fold between Omega 0.6 a
 	folds hardly.json --from 0.6 --to 3 --from-label hardly-frf.json#1
 refuses_like 3 "no fold was found, but the response at load factor 1 ended at Omega 0.6" \
 	folds hardly.json --from 0.6 --to 3 --from-label hardly-frf.json#1 --max-points 5
+refuses_like 3 "; and further gaps: raise --max-points" folds hardly.json --max-points 5
 try "the table says what was searched" grep -q '^# isolas: looked for by 12 pseudo-random motions at 3 ' isola.tsv
 try "or that nothing was" grep -q '^# isolas: not looked for by pseudo-random motions' none.tsv
 done_testing

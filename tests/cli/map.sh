@@ -46,7 +46,7 @@ refuses 1 '--coarse: a map of amplitudes has no cells that are split: it follows
 	map "$chairlift" --x Omega=1:2 --y factor.load=0.2:2 --quantity amplitude --coarse 4
 refuses 1 '--stable: only the responses of the quantity amplitude are stable or not: the number of instabilities is a column of every map' \
 	map "$chairlift" --x Omega=1:2 --y factor.load=0.2:2 --quantity multiplier --stable
-refuses 1 'span.h: the keys of reduced models and of ropeways are Omega, factor.load, factor.damping and the parameters of a model'"'s file" \
+refuses 1 'span.h: the keys of nets, ropeways and reduced models are Omega, factor.load, factor.damping and the parameters of a model'"'s file" \
 	map hill.json --x span.h=0:5 --y Omega=1:2
 refuses 1 '--json and --checkpoint both write to a' map hill.json $axes --json a --checkpoint a
 refuses_like 2 'least one with which this span can hang' map "$chairlift" --set tension.T0=5e3 \

@@ -249,8 +249,7 @@ const struct hawser__field cli_tori_field[] = {
 };
 #undef OF
 
-/* --- picture: a band between the least and the greatest amplitude, over the curve's range of Omega
- * --- */
+/* --- picture: a band between the least and the greatest amplitude, over the curve's Omega --- */
 
 /* A curve of quasi-periodic motions, of one displacement or coordinate, with the torus points at
  * its ends: there the amplitude is that between the two of the torus beside it. */

@@ -337,7 +337,7 @@ enum hawser_status cli_exact_range(struct cli_model *model, double from, double 
 {
 	struct cli_watch watch = {{.quiet = common->quiet}, "the model's error"};
 	struct hawser_frf_options options = {.method = "balance", .from = from, .to = to,
-		.step_max = 0.02, .skip_events = 1, .unjudged = 1, .end_at_slack = 1,
+		.step_max = longest, .skip_events = 1, .unjudged = 1, .end_at_slack = 1,
 		.max_points = HAWSER_INSTEAD_POINTS, .samples = HAWSER_NONE};
 	struct early early = {{cli_watch, &watch}, model, from, to, soon,
 	                      .sought = after >= 0.0 && cli_exact_calls(model, NULL)};

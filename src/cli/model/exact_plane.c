@@ -132,8 +132,8 @@ enum hawser_status cli_exact_plane(const struct cli_plane *plane, struct cli_mod
 	if (worst.keys > 0 && model->error.stated)
 		model->error.about = model->exact.functions
 			? "folds and peaks where the modes are worst, of corners and middle of the plane"
-			: lost > 0 ? "folds and peaks at the worst of those corners of the plane, and its "
-			  "middle, of which it is known"
+			: lost > 0 ? "folds and peaks at the worst of those corners and middle of the plane where "
+			  "the error is known"
 			: "folds and peaks at the worst of corners and middle of the plane";
 	return status;
 }

@@ -56,8 +56,7 @@ enum hawser_status cli_integrate_times(double *until, double *every, double *ste
 /* warnings_net.c: what is warned of after a motion. */
 void cli_motion_warnings(const struct hawser_net *net, const struct hawser_net_motion *motion);
 
-/* --- events_net.c: cables of a net that part, and winches, in the output of hawser integrate
- * --- */
+/* --- events_net.c: cables of a net that part, and winches, in the output of integrate --- */
 
 struct cli_events {
 	const struct hawser_net *net;

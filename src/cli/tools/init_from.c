@@ -458,6 +458,9 @@ static enum hawser_status read_all(struct cli_mooring *mooring, FILE *stream,
 			status = now->row(mooring, &words, report);
 		}
 	}
+	if (!status && ferror(stream))
+		return hawser__fail(report, hawser__unreadable(errno), "init", "%s: %s", mooring->path,
+		                    strerror(errno));
 	if (!status && mooring->lines == 0)
 		status = wrong(report, mooring, "no lines: a file of MoorDyn or MoorPy has sections LINE "
 		               "TYPES, POINTS, LINES and OPTIONS");

@@ -80,8 +80,7 @@ static void bodies(FILE *stream, const struct cli_mooring *mooring)
 	}
 }
 
-/* Time (s) of damping: EA times it is BA; of a damping ratio, that of an element as an oscillator.
- * */
+/* Time (s) of damping: EA times it is BA; of a damping ratio, that of an element that oscillates. */
 static double axial(const struct cli_mooring_type *type, const struct cli_mooring_line *line)
 {
 	if (type->BA >= 0.0)

@@ -5,8 +5,7 @@
 
 #include "net/net.h"
 
-/* --- nodal.c: sparse matrices over the nodes of a mesh, of square blocks, and their LU factors
- * --- */
+/* --- nodal.c: sparse matrices of square blocks over the nodes of a mesh, and their LU --- */
 
 /* Blocks of nodes that share an element are not 0. Rows of blocks are in the order of elimination;
  * blocks are column by column. */

@@ -228,12 +228,21 @@ struct printing {
 	const int *width; /* [columns] of columns side by side */
 };
 
+/* Characters of a text in UTF-8: bytes but those that continue a character. */
+static int characters(const char *text)
+{
+	int count = 0;
+
+	for (; *text; text++)
+		count += ((unsigned char)*text & 0xc0) != 0x80;
+	return count;
+}
+
 static void put_cell(const struct printing *by, const char *text, size_t i, size_t columns)
 {
-	if (by->width)
-		fprintf(by->stream, "%-*s", i + 1 < columns ? by->width[i] : 0, text);
-	else
-		fputs(text, by->stream);
+	fputs(text, by->stream);
+	if (by->width && i + 1 < columns)
+		fprintf(by->stream, "%*s", by->width[i] - characters(text), "");
 	fputs(i + 1 == columns ? "\n" : by->width ? "  " : "\t", by->stream);
 }
 
@@ -262,7 +271,7 @@ static int widen_columns(void *to, const struct hawser__cell *cell, size_t colum
 	char number[32];
 
 	for (size_t i = 0; i < columns; i++) {
-		int length = (int)strlen(cell_text(number, &cell[i], SHORT));
+		int length = characters(cell_text(number, &cell[i], SHORT));
 
 		width[i] = width[i] < length ? length : width[i];
 	}
@@ -311,7 +320,7 @@ enum hawser_status hawser__table_show(const struct hawser__table *table, struct 
 	enum hawser_status status;
 
 	for (int i = 0; width && i < table->columns; i++)
-		width[i] = (int)strlen(table->column[i]);
+		width[i] = characters(table->column[i]);
 	status = !width || hawser__table_visit(table, &by) ? hawser__no_memory(report, "table")
 	         : write_to("-", table, width, report);
 	free(width);

@@ -52,8 +52,7 @@ static enum hawser_status start(struct hawser__trace *trace, const double *x,
 		status = hawser__start(trace->here.y, orbit, &trace->here.correction, x, omega,
 		                       trace->options.tolerance, raised, trace->report);
 		orbit->family = family;
-		if (family)
-			trace->here.y[orbit->size - 1] = trace->options.begin;
+		trace->here.y[orbit->size - 1] = trace->options.begin;
 		if (status != HAWSER_ERR_CONVERGENCE || refined == FIRST_REFINEMENTS ||
 		    hawser__start_spent(orbit, raised) ||
 		    (before > 0.0 && raised->load <= before*(1.0 + SAME_LOAD)))

@@ -186,6 +186,7 @@ enum hawser_status hawser__trace_settle(struct hawser__trace *trace,
 {
 	struct hawser__orbit *orbit = trace->orbit;
 	int last = orbit->size - 1;
+	double at = station->y[last];
 	enum hawser_status status;
 
 	trace->enriched = 0;
@@ -193,6 +194,7 @@ enum hawser_status hawser__trace_settle(struct hawser__trace *trace,
 		memset(trace->direction, 0, (size_t)orbit->size*sizeof(double));
 		trace->direction[last] = side*orbit->W;
 		status = hawser__trace_correct(trace, station, trace->direction, failed);
+		station->y[last] = at; /* not one unit of round-off beyond, where no trace may begin */
 		if (!status && !*failed)
 			status = hawser__station_finish(station, orbit, along ? along : trace->direction,
 			                                trace->report);
@@ -275,6 +277,7 @@ enum hawser_status hawser__trace_cut(struct hawser__trace *trace, double bound)
 	                                   &metric);
 	enum hawser_status status;
 
+	trace->scratch.y[last] = bound;
 	orbit->patience = CUT_CONTRACTION;
 	status = hawser__trace_settle(trace, &trace->scratch, side, trace->here.t, &failed);
 	orbit->patience = 0.0;
@@ -287,7 +290,6 @@ enum hawser_status hawser__trace_cut(struct hawser__trace *trace, double bound)
 		                       "the corrector failed at the end of the range, %s",
 		                       hawser__orbit_where(orbit, bound).text);
 	trace->scratch.arc = trace->here.arc + share*(trace->next.arc - trace->here.arc);
-	trace->scratch.y[last] = bound; /* not one unit of round-off beyond, where no trace may begin */
 	hawser__station_swap(&trace->scratch, &trace->next);
 	return hawser__trace_determined(trace, &trace->next);
 }

@@ -289,7 +289,7 @@ int hawser__fold_count(const struct hawser_frf *frf)
 void hawser__fold_note(struct hawser__fold_search *search, const char *format, ...)
 {
 	struct hawser_folds *folds = search->folds;
-	static const char between[] = "; ", more[] = "; ...";
+	static const char between[] = "; ", more[] = "; and further gaps";
 	size_t length = strlen(folds->note), room = sizeof folds->note - sizeof more + 1 - length;
 	char text[sizeof folds->note];
 	va_list arguments;

@@ -70,7 +70,7 @@ static enum hawser_status refuse_key(const struct hawser_map_source *source, con
 		hawser__append(names, sizeof names, ", ", "%s",
 		               source->file->parameter[i].name);
 	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
-	                    "%.60s: the keys of reduced models and of ropeways are Omega, factor.load, "
+	                    "%.60s: the keys of nets, ropeways and reduced models are Omega, factor.load, "
 	                    "factor.damping and the parameters of a model's file%s%s", key,
 	                    *names ? ", here " : "", names);
 }
