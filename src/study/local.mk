@@ -10,6 +10,7 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/accuracy/chosen.c \
 	%D%/accuracy/closed.c \
 	%D%/accuracy/draft.c \
+	%D%/accuracy/draft_marks.c \
 	%D%/accuracy/draft.h \
 	%D%/identify/decay.c \
 	%D%/identify/half_power.c \

@@ -131,7 +131,7 @@ static enum hawser_status respond(double *y, struct hawser__orbit *orbit,
 	if (guide && guide->count > 0) {
 		hawser__way_predict(y, guide, guide->count - 1, -1, NULL, orbit->size - 1);
 		hawser__balance_adopt((struct hawser__balance *)orbit, y,
-		                      guide->passed[guide->count - 1].length/(2*orbit->n));
+		                      guide->passed[guide->count - 1].length/(2*orbit->n), HAWSER__PART);
 		status = hawser__balance_arrange((struct hawser__balance *)orbit, report);
 	}
 	if (!status)

@@ -30,6 +30,8 @@
 #include "response/orbit/method.h"
 #include "response/floquet/monodromy.h"
 
+#define HAWSER__PART 1e-5 /* smallest pair taken from another model, or with exact energy, by the roots of
+                           * their energies: small motions along the cable stretch it; chosen */
 #define HAWSER__KRYLOV 72 /* largest number of iterations of GMRES */
 
 struct hawser__balance {
@@ -189,7 +191,7 @@ enum hawser_status hawser__balance_sharpen(struct hawser__orbit *orbit, int on,
 
 /* balance_state.c: make the harmonics of y up to `order` active that are not small;
  * hawser__balance_arrange() follows. */
-void hawser__balance_adopt(struct hawser__balance *balance, const double *y, int order);
+void hawser__balance_adopt(struct hawser__balance *balance, const double *y, int order, double part);
 /* Make the pairs active of which y has parts, and no others. */
 enum hawser_status hawser__balance_hold(struct hawser__balance *balance, const double *y,
                                         struct hawser_report *report);

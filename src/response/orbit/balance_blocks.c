@@ -15,8 +15,6 @@
  * error of 4e-4 and the quadrature one of 3e-4. Fewer steps need more iterations; more steps make
  * the factorisation more expensive. */
 #define STEPS_PER_HARMONIC 0.8
-#define FAST 3.0      /* at the highest harmonic the static response has an error of 1/9, which
-                       * GMRES corrects */
 #define LEAST_STEPS 4 /* the fundamental then turns by 90 degrees in a step */
 
 void hawser__blocks_init(struct hawser__blocks *blocks)
@@ -38,19 +36,6 @@ void hawser__blocks_release(struct hawser__blocks *blocks)
 
 /* --- room --- */
 
-/* A coordinate is fast if its frequency exceeds FAST times that of the highest harmonic; of a model
- * with exact energy that at rest, since the moved cable stretches by a motion across
- * (monodromy_rest.c). */
-static int fast(const struct hawser__balance *balance, int j)
-{
-	const struct hawser_rom *rom = balance->base.rom;
-	double stiffness = rom->exact ? rom->K[(size_t)j*((size_t)rom->n + 1)]
-	                              : balance->stiffness[j];
-	double top = FAST*fmax(balance->order, 1.0)*balance->derived_at;
-
-	return stiffness > top*top;
-}
-
 static int list_members(int *member, const struct hawser__balance *balance, int which)
 {
 	int n = balance->base.n, count = 0;
@@ -60,7 +45,7 @@ static int list_members(int *member, const struct hawser__balance *balance, int 
 
 		for (int h = 0; h <= balance->order; h++)
 			on |= balance->active[h*n + j];
-		if (!on || fast(balance, j) != which)
+		if (!on || hawser__balance_fast(balance, j) != which)
 			continue;
 		if (member)
 			member[count] = j;
@@ -305,7 +290,7 @@ static int changed(const struct hawser__blocks *blocks, const struct hawser__bal
 	int others = list_members(NULL, balance, 1) != blocks->f;
 
 	for (int q = blocks->w; q < blocks->w + blocks->f; q++)
-		others |= !fast(balance, blocks->member[q]);
+		others |= !hawser__balance_fast(balance, blocks->member[q]);
 	return others;
 }
 

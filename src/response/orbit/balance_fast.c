@@ -19,11 +19,16 @@
 #include <cblas.h>
 #include <lapacke.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
+
+#include "core/report.h"
 
 #include "response/orbit/balance.h"
 
 #define S HAWSER__NODES
+#define FAST 3.0 /* at the highest harmonic the static response has an error of 1/9, which GMRES
+                  * corrects */
 
 /* block [rows][columns] of a matrix [n][n] at the coordinates listed. */
 static void gather(float *block, const float *matrix, int n, const int *row, int rows,
@@ -117,4 +122,71 @@ void hawser__blocks_follow(struct hawser__blocks *blocks, float *fast, const flo
 			x[q] = sum;
 		}
 	}
+}
+
+/* --- a first value --- */
+
+int hawser__balance_fast(const struct hawser__balance *balance, int j)
+{
+	const struct hawser_rom *rom = balance->base.rom;
+	double stiffness = rom->exact ? rom->K[(size_t)j*((size_t)rom->n + 1)]
+	                              : balance->stiffness[j];
+	double top = FAST*fmax(balance->order, 1.0)*balance->derived_at;
+
+	return stiffness > top*top;
+}
+
+/* Static change [f] of the fast coordinates at a sample, for their defects there, which it replaces;
+ * K: room [f][f]. Returns 1 if there is none. */
+static int settle_sample(double *values, double *K, int *pivot, const double *tangent, int n,
+                         const int *fast, int f)
+{
+	for (int p = 0; p < f; p++)
+		for (int q = 0; q < f; q++)
+			K[p*f + q] = tangent[(size_t)fast[p]*n + fast[q]];
+	/* by columns this is the transpose, and K is symmetric */
+	return LAPACKE_dgesv_work(LAPACK_COL_MAJOR, f, 1, K, f, pivot, values, f) != 0;
+}
+
+enum hawser_status hawser__balance_settle(struct hawser__balance *balance, double *y,
+                                          struct hawser_report *report)
+{
+	int n = balance->base.n, f = 0, failed = 0, rows, columns, wide = 2*balance->order + 1;
+	double *values, *series, *K;
+	int *fast = malloc(2*(size_t)n*sizeof *fast);
+
+	hawser__balance_evaluate(balance, y, 1);
+	rows = balance->base.rows;
+	columns = 2*balance->width + 1;
+	for (int j = 0; fast && j < n; j++)
+		if (hawser__balance_fast(balance, j))
+			fast[f++] = j;
+	values = calloc(((size_t)rows + wide + n)*(size_t)f + 1, sizeof *values);
+	if (!fast || !values) {
+		free(fast);
+		free(values);
+		return hawser__no_memory(report, "orbit");
+	}
+	series = values + (size_t)rows*f;
+	K = series + (size_t)wide*f;
+	for (int c = 0; c < wide; c++)
+		for (int q = 0; q < f; q++)
+			if (balance->active[(c + 1)/2*n + fast[q]])
+				series[c*f + q] = balance->defect[(size_t)c*n + fast[q]];
+	if (f > 0)
+		cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, rows, f, wide, 1.0, balance->basis,
+		            columns, series, f, 0.0, values, f);
+	for (int r = 0; !failed && f > 0 && r < rows; r++)
+		failed = settle_sample(values + (size_t)r*f, K, fast + n, balance->tangent + (size_t)r*n*n, n,
+		                       fast, f);
+	if (f > 0)
+		cblas_dgemm(CblasRowMajor, CblasTrans, CblasNoTrans, wide, f, rows, 2.0/rows, balance->basis,
+		            columns, values, f, 0.0, series, f);
+	for (int c = 0; !failed && c < wide; c++)
+		for (int q = 0; q < f; q++)
+			if (balance->active[(c + 1)/2*n + fast[q]])
+				y[(size_t)c*n + fast[q]] -= (c ? 1.0 : 0.5)*series[c*f + q];
+	free(values);
+	free(fast);
+	return HAWSER_OK;
 }

@@ -14,10 +14,9 @@
 #define GUESS_ORDER 30  /* largest number of harmonics of the load taken from a state */
 #define FINER 4         /* shorter steps for states of several of the load's periods; chosen */
 #define GUESS_PART 1e-4 /* smallest harmonic taken from a state, relative to the orbit */
-#define PART 1e-5       /* the same from another model, or with exact energy, both by the roots of their
-                         * energies: small motions along the cable stretch it; chosen */
 
-void hawser__balance_adopt(struct hawser__balance *balance, const double *y, int order)
+void hawser__balance_adopt(struct hawser__balance *balance, const double *y, int order,
+                           double part)
 {
 	int n = balance->base.n;
 	const double *K = balance->base.rom->K;
@@ -29,7 +28,7 @@ void hawser__balance_adopt(struct hawser__balance *balance, const double *y, int
 	for (int e = 0; e < (order + 1)*n; e++) {
 		double c = y[hawser__cos(n, e/n, e%n)], s = e < n ? 0.0 : y[hawser__sin(n, e/n, e%n)];
 
-		if (sqrt(fabs(K[(size_t)(e%n)*((size_t)n + 1)]))*hypot(c, s) > PART*sqrt(whole))
+		if (sqrt(fabs(K[(size_t)(e%n)*((size_t)n + 1)]))*hypot(c, s) > part*sqrt(whole))
 			balance->active[e] = 1;
 	}
 }
@@ -79,7 +78,7 @@ static void analyse(struct hawser__balance *balance, double *y, const double *sa
 	for (int e = 0; e < (order + 1)*n; e++)
 		balance->active[e] = hawser__balance_amplitude(balance, e/n, e%n) > GUESS_PART*sqrt(whole);
 	if (balance->base.rom->exact)
-		hawser__balance_adopt(balance, y, order);
+		hawser__balance_adopt(balance, y, order, HAWSER__PART);
 }
 
 enum hawser_status hawser__balance_from_state(struct hawser__orbit *orbit, double *y,

@@ -43,14 +43,11 @@
 #define FINEST 1e-9      /* smallest tolerance of the orbits; chosen, far below any accuracy */
 #define COARSEST 1e-7    /* largest one; chosen: with 1e-6 orbits near folds of a stay with a damping
                           * ratio of 0.3 % are known to 1e-2 */
-#define NEAR 0.1        /* largest distance of marks from the curve that they are carried from: others
-                          * are of another curve; chosen */
-#define MARGIN 1.3      /* on the distance of two bases at the marks, and on that of a response whose
-                         * error is wanted, by bench/practical.py: there are points between, and peaks
-                         * are read there */
 #define LOCATING 0.2    /* of what can be borne, for the peaks of a draft; chosen */
 #define AT_LEAST 0.5    /* of what can be borne, for the response whatever the drafts took; chosen */
 #define OF_BASIS 0.3    /* of the distance of a response from a draft, by the basis of that; chosen */
+#define CHECKING 0.1    /* of what can be borne, for the marks in a larger basis, for such a range; chosen */
+#define OF_A_PART 0.5   /* of what can be borne, for a range that may be shortened; chosen */
 #define PART 0.1        /* of the accuracy: error of a basis, and */
 #define EACH 6          /* fewest functions between attachments, where the error of a response is
                          * wanted, which is mostly far below the accuracy; chosen */
@@ -143,40 +140,8 @@ static enum hawser_status compare_condensed(struct condensed *condensed,
 	                            HAWSER__LOCATED*enough_of(condensed, a), report);
 	if (!status)
 		status = hawser__marks_distance(&condensed->off, condensed->marks, &found, report);
-	condensed->off = (condensed->lent ? MARGIN : 1.0)*condensed->off + hawser__marks_located(&found);
+	condensed->off = (condensed->lent ? HAWSER__MARGIN : 1.0)*condensed->off + hawser__marks_located(&found);
 	hawser__marks_clear(&found);
-	return status;
-}
-
-/* error [2] of a basis whose marks are moved by the next one: that, and with the factor of safety by
- * what the one after it moves them further, if there is one. The second one is that of the
- * displacements with the largest peaks. */
-static enum hawser_status bound_error(double *error, struct hawser_accuracy *a,
-                                      const struct hawser__traced *traced,
-                                      const struct hawser__drawn_curve *chosen,
-                                      const struct hawser__draft *next, double moved, int functions,
-                                      const struct hawser_accuracy_bases *of,
-                                      const struct hawser_frf_options *settled,
-                                      struct hawser_report *report)
-{
-	const struct hawser__drawn_curve *curve = &traced->curve, *own = chosen->points ? chosen : NULL;
-	struct hawser__draft last = {.functions = 0};
-	double away = INFINITY, beyond = INFINITY;
-	enum hawser_status status = hawser_accuracy_basis(&last.rom, &functions, of, next->rom.n, report);
-
-	last.functions = functions;
-	if (!status && last.rom.n > 0)
-		status = hawser__draft_carry(&last, &away, traced, a, settled, report);
-	for (int k = 0; k < 2; k++) {
-		if (!status && k)
-			status = hawser__curve_points_distance(&moved, curve, traced->mark, own, &next->curve,
-			                                       k, report);
-		if (!status && away <= NEAR)
-			status = hawser__curve_points_distance(&beyond, curve, traced->mark, &next->curve,
-			                                       &last.curve, k, report);
-		error[k] = fmin(HAWSER__SAFETY_BASIS*moved, MARGIN*moved + HAWSER__SAFETY_BASIS*beyond);
-	}
-	hawser__draft_clear(&last);
 	return status;
 }
 
@@ -194,6 +159,19 @@ static int ends_search(struct hawser_accuracy *a, const struct hawser__draft *dr
                        const struct hawser_accuracy_options *options, double work)
 {
 	return !options->response && !options->partial && is_costly(a, draft, options, work);
+}
+
+/* Whether the range ends where marks have no counterparts in the next basis, of n coordinates, or where
+ * that is too far away: two larger bases, one to be drawn and one that it agrees with, and the response
+ * would take more than can be borne. */
+static int is_partial(const struct hawser_accuracy_options *options,
+                      const struct hawser__traced *traced, int own, int n, double work)
+{
+	double next = traced->work*pow((double)n/own, 3.0), last = next*pow((double)n/own, 3.0);
+
+	return options->partial && traced->functions &&
+	       work + next + last + hawser__draft_follows(options, n, traced->curve.points, next) >
+	       OF_A_PART*options->bearable;
 }
 
 /* The first bases of which two agree: *chosen is the smaller one, *moved the distance of the two,
@@ -216,25 +194,33 @@ static enum hawser_status choose(struct hawser__draft *chosen, double *moved, do
 	while (!status) {
 		struct hawser__draft next = {.functions = 0};
 		double away = INFINITY;
-		int again = 0;
+		int again = 0, partial;
 
 		status = hawser_accuracy_basis(&next.rom, &functions, &of, chosen->rom.n, report);
 		if (status || next.rom.n == 0)
 			break;
 		a->functions = next.functions = functions;
+		partial = is_partial(options, &traced, chosen->rom.n, next.rom.n, *work);
 		if (traced.functions)
-			status = hawser__draft_carry(&next, &away, &traced, a, frf, report);
+			status = hawser__draft_carry(&next, &away, &traced, a, frf,
+			                             partial ? CHECKING*options->bearable : 0.0, report);
 		*work += next.work;
 		if (traced.functions) { /* as many points, each of which takes longer */
+			chosen->points = traced.curve.points;
 			next.points = chosen->points;
 			next.work = chosen->work*pow((double)next.rom.n/chosen->rom.n, 2.0);
 			next.until = chosen->until*pow((double)next.rom.n/chosen->rom.n, 2.0);
 		}
-		if (!status && away <= NEAR)
+		if (!status && isfinite(away))
 			status = hawser__curve_points_distance(moved, &traced.curve, traced.mark,
 			                                       chosen->curve.points ? &chosen->curve : NULL,
 			                                       &next.curve, 0, report);
-		if (!status && away <= NEAR &&
+		if (!status && isfinite(away) && partial && !(HAWSER__SAFETY_BASIS**moved <= enough))
+			status = hawser__marks_shorten(moved, &traced, a, &next, &chosen->curve,
+			                               enough/HAWSER__SAFETY_BASIS, frf, report);
+		if (isfinite(a->until))
+			frf->to = a->until;
+		if (!status && isfinite(away) &&
 		    !is_rough(condensed, *moved, chosen, &next, *work, options->bearable)) {
 			condensed->off += *moved;
 		} else if (!status && (a->frf.end == HAWSER_END_INTERRUPTED ||
@@ -261,9 +247,9 @@ static enum hawser_status choose(struct hawser__draft *chosen, double *moved, do
 		*checked = next.rom.n;
 		error[0] = error[1] = HAWSER__SAFETY_BASIS**moved;
 		if (status || hawser__accuracy_cut(a) || *error <= enough) {
-			if (!status && away <= NEAR)
-				status = bound_error(error, a, &traced, &chosen->curve, &next, *moved, functions,
-				                     &of, frf, report);
+			if (!status && isfinite(away))
+				status = hawser__marks_error(error, a, &traced, &chosen->curve, &next, *moved,
+				                             functions, &of, frf, report);
 			hawser__draft_clear(&next);
 			break;
 		}
@@ -271,6 +257,19 @@ static enum hawser_status choose(struct hawser__draft *chosen, double *moved, do
 		*chosen = next;
 		if (ends_search(a, chosen, options, *work)) /* and so is any larger basis */
 			break;
+	}
+	/* the response is traced through the orbits of its draft, in less than half the time */
+	if (!status && !hawser__accuracy_cut(a) && options->after == 0.0 && chosen->functions &&
+	    chosen->functions != traced.functions && !is_costly(a, chosen, options, *work)) {
+		double far;
+
+		status = hawser__draft_draw(chosen, &far, &traced, &(struct hawser__draft){.functions = 0}, a,
+		                            options, frf, *work, report);
+		*work += chosen->work;
+		if (status == HAWSER_ERR_CONVERGENCE) /* without them, then */
+			status = HAWSER_OK;
+		if (isfinite(a->until))
+			frf->to = a->until;
 	}
 	hawser__traced_give(&traced, chosen);
 	hawser__traced_clear(&traced);

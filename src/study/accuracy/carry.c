@@ -23,8 +23,12 @@
 #include "rom/terms/terms.h"
 
 #define FAR 0.1    /* largest distance from an orbit to its counterpart, relative; chosen */
-#define PATIENCE 100.0 /* contraction that is borne, hardly a limit: in the metric of the orbit, what
-                        * was at rest counts most, and the first steps may grow; FAR decides; chosen */
+#define SETTLED 2  /* times that its fast coordinates are balanced before: one makes their defects 1e-5 of
+                    * what they were, or less */
+#define KEPT 1e-7   /* smallest pair that is kept then, by the roots of their energies, as those along the
+                    * cable that balance a motion of high order; chosen */
+#define PATIENCE 3.0 /* contraction that is borne: what was at rest counts most in the metric of an orbit,
+                      * and the first steps may grow; FAR decides; chosen */
 
 /* y [size] of the second model; its other harmonics are 0. */
 static void take(const struct hawser__balance *balance, double *y, const double *from, int order,
@@ -36,6 +40,26 @@ static void take(const struct hawser__balance *balance, double *y, const double 
 	cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, rows, own, n, 1.0, from, n, map, n, 0.0, y,
 	            own);
 	y[balance->base.size - 1] = from[(2*(size_t)order + 1)*(size_t)n];
+}
+
+/* The orbit y [size] of another model as a first value, with its pairs: the coordinates along the cable
+ * follow the others. A difference that is hardly to be seen stretches a cable enough for Newton's
+ * method to fail from there. */
+static enum hawser_status begin(struct hawser__balance *balance, double *y, int order,
+                                struct hawser_report *report)
+{
+	enum hawser_status status;
+
+	hawser__balance_adopt(balance, y, order, 0.0);
+	status = hawser__balance_arrange(balance, report);
+	for (int i = 0; !status && i < SETTLED; i++)
+		status = hawser__balance_settle(balance, y, report);
+	if (status)
+		return status;
+	memset(balance->active, 0, ((size_t)balance->top + 1)*balance->base.n);
+	hawser__balance_seed(balance);
+	hawser__balance_adopt(balance, y, order, KEPT);
+	return hawser__balance_arrange(balance, report);
 }
 
 /* How far y is from `start`, relative to that, in Omega or in all coefficients. The metric of the
@@ -50,21 +74,33 @@ static double distance(const double *y, const double *start, int size)
 	return fmax(off/whole, fabs(y[size - 1]/start[size - 1] - 1.0));
 }
 
+/* The row of the plane through an orbit that is normal to the tangent t [size] of its curve, which it
+ * replaces: normal as all coefficients are sized alike. In the metric of the orbits those that are at
+ * rest count most, and the nearest point is far along the curve. */
+static void set_plane(struct hawser__orbit *orbit, double *t)
+{
+	double length;
+
+	for (int i = 0; i < orbit->size - 1; i++)
+		if (orbit->weight[i] > 0.0)
+			t[i] /= orbit->weight[i]*orbit->X*orbit->X;
+	length = sqrt(hawser__orbit_dot(orbit, t, t));
+	for (int i = 0; i < orbit->size; i++)
+		t[i] /= length;
+}
+
 /* Correct station->y in the plane normal to station->t. */
 static enum hawser_status correct(struct hawser__station *station, int *lost,
                                   struct hawser__orbit *orbit, double *start, double tolerance,
                                   struct hawser_report *report)
 {
 	enum hawser_status status = HAWSER_OK;
-	double length;
 	int again = 1;
 
 	memcpy(start, station->y, (size_t)orbit->size*sizeof *start);
 	orbit->patience = PATIENCE;
 	orbit->ops->metric(orbit, station->y);
-	length = sqrt(hawser__orbit_dot(orbit, station->t, station->t));
-	for (int i = 0; i < orbit->size; i++)
-		station->t[i] /= length;
+	set_plane(orbit, station->t);
 	while (!status && again && !*lost) {
 		*lost = hawser__orbit_correct(orbit, station->y, &station->correction, station->t,
 		                              tolerance) ||
@@ -112,8 +148,7 @@ enum hawser_status hawser__carry(struct hawser_frf *frf, int *lost, const struct
 		take(balance, station.t, from->y + hawser__series_length(from, orbits->n), from->order, map,
 		     orbits->n);
 		station.arc = from->arc;
-		hawser__balance_adopt(balance, station.y, from->order);
-		status = hawser__balance_arrange(balance, report);
+		status = begin(balance, station.y, from->order, report);
 		if (!status)
 			status = correct(&station, lost, orbit, start, options->tolerance, &last);
 		if (!status && !*lost)
@@ -124,10 +159,16 @@ enum hawser_status hawser__carry(struct hawser_frf *frf, int *lost, const struct
 		if (hawser__told_to_stop(&options->progress, &told)) {
 			frf->end = HAWSER_END_INTERRUPTED;
 			*lost = 1;
+		} else if (options->most_work > 0.0 && i + 1 < count &&
+		           hawser_orbit_work(&orbit->cost, rom) > options->most_work) {
+			frf->end = HAWSER_END_WORK;
+			*lost = 1;
 		}
 	}
-	if (orbit)
+	if (orbit) {
+		frf->cost = orbit->cost;
 		orbit->ops->clear(orbit);
+	}
 	hawser__station_clear(&station);
 	hawser__amplitude_free(amplitude);
 	free(start);

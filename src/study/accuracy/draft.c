@@ -31,6 +31,10 @@
 #define CREEPING 40     /* points with steps that are shorter */
 #define SHORT 0.02      /* than this on the average: then at once; chosen */
 #define BEGINNING 0.25  /* of what can be borne, for the first orbit of a draft; chosen */
+#define NEAR 0.1        /* largest distance of marks from the curve that they are carried from: others
+                          * are of another curve; chosen */
+#define SIMILAR 0.3     /* height of a resonance over that of the largest one; chosen */
+#define LEAST_MARKS 12  /* fewest marks with which the range may end; chosen */
 #define FIRST_POINTS 24 /* of a trace, before anything is foreseen; chosen */
 
 void hawser__traced_clear(struct hawser__traced *traced)
@@ -276,16 +280,59 @@ static enum hawser_status draw(struct hawser__draft *draft, struct hawser__trace
 	if (hawser__told_to_stop(&options->frf.progress, &told))
 		a->frf.end = HAWSER_END_INTERRUPTED;
 	traced->functions = draft->functions;
+	traced->work = draft->until;
 	traced->end = a->frf.end;
 	return hawser__curve_marks(traced->mark, &traced->marks, &traced->curve, report);
+}
+
+/* Whether the part of a curve has a resonance that compares with those of the whole. */
+static int resounds(const struct hawser__drawn_curve *whole, const struct hawser__drawn_curve *so_far)
+{
+	int does = 0;
+
+	for (int k = 0; k < 2; k++) {
+		double most[2] = {0.0, 0.0};
+
+		for (int i = 0; i < whole->points; i++) {
+			double *own = &most[i >= so_far->points];
+
+			*own = fmax(*own, whole->value[(size_t)i*((size_t)whole->width + 1) + whole->largest[k]]);
+		}
+		does |= whole->largest[k] > 0 && most[0] > SIMILAR*most[1];
+	}
+	return does;
+}
+
+int hawser__traced_part(struct hawser__traced *traced, struct hawser_accuracy *a, int found,
+                        const struct hawser_frf_options *range)
+{
+	double way = range->to > range->from ? 1.0 : -1.0, aside = 1.0 - way*a->asked/HAWSER__SAFETY_BASIS;
+	struct hawser__drawn_curve so_far;
+	double until;
+
+	if (found < LEAST_MARKS)
+		return 0;
+	if (found == traced->marks)
+		return 1;
+	until = hawser__draft_reach(&a->frf, traced->mark[found - 1] + 1, range)*aside;
+	so_far = part(&traced->curve, log(until), way);
+	if (!resounds(&traced->curve, &so_far))
+		return 0;
+	a->until = until;
+	a->beyond[0] = '\0';
+	traced->work *= (double)so_far.points/traced->curve.points;
+	traced->curve = so_far;
+	while (traced->marks > 0 && traced->mark[traced->marks - 1] >= so_far.points)
+		traced->marks--;
+	return 1;
 }
 
 /* The counterparts of the marks in the model of *draft, if there are, and how far they are from the
  * curve. */
 enum hawser_status hawser__draft_carry(struct hawser__draft *draft, double *away,
-                                       const struct hawser__traced *traced,
+                                       struct hawser__traced *traced,
                                        struct hawser_accuracy *a,
-                                       const struct hawser_frf_options *settled,
+                                       const struct hawser_frf_options *settled, double most,
                                        struct hawser_report *report)
 {
 	struct hawser_frf_options frf = *settled;
@@ -296,6 +343,7 @@ enum hawser_status hawser__draft_carry(struct hawser__draft *draft, double *away
 
 	*away = INFINITY;
 	frf.tolerance = fmax(frf.tolerance, ROUGH);
+	frf.most_work = most;
 	if (traced->orbits.count < traced->curve.points)
 		return HAWSER_OK;
 	status = hawser__full_map(&map, &rows, &columns, &a->modes.statics, traced->functions,
@@ -307,11 +355,17 @@ enum hawser_status hawser__draft_carry(struct hawser__draft *draft, double *away
 	draft->work = hawser_orbit_work(&found.cost, &draft->rom);
 	if (found.end == HAWSER_END_INTERRUPTED)
 		a->frf.end = HAWSER_END_INTERRUPTED;
+	else if (!status && lost && most > 0.0)
+		lost = !hawser__traced_part(traced, a, found.points, settled);
 	if (!status && !lost)
 		status = hawser__curve_copy(&draft->curve, &found, report);
 	if (!status && !lost)
+		draft->curve.points = traced->marks;
+	if (!status && !lost)
 		status = hawser__curve_points_distance(away, &traced->curve, traced->mark, NULL,
 		                                       &draft->curve, 0, report);
+	if (!(*away <= NEAR))
+		*away = INFINITY;
 	hawser_frf_clear(&found);
 	return status;
 }

@@ -8,6 +8,9 @@
 #include "study/compare/curve.h"
 
 #define HAWSER__SAFETY_BASIS 3.0 /* factor on the difference, calibrated by bench/accuracy.c */
+#define HAWSER__MARGIN 1.3 /* on the distance of two bases at the marks, and on that of a response whose
+                            * error is wanted, by bench/practical.py: there are points between, and
+                            * peaks are read there */
 #define HAWSER__MIDDLING 12      /* functions per component from which on a failure is not attributed to
                                   * the basis, but to the tolerance or the motion; chosen */
 #define HAWSER__MORE_POINTS 1.2  /* of a response, over those of its draft or of the modes; chosen */
@@ -30,6 +33,7 @@ struct hawser__traced {
 	struct hawser__orbits orbits;
 	enum hawser_frf_end end;
 	int functions, *mark, marks;
+	double work; /* that it took */
 };
 
 /* What a trace is watched for. */
@@ -71,13 +75,37 @@ double hawser__draft_reach(const struct hawser_frf *frf, int points,
  * the curve wanders, or where the cable is slack from early on; tells the time left. */
 int hawser__draft_watch_trace(void *data, const struct hawser_progress_state *state);
 
+/* The range ends with the first `found` marks of a curve, a->until: 1: it does, if they are not few and
+ * have a resonance that compares with those of the whole. */
+int hawser__traced_part(struct hawser__traced *traced, struct hawser_accuracy *a, int found,
+                        const struct hawser_frf_options *range);
+
 /* The counterparts of the marks in the model of *draft, if there are, and how far they are from the
- * curve. Told to stop, a->frf.end says so. */
+ * curve; INFINITY: too far. most: 0, or work: where some have none, or it takes more than that, the
+ * range may end before (a->until), and *traced with it. Told to stop, a->frf.end says so. */
 enum hawser_status hawser__draft_carry(struct hawser__draft *draft, double *away,
-                                       const struct hawser__traced *traced,
+                                       struct hawser__traced *traced,
                                        struct hawser_accuracy *a,
+                                       const struct hawser_frf_options *settled, double most,
+                                       struct hawser_report *report);
+
+/* draft_marks.c: error [2] of a basis whose marks are moved by the next one: that, and with the factor of
+ * safety by what the one after it moves them further where they are moved farthest, if there is one. The
+ * second one is that of the displacements with the largest peaks. */
+enum hawser_status hawser__marks_error(double *error, struct hawser_accuracy *a,
+                                       const struct hawser__traced *traced,
+                                       const struct hawser__drawn_curve *chosen,
+                                       const struct hawser__draft *next, double moved, int functions,
+                                       const struct hawser_accuracy_bases *of,
                                        const struct hawser_frf_options *settled,
                                        struct hawser_report *report);
+/* draft_marks.c: the range ends with the marks that the next basis moves by at most `enough`, if they
+ * are a part that can stand alone; *moved is then theirs. */
+enum hawser_status hawser__marks_shorten(double *moved, struct hawser__traced *traced,
+                                         struct hawser_accuracy *a, struct hawser__draft *next,
+                                         const struct hawser__drawn_curve *chosen, double enough,
+                                         const struct hawser_frf_options *frf,
+                                         struct hawser_report *report);
 
 /* The same basis with a draft of its own, in place of the last one, with which it is compared, and
  * the orbits of which become those of *chosen if they are. */
