@@ -108,7 +108,8 @@ static void describe(char *text, size_t size, const struct hawser_statics *stati
 
 static void branches(void)
 {
-	static const struct hawser__sweep sweep = {"sweep", statics_at, describe, 0, 0, 0};
+	static const struct hawser__sweep sweep = {.where = "sweep", .statics_at = statics_at,
+	                                           .describe = describe};
 	static const struct hawser_span span = {1e6, 6.0, 9.81, 250.0, 0.0};
 	static const double ends[] = {-1.0, 1.0}, apart[] = {-1.0, -0.9};
 	int jump = 0, enough, none[2] = {0};
