@@ -52,11 +52,18 @@ void hawser__lmode_pairs_clear(struct hawser__lmode_pairs *pairs)
 	*pairs = (struct hawser__lmode_pairs){0};
 }
 
+static void work_clear(struct work *t)
+{
+	hawser__hold_clear(&t->hold);
+	free(t->x); /* that of another grid may take its place */
+	t->x = NULL;
+}
+
 static enum hawser_status work_open(struct work *t, struct hawser_report *report)
 {
 	size_t q = (size_t)t->vectors, size = (size_t)t->system->size;
 
-	t->x = hawser__hold(&t->hold, q*size, sizeof *t->x);
+	t->x = hawser__numbers(q, size);
 	t->y = hawser__hold(&t->hold, q*size, sizeof *t->y);
 	t->mx = hawser__hold(&t->hold, q*size, sizeof *t->mx);
 	t->my = hawser__hold(&t->hold, q*size, sizeof *t->my);
@@ -64,7 +71,7 @@ static enum hawser_status work_open(struct work *t, struct hawser_report *report
 	t->b = hawser__hold(&t->hold, q*q, sizeof *t->b);
 	t->mu = hawser__hold(&t->hold, q, sizeof *t->mu);
 	t->last = hawser__hold(&t->hold, q, sizeof *t->last);
-	return t->hold.short_of_memory ? hawser__no_memory(report, "line modes") : HAWSER_OK;
+	return !t->x || t->hold.short_of_memory ? hawser__no_memory(report, "line modes") : HAWSER_OK;
 }
 
 /* Fill with random numbers, the same in each run. */
@@ -402,7 +409,7 @@ static enum hawser_status converge(struct work *t, struct hawser__lmode_pairs *p
 		                              rope->options.extra, report);
 		x = t->x; /* the other arrays have a new size */
 		t->x = NULL;
-		hawser__hold_clear(&t->hold);
+		work_clear(t);
 		if (!status)
 			status = work_open(t, report);
 		free(t->x);
@@ -440,7 +447,7 @@ enum hawser_status hawser__lmode_pairs(struct hawser__lmode_pairs *pairs,
 		memcpy(pairs->x + (size_t)(n - t.n + k)*(size_t)system->size,
 		       t.x + (size_t)k*(size_t)system->size, (size_t)system->size*sizeof *t.x);
 	}
-	hawser__hold_clear(&t.hold);
+	work_clear(&t);
 	if (status)
 		hawser__lmode_pairs_clear(pairs);
 	return status;
