@@ -3,7 +3,6 @@
 BENCHES = %D%/kernel %D%/integrate %D%/statics %D%/modes %D%/modes-methods
 EXTRA_PROGRAMS += $(BENCHES) %D%/frf %D%/peak %D%/plan %D%/shapes
 CLEANFILES += $(BENCHES) %D%/frf %D%/peak %D%/plan %D%/shapes
-noinst_HEADERS += %D%/clock.h
 EXTRA_DIST += %D%/README.md %D%/convergence.sh %D%/defaults.py %D%/frf-auto.py %D%/locus-auto.py %D%/branches-auto.py %D%/long.py \
 	%D%/practical.py %D%/progress.py %D%/python.py %D%/scaling.py %D%/ranges.py %D%/ranks-map.py %D%/start.py %D%/sweep.py %D%/trade.py %D%/backbones.py %D%/bending.py \
 	%D%/slack.py %D%/rod-waves.py %D%/wet-rods.py %D%/moordyn.py %D%/net-judge.py %D%/moorings.py %D%/nets.py %D%/ropeway-multipliers.py %D%/autonomous.py %D%/autonomous-auto.py
@@ -39,7 +38,7 @@ BENCHES += %D%/map
 %C%_map_SOURCES = %D%/map.c
 %C%_map_LDADD = $(UPTO_STUDY)
 
-%C%_kernel_SOURCES = %D%/kernel.c %D%/kernel.h %D%/kernel-cable.c
+%C%_kernel_SOURCES = %D%/kernel.c %D%/kernel-cable.c
 %C%_kernel_LDADD = $(UPTO_ROM)
 %C%_integrate_SOURCES = %D%/integrate.c
 %C%_integrate_LDADD = $(UPTO_RESPONSE)
@@ -81,7 +80,6 @@ CLEANFILES += %D%/events
 # whether stated errors hold, on random scenes; a thousand a command take minutes
 EXTRA_PROGRAMS += %D%/estimates
 CLEANFILES += %D%/estimates
-noinst_HEADERS += %D%/estimates.h
 ESTIMATES_SOURCES = bench/estimates-tally.c bench/estimates-table.c bench/estimates-catenary.c \
 	bench/estimates-modes.c bench/estimates-campbell.c \
 	bench/estimates-models.c bench/estimates-frf.c bench/estimates-integrate.c \

@@ -133,8 +133,6 @@ function put(file, batch,    part, n, i) {
 	n = split(defines[file], part, " ")
 	for (i = 1; i <= n; i++)
 		has[part[i], batch] = from[part[i], file]
-	if (size[batch] == 1)
-		print batch " #include \"config.h\""
 	print batch " #include \"" file "\""
 	n = split(macros[file], part, " ")
 	for (i = 1; i <= n; i++)

@@ -3,8 +3,6 @@
 #ifndef HAWSER_TESTS_BEAM_NEAR_H
 #define HAWSER_TESTS_BEAM_NEAR_H
 
-#include "config.h"
-
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>

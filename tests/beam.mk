@@ -8,4 +8,3 @@ tests_beam_SOURCES = tests/cases.c \
 	tests/unit/test-beam-integrals.c
 nodist_tests_beam_SOURCES = tests/beam-cases.c
 tests_beam_LDADD = $(UPTO_BEAM)
-noinst_HEADERS += tests/beam-near.h tests/beam-shooting.h

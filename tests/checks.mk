@@ -125,7 +125,7 @@ EXTRA_DIST += %D%/checks/cover.py %D%/checks/cover.c
 COVERED = $(addprefix sanitizers/,hawser $(check_PROGRAMS))
 check-cover: sanitizers/config.status
 	$(MAKE) -C sanitizers check-programs
-	$(SANITIZERS_CC) -O1 -c -o sanitizers/cover.o $(srcdir)/%D%/checks/cover.c
+	$(SANITIZERS_CC) -D_GNU_SOURCE -O1 -c -o sanitizers/cover.o $(srcdir)/%D%/checks/cover.c
 	rm -rf sanitizers/cover $(COVERED)
 	$(MAKE) -C sanitizers check-programs LDFLAGS=$(abs_builddir)/sanitizers/cover.o
 	-$(MAKE) -C sanitizers -k check-local LDFLAGS=$(abs_builddir)/sanitizers/cover.o \

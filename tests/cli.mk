@@ -89,5 +89,5 @@ EXTRA_DIST += %D%/cli/lib.sh %D%/cli/serve.py %D%/reference/wave.yaml
 CLI_TABLES = %D%/cli/mistakes.table %D%/cli/models.table %D%/cli/moorings.table %D%/cli/range.table %D%/cli/refusals.table %D%/cli/wind.table
 EXTRA_DIST += $(CLI_TABLES)
 test_programs += tests/commands
-tests_commands_SOURCES = %D%/commands.c %D%/serve.c %D%/serve.h
+tests_commands_SOURCES = %D%/commands.c %D%/serve.c
 tests_commands_LDADD = src/cli/libcli.a src/cli/.libs/libloaded.a src/output/.libs/liboutput.a $(UPTO_STUDY)

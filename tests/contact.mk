@@ -8,7 +8,6 @@ tests_contact_SOURCES = tests/cases.c \
 	tests/unit/test-surface.c
 nodist_tests_contact_SOURCES = tests/contact-cases.c
 tests_contact_LDADD = tests/libsiconos.a $(UPTO_CONTACT)
-noinst_HEADERS += tests/friction-random.h tests/friction-siconos.h
 # Siconos is loaded at run time: its headers are all that is needed here.
 EXTRA_LIBRARIES += tests/libsiconos.a
 CLEANFILES += tests/libsiconos.a

@@ -7,4 +7,3 @@ tests_core_SOURCES = tests/cases.c \
 	tests/unit/test-status.c
 nodist_tests_core_SOURCES = tests/core-cases.c
 tests_core_LDADD = $(UPTO_CORE)
-noinst_HEADERS += tests/lumped-chain.h tests/rod-chain.h tests/travel-chain.h tests/velocity.h

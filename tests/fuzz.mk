@@ -4,7 +4,6 @@
 FUZZ_TARGETS = tests/fuzz/fuzz-scene tests/fuzz/fuzz-document tests/fuzz/fuzz-set tests/fuzz/fuzz-model \
 	tests/fuzz/fuzz-state tests/fuzz/fuzz-checkpoint
 EXTRA_PROGRAMS += $(FUZZ_TARGETS)
-noinst_HEADERS += tests/fuzz/fuzz.h
 FUZZER_LINK = $(AM_LDFLAGS) -fsanitize=fuzzer -Wl,--wrap=ut_read_xml -Wl,--wrap=ut_free_system
 tests_fuzz_fuzz_scene_SOURCES = tests/fuzz/fuzz-scene.c tests/fuzz/units.c
 tests_fuzz_fuzz_scene_LDADD = $(UPTO_STATICS) -lm

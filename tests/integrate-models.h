@@ -3,8 +3,6 @@
 #ifndef HAWSER_TESTS_INTEGRATE_MODELS_H
 #define HAWSER_TESTS_INTEGRATE_MODELS_H
 
-#include "config.h"
-
 #include <stdint.h>
 #include <stdlib.h>
 

@@ -5,9 +5,8 @@ test_scripts =
 test_helpers =
 TEST_ENVIRONMENT =
 EXTRA_DIST += %D%/cases.sh %D%/longer.txt %D%/slow.txt
-noinst_HEADERS += %D%/tap.h %D%/cases.h %D%/balance-model.h %D%/gsl_mathieu.h %D%/fields-text.h
 check_PROGRAMS += %D%/run
-tests_run_SOURCES = %D%/run.c %D%/run_list.c %D%/run.h
+tests_run_SOURCES = %D%/run.c %D%/run_list.c
 
 # The stages' archives, which need no libtool to link (see only.mk).
 UPTO_CORE = src/core/.libs/libcore.a

@@ -7,6 +7,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "tests/tap.h"
+
 /* The same span at a horizontal tension of ratio*EA. */
 static inline int tighten(struct hawser_statics *st, double ratio)
 {
@@ -25,13 +27,10 @@ static inline int tighten(struct hawser_statics *st, double ratio)
  * the scene cannot be read. */
 static inline int table_4_1(struct hawser_statics *st, int which, double slope, double ratio)
 {
-	const char *root = getenv("SRCDIR");
 	struct hawser_report report;
 	struct hawser_scene scene;
-	char path[4096];
+	const char *path = source_file("notebooks-data/scenes/b-table-4.1-case-%d.yaml", which);
 
-	snprintf(path, sizeof path, "%s/notebooks-data/scenes/b-table-4.1-case-%d.yaml",
-	         root ? root : ".", which);
 	if (hawser_scene_open(&scene, path, NULL, 0, &report)) {
 		printf("# %s\n", report.message);
 		return 0;

@@ -31,7 +31,3 @@ tests_modes_SOURCES = tests/cases.c \
 	tests/unit/test-modes-grid.c
 nodist_tests_modes_SOURCES = tests/modes-cases.c
 tests_modes_LDADD = $(UPTO_MODES)
-noinst_HEADERS += tests/extremes/modes-count.h tests/extremes/modes-quad.h
-noinst_HEADERS += tests/link-chain.h tests/modes-span.h tests/modes-shooting.h tests/modes-scene.h tests/modes-third.h tests/rom-condensed.h tests/rom-eigenvalue.h
-noinst_HEADERS += tests/gyroscopic-shooting.h tests/gyroscopic-span.h
-noinst_HEADERS += tests/extremes/traces-check.h tests/extremes/traces-judge.h

@@ -1,5 +1,4 @@
 /* tests/net-text.h - a net from the text of its scene.
- * Include "config.h" before anything else, for fmemopen.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_TESTS_NET_TEXT_H
 #define HAWSER_TESTS_NET_TEXT_H

@@ -41,7 +41,6 @@ tests_net_SOURCES = tests/cases.c \
 	tests/unit/test-document.c
 nodist_tests_net_SOURCES = tests/net-cases.c
 tests_net_LDADD = tests/libnets.a $(UPTO_NET)
-noinst_HEADERS += tests/net-random.h tests/net-text.h tests/nets/comparison.h
 # other methods of the statics of nets, which the library does not have, and all on random cables
 EXTRA_LIBRARIES += tests/libnets.a
 CLEANFILES += tests/libnets.a

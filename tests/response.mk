@@ -82,14 +82,11 @@ tests_response_SOURCES = tests/cases.c \
 	tests/unit/test-varying.c
 nodist_tests_response_SOURCES = tests/response-cases.c
 tests_response_LDADD = $(UPTO_RESPONSE) $(GSL_LIBS)
-noinst_HEADERS += tests/folds-duffing.h
 EXTRA_DIST += tests/reference/autonomous/adaptx.json tests/reference/autonomous/string8.json tests/reference/autonomous/corners.json tests/reference/autonomous/lorenz84.json tests/reference/autonomous/cusp.json tests/reference/autonomous/equal.json tests/reference/autonomous/flip.json tests/reference/autonomous/fold-flip.json tests/reference/autonomous/fold-torus.json tests/reference/autonomous/half.json tests/reference/autonomous/pleat.json tests/reference/autonomous/roots.json tests/reference/autonomous/takens.json tests/reference/autonomous/bautin.json tests/reference/autonomous/belt.json tests/reference/autonomous/brusselator.json tests/reference/autonomous/lorenz.json tests/reference/autonomous/o2.json \
 	tests/reference/autonomous/parkinson.json tests/reference/autonomous/two.json tests/reference/autonomous/vdp.json tests/reference/autonomous/wake.json tests/reference/autonomous/ziegler.json
 EXTRA_DIST += tests/reference/absorber.json tests/reference/frf-cases.txt tests/reference/duffing-nlvib-01.json \
 	tests/reference/pair-2to1.json tests/reference/springs-nlvib-06-f1e-3.json \
 	tests/reference/springs-nlvib-06-f3e-3.json tests/reference/pair-quintic.json tests/reference/one-to-three.json tests/reference/two-masses-nes.json tests/reference/beam-1to3.json tests/reference/torus-as-doubling.json
-noinst_HEADERS += tests/integrate-models.h
-noinst_HEADERS += tests/extremes/taylor.h tests/extremes/reflect.h
 EXTRA_DIST += tests/reference/net-rom-carriers.yaml tests/reference/net-rom-cells.yaml tests/reference/net-rom-float.yaml tests/reference/net-rom-moved.yaml \
 	tests/reference/net-rom-span.yaml tests/reference/net-rom-spans.yaml tests/reference/net-rom-stays.yaml \
 	tests/reference/net-rom-strings.yaml

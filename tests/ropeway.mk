@@ -12,5 +12,3 @@ tests_ropeway_SOURCES = tests/cases.c \
 	tests/reference/test-obstacles.c
 nodist_tests_ropeway_SOURCES = tests/ropeway-cases.c
 tests_ropeway_LDADD = $(UPTO_ROPEWAY)
-noinst_HEADERS += tests/line-judge.h tests/line-random.h
-noinst_HEADERS += tests/line-mesh.h tests/line-force.h

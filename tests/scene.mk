@@ -12,4 +12,3 @@ tests_scene_SOURCES = tests/cases.c \
 	src/scene/page/example.c
 nodist_tests_scene_SOURCES = tests/scene-cases.c
 tests_scene_LDADD = $(UPTO_SCENE)
-noinst_HEADERS += tests/unit/scene-text.h

@@ -16,5 +16,4 @@ tests_statics_SOURCES = tests/cases.c \
 	tests/unit/test-wind.c
 nodist_tests_statics_SOURCES = tests/statics-cases.c
 tests_statics_LDADD = $(UPTO_STATICS)
-noinst_HEADERS += tests/statics-draw.h tests/extremes/sweep.h tests/extremes/statics-quad.h
 EXTRA_DIST += tests/reference/statics-spans.tsv tests/reference/make-statics-spans.py

@@ -40,4 +40,3 @@ tests_study_SOURCES = tests/cases.c \
 	$(ESTIMATES_SOURCES)
 nodist_tests_study_SOURCES = tests/study-cases.c
 tests_study_LDADD = $(UPTO_STUDY)
-noinst_HEADERS += tests/map-fields.h tests/map-responses.h

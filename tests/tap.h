@@ -6,6 +6,7 @@
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 static int tap_count, tap_failed;
@@ -38,6 +39,22 @@ static inline int close_to(double got, double want, double tolerance, const char
 
 	return ok(error <= tolerance, "%s: %.15g against %.15g, relative error %.2e <= %.1e", what,
 	          got, want, error, tolerance);
+}
+
+/* The path of a file below the top of the source tree. It holds until the next call but one. */
+static inline const char *source_file(const char *format, ...)
+{
+	static char paths[2][4096];
+	static int last;
+	const char *top = getenv("SRCDIR");
+	char *path = paths[last = !last];
+	int used = snprintf(path, sizeof *paths, "%s/", top ? top : ".");
+	va_list args;
+
+	va_start(args, format);
+	vsnprintf(path + used, sizeof *paths - (size_t)used, format, args);
+	va_end(args);
+	return path;
 }
 
 /* Last line of a case: the plan. Returns the exit status. */

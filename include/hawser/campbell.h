@@ -78,6 +78,7 @@ struct hawser_campbell {
 	double *downstream;         /* [stations][branches] as in struct hawser_mode */
 	int *place;                 /* [stations][branches] from 0, by frequency in its plane */
 	enum hawser_family *family; /* [stations][branches] by the larger share of the kinetic energy */
+	void *held; /* memory of the arrays */
 };
 
 /* A member that is 0 has its default. */

@@ -70,6 +70,7 @@ struct hawser_irvine {
 	int *place;                     /* [stations][branches] from 0, by frequency in its plane */
 	enum hawser_symmetry *symmetry; /* [stations][branches]; mixed if the cable travels */
 	enum hawser_family *family;     /* [stations][branches] */
+	void *held; /* memory of the arrays */
 };
 
 struct hawser_irvine_options {

@@ -82,6 +82,7 @@ struct hawser_net_modes {
 	int barely;           /* a point with one, if doubtful is above 0 */
 	const char *method;       /* "block Lanczos"; of a mesh with few unknowns "dense" */
 	int unknowns, iterations; /* iterations: solutions with the factors of K */
+	void *held; /* memory of the arrays */
 };
 /* The first n modes; 0: 6, or all if there are fewer. Of two equal frequencies the modes are chosen
  * symmetric or antisymmetric to the planes that there are. HAWSER_ERR_NO_SOLUTION if elements are

@@ -120,6 +120,7 @@ struct hawser_net_motion {
 	                                                     * back; splits: steps made in halves since
 	                                                     * Newton's method failed */
 	double *state;       /* [states] for hawser_net_state_write */
+	void *held; /* memory of the arrays of rows */
 	int states;
 	int unbalanced;      /* 1: on beds that give way, where cables lie in part, no equilibrium was found
 	                      * near that of statics, so that the motion begins out of balance */

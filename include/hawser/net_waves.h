@@ -43,6 +43,7 @@ struct hawser_net_waves {
 	double (*size)[3];  /* [probes] m */
 	double (*T_size)[2]; /* [cables] N */
 	double *T_mean;     /* [cables*2] N, of the equilibrium */
+	void *held; /* memory of the arrays */
 	double height;      /* m: the height, or Hs, that C belongs to */
 	int iterations;     /* most of a point */
 	double change;      /* largest relative change of C in the last iteration */

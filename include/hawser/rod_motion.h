@@ -82,6 +82,7 @@ struct hawser_rod_motion {
 	int elements, unknowns;
 	long steps, iterations, factored, rejected, splits;
 	double *state;       /* [states] for hawser_rod_state_write */
+	void *held; /* memory of the arrays of rows */
 	int states;
 };
 

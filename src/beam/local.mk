@@ -1,7 +1,6 @@
 noinst_LTLIBRARIES += %D%/libbeam.la
 %C%_libbeam_la_SOURCES = \
 	%D%/boundary.c \
-	%D%/boundary.h \
 	%D%/boundary_follow.c \
 	%D%/change.c \
 	%D%/critical.c \
@@ -11,7 +10,6 @@ noinst_LTLIBRARIES += %D%/libbeam.la
 	%D%/matrices.c \
 	%D%/onset.c \
 	%D%/sample.c \
-	%D%/sample.h \
 	%D%/scale.c \
 	%D%/sine.c \
 	%D%/spectrum.c \

@@ -4,22 +4,17 @@ hawser_SOURCES = %D%/frame/hawser.c
 noinst_LIBRARIES += %D%/libcli.a
 %C%_libcli_a_SOURCES = \
 	%D%/model/axis.c \
-	%D%/model/axis.h \
 	%D%/beam/beam_boundary.c \
 	%D%/beam/beam_draw.c \
 	%D%/beam/beam_fields.c \
 	%D%/beam/beam_motion.c \
 	%D%/beam/beam_result.c \
-	%D%/beam/beam_result.h \
 	%D%/backbone/backbone.c \
-	%D%/backbone/backbone.h \
 	%D%/model/basis.c \
 	%D%/model/certificate.c \
-	%D%/model/certificate.h \
 	%D%/model/choice.c \
 	%D%/modes/campbell_draw.c \
 	%D%/modes/campbell_result.c \
-	%D%/frame/cli.h \
 	%D%/frame/colour.c \
 	%D%/beam/cmd_beam.c \
 	%D%/modes/cmd_campbell.c \
@@ -29,14 +24,11 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/tools/cmd_init.c \
 	%D%/tools/cmd_schema.c \
 	%D%/tools/init_from.c \
-	%D%/tools/init_from.h \
 	%D%/tools/init_scenes.c \
-	%D%/tools/init_scenes.h \
 	%D%/tools/init_structures.c \
 	%D%/tools/init_write.c \
 	%D%/tools/records.c \
 	%D%/frame/part.c \
-	%D%/frame/part.h \
 	%D%/frame/picture.c \
 	%D%/measure/cmd_damping.c \
 	%D%/curves/cmd_folds.c \
@@ -45,7 +37,6 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/measure/cmd_identify.c \
 	%D%/motion/cmd_integrate.c \
 	%D%/motion/integrate_span.c \
-	%D%/motion/integrate_span.h \
 	%D%/motion/span_run.c \
 	%D%/curves/cmd_locus.c \
 	%D%/backbone/cmd_nnm.c \
@@ -54,13 +45,11 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/sweep/cmd_merge.c \
 	%D%/map/map_axes.c \
 	%D%/map/map_part.c \
-	%D%/map/map_part.h \
 	%D%/curves/cmd_orbit.c \
 	%D%/backbone/cmd_mms.c \
 	%D%/modes/cmd_modes.c \
 	%D%/plan/cmd_plan.c \
 	%D%/sweep/cmd_sweep.c \
-	%D%/sweep/sweep.h \
 	%D%/sweep/sweep_choose.c \
 	%D%/sweep/sweep_draw.c \
 	%D%/sweep/sweep_file.c \
@@ -77,17 +66,14 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/motion/cmd_tow_steady.c \
 	%D%/motion/cmd_trajectory.c \
 	%D%/report/cmd_report.c \
-	%D%/report/report.h \
 	%D%/report/report_page.c \
 	%D%/report/report_parts.c \
 	%D%/report/report_run.c \
 	%D%/motion/cmd_transient.c \
 	%D%/motion/transient_fields.c \
-	%D%/motion/transient_ropeway.h \
 	%D%/model/cmd_rom.c \
 	%D%/statics/cmd_statics.c \
 	%D%/statics/equilibria_net.c \
-	%D%/statics/statics_kinds.h \
 	%D%/statics/ropeway_fields.c \
 	%D%/statics/ropeway_fill.c \
 	%D%/statics/obstacles_fields.c \
@@ -97,9 +83,7 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/statics/statics_rod.c \
 	%D%/statics/statics_ropeway.c \
 	%D%/frame/kinds.c \
-	%D%/frame/kinds.h \
 	%D%/model/key_sweep.c \
-	%D%/model/key_sweep.h \
 	%D%/modes/modes_obstacles.c \
 	%D%/modes/modes_ropeway.c \
 	%D%/modes/modes_ropeway_fields.c \
@@ -107,7 +91,6 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/modes/track_ropeway.c \
 	%D%/statics/contacts_net.c \
 	%D%/frame/mesh_net.c \
-	%D%/frame/mesh_net.h \
 	%D%/statics/statics_net.c \
 	%D%/statics/stiffness_net.c \
 	%D%/statics/statics_cases.c \
@@ -120,11 +103,8 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/statics/statics_mesh.c \
 	%D%/compare/compare_modes.c \
 	%D%/model/condensed.c \
-	%D%/model/condensed.h \
 	%D%/map/tongues.c \
-	%D%/map/tongues.h \
 	%D%/compare/compare_result.c \
-	%D%/compare/compare_result.h \
 	%D%/frame/deliver.c \
 	%D%/frame/document.c \
 	%D%/frame/echo.c \
@@ -133,58 +113,41 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/motion/warnings_net.c \
 	%D%/model/exact.c \
 	%D%/model/exact_plane.c \
-	%D%/model/exact.h \
 	%D%/model/film_ropeway.c \
 	%D%/model/fixed.c \
-	%D%/model/fixed.h \
 	%D%/curves/folds_draw.c \
 	%D%/curves/folds_result.c \
-	%D%/curves/folds_result.h \
 	%D%/curves/frf_beside.c \
-	%D%/curves/frf_beside.h \
 	%D%/curves/frf_cover.c \
 	%D%/curves/frf_notes.c \
-	%D%/curves/frf_cover.h \
 	%D%/curves/frf_switch.c \
 	%D%/curves/frf_crowds.c \
 	%D%/curves/frf_curves.c \
-	%D%/curves/frf_picture.h \
 	%D%/curves/frf_draw.c \
 	%D%/curves/frf_fields.c \
 	%D%/curves/frf_lift.c \
-	%D%/curves/frf_lift.h \
 	%D%/curves/frf_over.c \
 	%D%/curves/frf_sweep.c \
 	%D%/curves/frf_tori.c \
 	%D%/model/label.c \
-	%D%/model/label.h \
-	%D%/curves/frf_over.h \
-	%D%/curves/frf_sweep.h \
-	%D%/curves/frf_tori.h \
 	%D%/curves/frf_waves.c \
-	%D%/curves/frf_waves.h \
 	%D%/curves/locus_draw.c \
 	%D%/curves/locus_result.c \
-	%D%/curves/locus_result.h \
 	%D%/curves/frf_peaks.c \
 	%D%/curves/frf_result.c \
 	%D%/map/hill_draw.c \
 	%D%/map/hill_result.c \
 	%D%/model/judged.c \
-	%D%/model/judged.h \
 	%D%/model/judged_plane.c \
-	%D%/map/hill_result.h \
 	%D%/map/hill_sides.c \
 	%D%/motion/integrate_draw.c \
 	%D%/motion/integrate_exact.c \
 	%D%/motion/integrate_exponents.c \
 	%D%/motion/integrate_fields.c \
 	%D%/motion/integrate_net.c \
-	%D%/motion/integrate_net.h \
 	%D%/motion/integrate_rod.c \
 	%D%/motion/probes_mesh.c \
 	%D%/motion/integrate_result.c \
-	%D%/motion/integrate_result.h \
 	%D%/modes/irvine_draw.c \
 	%D%/modes/irvine_result.c \
 	%D%/model/last.c \
@@ -195,52 +158,40 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/map/map_draw.c \
 	%D%/map/map_hdf5.c \
 	%D%/map/map_result.c \
-	%D%/map/map_result.h \
 	%D%/backbone/mms_marks.c \
 	%D%/backbone/backbone_fields.c \
 	%D%/backbone/modal.c \
 	%D%/backbone/mms_options.c \
 	%D%/backbone/mms_result.c \
-	%D%/backbone/mms_result.h \
 	%D%/model/model.c \
 	%D%/modes/modes_damped.c \
 	%D%/modes/modes_model.c \
 	%D%/modes/modes_net.c \
 	%D%/modes/modes_result.c \
-	%D%/modes/modes_result.h \
 	%D%/model/natural.c \
 	%D%/frame/nearest.c \
-	%D%/frame/option.h \
 	%D%/frame/options.c \
 	%D%/plan/plan_fields.c \
 	%D%/plan/plan_model.c \
 	%D%/plan/plan_net.c \
 	%D%/plan/plan_net_text.c \
 	%D%/plan/plan_result.c \
-	%D%/plan/plan_result.h \
 	%D%/plan/plan_ropeway.c \
 	%D%/frame/ranks.c \
-	%D%/frame/ranks.h \
 	%D%/model/rom_net.c \
 	%D%/model/rom_ropeway.c \
 	%D%/model/made.c \
-	%D%/model/made.h \
 	%D%/model/made_choice.c \
 	%D%/frame/progress.c \
-	%D%/frame/progress.h \
 	%D%/frame/quantity.c \
 	%D%/measure/measured.c \
 	%D%/measure/series.c \
-	%D%/measure/series.h \
 	%D%/frame/signals.c \
 	%D%/model/state.c \
 	%D%/motion/surge.c \
-	%D%/model/state.h \
 	%D%/statics/statics_curves.c \
 	%D%/statics/statics_speeds.c \
 	%D%/frame/view.c \
-	%D%/frame/view.h \
-	%D%/frame/within.h \
 	%D%/frame/words.c
 # libcore brings the report's functions, which libhawser does not export
 hawser_LDADD = src/cli/libcli.a src/cli/libloaded.la src/output/liboutput.la libhawser.la src/core/libcore.la $(JANSSON_LIBS) \
@@ -248,5 +199,5 @@ hawser_LDADD = src/cli/libcli.a src/cli/libloaded.la src/output/liboutput.la lib
 
 # Libraries that are loaded at run time: their headers are all that is needed here.
 noinst_LTLIBRARIES += %D%/libloaded.la
-%C%_libloaded_la_SOURCES = %D%/frame/hdf5.c %D%/frame/hdf5.h %D%/frame/mpi.c
+%C%_libloaded_la_SOURCES = %D%/frame/hdf5.c %D%/frame/mpi.c
 %C%_libloaded_la_CFLAGS = $(AM_CFLAGS) $(OPENMPI_CFLAGS) $(HDF5_CFLAGS)

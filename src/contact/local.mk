@@ -1,7 +1,6 @@
 noinst_LTLIBRARIES += %D%/libcontact.la
 %C%_libcontact_la_SOURCES = \
 	%D%/friction.c \
-	%D%/friction.h \
 	%D%/friction-chain.c \
 	%D%/friction-check.c \
 	%D%/friction-corner.c \
@@ -11,7 +10,6 @@ noinst_LTLIBRARIES += %D%/libcontact.la
 	%D%/friction-start.c \
 	%D%/friction-state.c \
 	%D%/heights.c \
-	%D%/heights.h \
 	%D%/heights_read.c \
 	%D%/surface.c \
 	%D%/surface_read.c

@@ -1,13 +1,10 @@
 noinst_LTLIBRARIES += %D%/libmodes.la
 %C%_libmodes_la_SOURCES = \
 	%D%/analytic.c \
-	%D%/analytic.h \
 	%D%/basis.c \
 	%D%/bending/bending.c \
-	%D%/bending/bending.h \
 	%D%/cable.c \
 	%D%/cable_space.c \
-	%D%/cable.h \
 	%D%/chain.c \
 	%D%/compare.c \
 	%D%/complex/complex_mode.c \
@@ -16,43 +13,29 @@ noinst_LTLIBRARIES += %D%/libmodes.la
 	%D%/compliance_springs.c \
 	%D%/complex/convection.c \
 	%D%/complex/damped.c \
-	%D%/complex/damped.h \
 	%D%/complex/damped_trace.c \
 	%D%/complex/wind.c \
-	%D%/complex/wind.h \
-	%D%/compliance.h \
 	%D%/driven.c \
-	%D%/driven.h \
 	%D%/fdm.c \
 	%D%/bending/flexure.c \
-	%D%/bending/flexure.h \
 	%D%/bending/flexure_basis.c \
 	%D%/bending/flexure_solve.c \
 	%D%/grid.c \
-	%D%/grid.h \
 	%D%/complex/gyroscopic.c \
-	%D%/complex/gyroscopic.h \
 	%D%/complex/gyroscopic_analytic.c \
 	%D%/complex/gyroscopic_fdm.c \
 	%D%/complex/gyroscopic_span.c \
 	%D%/complex/gyroscopic_spectral.c \
 	%D%/halving.c \
-	%D%/halving.h \
 	%D%/krylov.c \
 	%D%/label.c \
-	%D%/label.h \
 	%D%/pairing.c \
-	%D%/pairing.h \
 	%D%/methods.c \
-	%D%/methods.h \
 	%D%/complex/quadratic.c \
-	%D%/complex/quadratic.h \
 	%D%/select.c \
-	%D%/spectral.c \
-	%D%/spectral.h
+	%D%/spectral.c
 # sweeps
 %C%_libmodes_la_SOURCES += \
-	%D%/sweep/branches.h \
 	%D%/sweep/branches_crossover.c \
 	%D%/sweep/branches_follow.c \
 	%D%/sweep/branches_resample.c \

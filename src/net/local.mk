@@ -1,17 +1,13 @@
 noinst_LTLIBRARIES += %D%/libnet.la
 %C%_libnet_la_SOURCES = \
 	%D%/balance/balance.c \
-	%D%/balance/balance.h \
 	%D%/balance/balance_jacobian.c \
 	%D%/balance/balance_newton.c \
 	%D%/balance/nodal.c \
 	%D%/statics/catenary.c \
-	%D%/statics/catenary.h \
 	%D%/statics/cone.c \
 	%D%/statics/dual.c \
-	%D%/statics/dual.h \
 	%D%/modes/eigen.c \
-	%D%/modes/eigen.h \
 	%D%/modes/eigen-border.c \
 	%D%/modes/eigen-dense.c \
 	%D%/modes/eigen-matrix.c \
@@ -20,7 +16,6 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/statics/exact.c \
 	%D%/statics/exact_solution.c \
 	%D%/expand/expand.c \
-	%D%/expand/expand.h \
 	%D%/statics/finish.c \
 	%D%/statics/form.c \
 	%D%/statics/form-tension.c \
@@ -38,33 +33,27 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/motion/integrate.c \
 	%D%/absorbers.c \
 	%D%/body.c \
-	%D%/body.h \
 	%D%/law.c \
 	%D%/mesh.c \
 	%D%/statics/mesh-error.c \
 	%D%/modes/modes.c \
 	%D%/modes/modes-label.c \
 	%D%/motion/motion.c \
-	%D%/motion/motion.h \
 	%D%/motion/motion-attached.c \
 	%D%/motion/motion-bed.c \
-	%D%/motion/motion-bed.h \
 	%D%/motion/motion-body.c \
 	%D%/motion/motion-chain.c \
 	%D%/motion/motion-contact.c \
-	%D%/motion/motion-contact.h \
 	%D%/motion/motion-normal.c \
 	%D%/motion/motion-cvode.c \
 	%D%/motion/motion-error.c \
 	%D%/motion/motion-events.c \
-	%D%/motion/motion-events.h \
 	%D%/motion/motion-impact.c \
 	%D%/motion/motion-klu.c \
 	%D%/motion/motion-open.c \
 	%D%/motion/motion-probe.c \
 	%D%/motion/motion-law.c \
 	%D%/motion/motion-ode.c \
-	%D%/motion/motion-ode.h \
 	%D%/motion/motion-result.c \
 	%D%/motion/motion-schemes.c \
 	%D%/motion/motion-settle.c \
@@ -79,19 +68,14 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/read/obstacles.c \
 	%D%/plan/plane.c \
 	%D%/net.c \
-	%D%/net.h \
 	%D%/plan/plan.c \
-	%D%/plan/plan.h \
 	%D%/plan/plan-cost.c \
 	%D%/plan/plan-mesh.c \
 	%D%/plan/plan-words.c \
 	%D%/read/read.c \
-	%D%/read/read.h \
 	%D%/span/read-span.c \
 	%D%/statics/solution.c \
-	%D%/statics/solve.h \
 	%D%/span/span.c \
-	%D%/span/span.h \
 	%D%/span/span-modes.c \
 	%D%/span/span-motion.c \
 	%D%/span/span-statics.c \
@@ -101,11 +85,9 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/statics/stiffness.c \
 	%D%/statics/statics.c \
 	%D%/modes/symmetry.c \
-	%D%/modes/symmetry.h \
 	%D%/modes/symmetry-map.c \
 	%D%/statics/tension.c \
 	%D%/touch/touch.c \
-	%D%/touch/touch.h \
 	%D%/touch/touch-drag.c \
 	%D%/touch/touch-body.c \
 	%D%/touch/touch-oval.c \
@@ -121,9 +103,7 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/water/water-statics.c \
 	%D%/waves/linear.c \
 	%D%/waves/linear-body.c \
-	%D%/waves/linear.h \
 	%D%/waves/response.c \
-	%D%/water/water.h \
 	%D%/water/wind.c
 # the table of keys, data alone, which the library of the scene has
 src_scene_libscene_la_SOURCES += %D%/read/net_rows.c

@@ -1,33 +1,24 @@
 noinst_LTLIBRARIES += %D%/liboutput.la
 %C%_liboutput_la_SOURCES = \
 	%D%/drawing/animate.c \
-	%D%/drawing/animate.h \
 	%D%/drawing/axis.c \
 	%D%/fields/fields.c \
-	%D%/fields/fields.h \
 	%D%/fields/fields_json.c \
 	%D%/fields/fields_read.c \
 	%D%/fields/fields_table.c \
-	%D%/fields/visit.h \
 	%D%/drawing/figure.c \
-	%D%/drawing/figure.h \
 	%D%/drawing/figure_marks.c \
 	%D%/drawing/frames.c \
 	%D%/drawing/gnuplot.c \
 	%D%/report/html.c \
-	%D%/report/html.h \
 	%D%/fields/json.c \
 	%D%/drawing/labels.c \
-	%D%/drawing/labels.h \
 	%D%/drawing/latex.c \
 	%D%/curves/map_tongues.c \
-	%D%/output.h \
 	%D%/drawing/panels.c \
 	%D%/drawing/picture_choice.c \
-	%D%/drawing/picture_choice.h \
 	%D%/drawing/outline.c \
 	%D%/drawing/perspective.c \
-	%D%/drawing/perspective.h \
 	%D%/cable/plot_compare.c \
 	%D%/structures/plot_bed.c \
 	%D%/structures/plot_mooring.c \
@@ -41,23 +32,17 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/curves/plot_map.c \
 	%D%/cable/plot_modes.c \
 	%D%/curves/plot_motions.c \
-	%D%/curves/plot_motions.h \
 	%D%/cable/plot_precision.c \
 	%D%/cable/plot_statics.c \
 	%D%/structures/plot_tow.c \
 	%D%/structures/plot_tow_motion.c \
 	%D%/structures/plot_trajectory.c \
 	%D%/report/sha256.c \
-	%D%/report/sha256.h \
 	%D%/structures/plot_transient.c \
-	%D%/structures/structures.h \
 	%D%/drawing/style.c \
-	%D%/drawing/style.h \
 	%D%/fields/table.c \
 	%D%/fields/units.c \
-	%D%/fields/units.h \
-	%D%/report/vtk.c \
-	%D%/report/vtk.h
+	%D%/report/vtk.c
 
 # The style and the script of reports, as lines of C.
 EXTRA_DIST += %D%/report.css %D%/report.js

@@ -1,28 +1,19 @@
 noinst_LTLIBRARIES += %D%/libresponse.la
 %C%_libresponse_la_SOURCES = \
 	%D%/orbit/about.c \
-	%D%/orbit/about.h \
 	%D%/branch/account.c \
-	%D%/branch/account.h \
 	%D%/branch/amplitude.c \
-	%D%/branch/amplitude.h \
 	%D%/branch/bracket.c \
 	%D%/branch/crossing.c \
-	%D%/branch/crossing.h \
-	%D%/branch/bracket.h \
-	%D%/backbone/backbone.c %D%/backbone/backbone.h %D%/backbone/backbone_begin.c %D%/backbone/backbone_branch.c %D%/backbone/nnm.c \
+	%D%/backbone/backbone.c %D%/backbone/backbone_begin.c %D%/backbone/backbone_branch.c %D%/backbone/nnm.c \
 	%D%/floquet/half.c \
-	%D%/floquet/half.h \
 	%D%/floquet/half_class.c \
 	%D%/floquet/half_multipliers.c \
 	%D%/branch/signs.c \
-	%D%/branch/signs.h \
 	%D%/time/automatic.c \
 	%D%/orbit/balance.c \
-	%D%/orbit/balance.h \
 	%D%/orbit/balance_active.c \
 	%D%/orbit/balance_blocks.c \
-	%D%/orbit/balance_blocks.h \
 	%D%/orbit/balance_error.c \
 	%D%/orbit/balance_fast.c \
 	%D%/orbit/balance_terms.c \
@@ -36,104 +27,78 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/time/beam_motion.c \
 	%D%/switch/branches.c \
 	%D%/switch/slower.c \
-	%D%/switch/slower.h \
 	%D%/orbit/certify.c \
-	%D%/orbit/certify.h \
 	%D%/torus/circle.c \
-	%D%/torus/circle.h \
 	%D%/branch/climb.c \
-	%D%/cycle/begin.c %D%/cycle/cycle.c %D%/cycle/cycle.h %D%/cycle/equilibrium.c %D%/cycle/export.c %D%/cycle/hopf.c %D%/cycle/hopf.h %D%/cycle/settle.c %D%/cycle/switch.c %D%/cycle/turn.c \
+	%D%/cycle/begin.c %D%/cycle/cycle.c %D%/cycle/equilibrium.c %D%/cycle/export.c %D%/cycle/hopf.c %D%/cycle/settle.c %D%/cycle/switch.c %D%/cycle/turn.c \
 	%D%/branch/closure.c \
 	%D%/branch/collide.c \
-	%D%/branch/collide.h \
 	%D%/orbit/collocation.c \
-	%D%/orbit/collocation.h \
 	%D%/branch/cover.c \
 	%D%/time/cvode.c \
 	%D%/branch/detour.c \
 	%D%/floquet/floquet.c \
-	%D%/floquet/floquet.h \
 	%D%/family/factor.c \
 	%D%/family/keep.c \
 	%D%/family/plane.c \
 	%D%/family/parameter.c \
-	%D%/family/numbers.c %D%/family/numbers.h %D%/family/smooth.c %D%/family/smooth.h \
+	%D%/family/numbers.c %D%/family/smooth.c \
 	%D%/time/flow.c \
 	%D%/time/flow_drag.c \
-	%D%/time/flow.h \
 	%D%/locus/folds.c \
-	%D%/locus/folds.h \
 	%D%/locus/folds_begin.c \
 	%D%/locus/folds_end.c \
 	%D%/locus/folds_events.c \
 	%D%/locus/folds_image.c \
 	%D%/locus/folds_isola.c \
 	%D%/locus/folds_known.c \
-	%D%/locus/folds_known.h \
 	%D%/locus/folds_levels.c \
 	%D%/locus/folds_linear.c \
 	%D%/locus/folds_list.c \
-	%D%/locus/folds_search.h \
 	%D%/locus/folds_second.c \
 	%D%/locus/folds_seed.c \
 	%D%/locus/folds_starts.c \
 	%D%/locus/folds_system.c \
 	%D%/locus/folds_walk.c \
-	%D%/locus/folds_walk.h \
-	%D%/locus/locus_own.c %D%/locus/locus_own.h %D%/locus/own_line.c %D%/locus/own_special.c \
+	%D%/locus/locus_own.c %D%/locus/own_line.c %D%/locus/own_special.c \
 	%D%/locus/own_tests.c \
 	%D%/locus/locus.c \
-	%D%/locus/locus.h \
 	%D%/locus/locus_begin.c \
 	%D%/locus/locus_events.c \
 	%D%/locus/locus_hill.c \
 	%D%/locus/locus_phase.c \
 	%D%/locus/locus_responses.c \
-	%D%/locus/locus_responses.h \
 	%D%/locus/locus_sample.c \
 	%D%/locus/locus_second.c \
 	%D%/locus/locus_system.c \
 	%D%/locus/locus_terms.c \
 	%D%/locus/locus_torus.c \
 	%D%/locus/locus_walk.c \
-	%D%/locus/locus_walk.h \
 	%D%/branch/frf.c \
 	%D%/branch/frf_begin.c \
 	%D%/branch/frf_check.c \
 	%D%/time/collocated.c \
-	%D%/time/collocated.h \
 	%D%/time/gauss.c \
 	%D%/floquet/hill_matrix.c \
-	%D%/floquet/hill_matrix.h \
 	%D%/time/integrate.c \
 	%D%/time/integrate_error.c \
 	%D%/branch/judge.c \
 	%D%/floquet/kinds.c \
 	%D%/floquet/linear.c \
 	%D%/time/lyapunov.c \
-	%D%/floquet/linear_margin.h \
 	%D%/orbit/load.c \
-	%D%/orbit/load.h \
 	%D%/orbit/differentiate.c \
-	%D%/orbit/differentiate.h \
 	%D%/branch/event_error.c \
-	%D%/branch/event_error.h \
 	%D%/branch/locate.c \
-	%D%/branch/locate.h \
-	%D%/orbit/method.h \
 	%D%/orbit/methods.c \
 	%D%/backbone/modulation.c \
-	%D%/backbone/modulation.h \
 	%D%/backbone/modulation_motion.c \
 	%D%/backbone/modulation_terms.c \
 	%D%/time/radau.c \
 	%D%/branch/resonance.c \
 	%D%/orbit/rest.c \
-	%D%/orbit/rest.h \
 	%D%/backbone/scales.c \
 	%D%/floquet/monodromy.c \
-	%D%/floquet/condensation.h \
-	%D%/floquet/monodromy.h \
 	%D%/floquet/condensation.c \
 	%D%/floquet/monodromy_condense.c \
 	%D%/floquet/monodromy_factors.c \
@@ -142,17 +107,13 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/floquet/monodromy_rest.c \
 	%D%/floquet/monodromy_step.c \
 	%D%/orbit/newton.c \
-	%D%/branch/normal_form.c %D%/branch/return_map.c %D%/branch/return_map.h \
+	%D%/branch/normal_form.c %D%/branch/return_map.c \
 	%D%/branch/orbits.c \
 	%D%/time/nystrom.c \
-	%D%/time/nystrom.h \
 	%D%/floquet/periodic.c \
 	%D%/time/planner.c \
-	%D%/time/planner.h \
 	%D%/branch/record.c \
-	%D%/branch/record.h \
 	%D%/orbit/shooting.c \
-	%D%/orbit/shooting.h \
 	%D%/orbit/shooting_free.c \
 	%D%/orbit/shooting_guess.c \
 	%D%/orbit/shooting_mesh.c \
@@ -160,31 +121,22 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/time/spectrum.c \
 	%D%/time/surge.c \
 	%D%/time/surge_lone.c \
-	%D%/time/surge_parts.h \
 	%D%/time/surge_run.c \
 	%D%/branch/stops.c \
-	%D%/branch/stops.h \
 	%D%/switch/subharmonic.c \
 	%D%/orbit/start.c \
-	%D%/orbit/start.h \
 	%D%/orbit/way.c \
 	%D%/branch/station.c \
-	%D%/branch/station.h \
 	%D%/branch/step.c \
 	%D%/time/stepper.c \
-	%D%/time/stepper.h \
 	%D%/time/sweep.c \
 	%D%/torus/torus.c \
-	%D%/torus/torus.h \
 	%D%/torus/torus_follow.c \
 	%D%/torus/torus_growth.c \
 	%D%/torus/torus_list.c \
 	%D%/torus/torus_measure.c \
 	%D%/time/tableau.c \
-	%D%/branch/trace.h \
 	%D%/branch/vanish.c \
 	%D%/orbit/work.c \
-	%D%/branch/vanish.h \
 	%D%/time/variation.c \
-	%D%/orbit/weights.c \
-	%D%/orbit/weights.h
+	%D%/orbit/weights.c

@@ -13,6 +13,7 @@
 
 #include "core/order.h"
 #include "core/progress.h"
+#include "core/hold.h"
 #include "core/report.h"
 #include "rod/run.h"
 #include "rod/so3.h"
@@ -48,27 +49,7 @@ void hawser_rod_motion_clear(struct hawser_rod_motion *motion)
 {
 	if (!motion)
 		return;
-	free(motion->time);
-	free(motion->kinetic);
-	free(motion->strain);
-	free(motion->height);
-	free(motion->work);
-	free(motion->support);
-	free(motion->damped);
-	free(motion->lost);
-	free(motion->turned);
-	free(motion->water);
-	free(motion->winch);
-	free(motion->length);
-	free(motion->momentum);
-	free(motion->angular);
-	free(motion->force);
-	free(motion->moment);
-	free(motion->x);
-	free(motion->v);
-	free(motion->T);
-	free(motion->M);
-	free(motion->shape);
+	hawser__hold_clear(&(struct hawser__hold){.last = motion->held});
 	free(motion->state);
 	memset(motion, 0, sizeof *motion);
 }

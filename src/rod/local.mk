@@ -7,9 +7,7 @@ noinst_LTLIBRARIES += %D%/librod.la
 	%D%/element.c \
 	%D%/integrate.c \
 	%D%/mesh.c \
-	%D%/mesh.h \
 	%D%/motion.c \
-	%D%/motion.h \
 	%D%/motion_form.c \
 	%D%/motion_ledger.c \
 	%D%/motion_newton.c \
@@ -17,13 +15,10 @@ noinst_LTLIBRARIES += %D%/librod.la
 	%D%/motion_winch.c \
 	%D%/points.c \
 	%D%/read.c \
-	%D%/read.h \
 	%D%/read_loads.c \
 	%D%/read_winch.c \
 	%D%/rows.c \
-	%D%/run.h \
 	%D%/so3.c \
-	%D%/so3.h \
 	%D%/solve.c \
 	%D%/statics.c \
 	%D%/water.c \

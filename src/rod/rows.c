@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/hold.h"
 #include "core/report.h"
 #include "rod/run.h"
 #include "rod/so3.h"
@@ -18,21 +19,21 @@ enum hawser_status hawser__rod_rows_open(struct hawser_rod_motion *to, size_t ro
 	                          &to->winch, &to->water, &to->length};
 	/* cppcheck-suppress uninitvar ; sizeof of its elements alone */
 	double (**const three[])[3] = {&to->momentum, &to->angular, &to->force, &to->moment};
-	int good = 1;
+	struct hawser__hold hold = {0};
 
 	for (size_t i = 0; i < sizeof plain/sizeof *plain; i++)
-		good = (*plain[i] = calloc(rows, sizeof **plain[i])) != NULL && good;
+		*plain[i] = hawser__hold(&hold, rows, sizeof **plain[i]);
 	for (size_t i = 0; i < sizeof three/sizeof *three; i++)
-		good = (*three[i] = calloc(rows, sizeof **three[i])) != NULL && good;
-	to->x = calloc(rows*probes + 1, sizeof *to->x);
-	to->v = calloc(rows*probes + 1, sizeof *to->v);
-	to->T = calloc(rows*probes + 1, sizeof *to->T);
-	to->M = calloc(rows*probes + 1, sizeof *to->M);
-	to->shape = calloc(rows*nodes, sizeof *to->shape);
+		*three[i] = hawser__hold(&hold, rows, sizeof **three[i]);
+	to->x = hawser__hold(&hold, rows*probes + 1, sizeof *to->x);
+	to->v = hawser__hold(&hold, rows*probes + 1, sizeof *to->v);
+	to->T = hawser__hold(&hold, rows*probes + 1, sizeof *to->T);
+	to->M = hawser__hold(&hold, rows*probes + 1, sizeof *to->M);
+	to->shape = hawser__hold(&hold, rows*nodes, sizeof *to->shape);
 	to->probes = (int)probes;
 	to->nodes = (int)nodes;
-	return good && to->x && to->v && to->T && to->M && to->shape ? HAWSER_OK
-	                                                             : hawser__no_memory(report, "rod");
+	to->held = hold.last;
+	return hold.short_of_memory ? hawser__no_memory(report, "rod") : HAWSER_OK;
 }
 
 static double size(const double v[3])

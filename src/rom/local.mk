@@ -1,103 +1,74 @@
 noinst_LTLIBRARIES += %D%/librom.la
 %C%_librom_la_SOURCES = \
 	%D%/condense/answer.c \
-	%D%/condense/answer.h \
 	%D%/condense/answer_freeze.c \
 	%D%/condense/answer_make.c \
 	%D%/file/auto.c \
 	%D%/energy/block.c \
 	%D%/build/build.c \
-	%D%/build/build.h \
 	%D%/choose/beyond.c \
 	%D%/choose/choose.c \
 	%D%/energy/compile.c \
 	%D%/energy/compile_cable.c \
 	%D%/condense/bend.c \
-	%D%/condense/bend.h \
 	%D%/condense/condense.c \
-	%D%/condense/condense.h \
 	%D%/condense/condense_load.c \
 	%D%/terms/contacts.c \
 	%D%/terms/absorbers.c \
-	%D%/terms/absorbers.h \
 	%D%/terms/dampers.c \
-	%D%/terms/dampers.h \
 	%D%/terms/damping.c \
 	%D%/terms/drag.c \
-	%D%/terms/drag.h \
 	%D%/file/formula.c \
 	%D%/file/export.c \
 	%D%/file/modal.c \
 	%D%/file/parse.c \
 	%D%/file/plug.c \
-	%D%/file/plug.h \
 	%D%/file/read_own.c \
 	%D%/terms/rates.c \
 	%D%/terms/terms.c \
 	%D%/terms/morison.c \
-	%D%/terms/morison.h \
 	%D%/terms/wake.c \
 	%D%/terms/wind.c \
-	%D%/terms/wind.h \
-	%D%/terms/terms.h \
 	%D%/choose/drive.c \
-	%D%/choose/drive.h \
 	%D%/energy/effort.c \
 	%D%/terms/ends.c \
-	%D%/terms/ends.h \
 	%D%/file/entries.c \
-	%D%/file/entries.h \
 	%D%/choose/cycle.c \
 	%D%/condense/displaced.c \
 	%D%/energy/exact.c \
 	%D%/energy/exact_bend.c \
-	%D%/energy/exact.h \
 	%D%/energy/exact_block.c \
 	%D%/energy/exact_make.c \
 	%D%/condense/fields.c \
-	%D%/condense/fields.h \
 	%D%/condense/follow.c \
-	%D%/condense/follow.h \
 	%D%/terms/forced.c \
 	%D%/energy/full.c \
 	%D%/energy/full_error.c \
 	%D%/energy/full_map.c \
-	%D%/energy/full_map.h \
 	%D%/energy/gradient.c \
 	%D%/terms/history.c \
-	%D%/terms/history.h \
 	%D%/terms/history_motion.c \
 	%D%/condense/inertia.c \
 	%D%/condense/inertia_amplitude.c \
-	%D%/condense/inertia.h \
 	%D%/condense/inertia_choice.c \
 	%D%/condense/basis.c \
-	%D%/condense/basis.h \
 	%D%/energy/kernel.c \
-	%D%/energy/kernel.h \
 	%D%/condense/known.c \
 	%D%/energy/law.c \
 	%D%/energy/law_range.c \
-	%D%/energy/law.h \
-	%D%/condense/known.h \
 	%D%/condense/known_below.c \
 	%D%/build/expanded.c \
-	%D%/build/expanded.h \
 	%D%/build/expanded_answer.c \
 	%D%/build/expanded_inertia.c \
 	%D%/build/line.c \
-	%D%/build/line.h \
 	%D%/build/line_answer.c \
 	%D%/build/line_inertia.c \
 	%D%/build/line_lift.c \
 	%D%/build/line_load.c \
 	%D%/terms/load.c \
-	%D%/terms/load.h \
 	%D%/condense/load_fields.c \
 	%D%/build/model.c \
-	%D%/build/model.h \
 	%D%/build/net.c \
-	%D%/build/net.h \
 	%D%/build/net_damped.c \
 	%D%/build/net_fill.c \
 	%D%/build/net_finer.c \
@@ -109,42 +80,31 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/build/net_wind.c \
 	%D%/file/open.c \
 	%D%/condense/order.c \
-	%D%/condense/order.h \
 	%D%/condense/order_effect.c \
 	%D%/energy/panel.c \
 	%D%/energy/project.c \
-	%D%/energy/project.h \
 	%D%/energy/quartic.c \
-	%D%/energy/quartic.h \
 	%D%/energy/quartic_make.c \
 	%D%/energy/quartic_tangent.c \
 	%D%/energy/relax.c \
 	%D%/file/read.c \
-	%D%/file/read.h \
 	%D%/file/read_ends.c \
 	%D%/file/read_known.c \
-	%D%/file/auto.h \
 	%D%/file/read_range.c \
 	%D%/file/rows.c \
 	%D%/energy/shapes.c \
 	%D%/condense/support.c \
-	%D%/condense/support.h \
 	%D%/condense/support_energy.c \
 	%D%/energy/support_exact.c \
 	%D%/terms/ties.c \
-	%D%/terms/ties.h \
 	%D%/condense/support_shape.c \
 	%D%/terms/travel.c \
 	%D%/terms/travel_modes.c \
-	%D%/terms/travel.h \
 	%D%/condense/twin.c \
 	%D%/terms/vary.c \
-	%D%/terms/vary.h \
 	%D%/choose/weigh.c \
-	%D%/choose/weigh.h \
 	%D%/file/write.c \
-	%D%/file/writer.c \
-	%D%/file/writer.h
+	%D%/file/writer.c
 
 # What is the same in all exported models, as lines of C.
 EXTRA_DIST += %D%/file/texts/auto.f90 %D%/file/texts/export.m %D%/file/texts/export.jl

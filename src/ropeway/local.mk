@@ -5,7 +5,6 @@ noinst_LTLIBRARIES += %D%/libropeway.la
 	%D%/statics/at.c \
 	%D%/statics/check.c \
 	%D%/expand/expand.c \
-	%D%/expand/expand.h \
 	%D%/expand/expand_answer.c \
 	%D%/expand/expand_ends.c \
 	%D%/expand/expand_follow.c \
@@ -15,10 +14,8 @@ noinst_LTLIBRARIES += %D%/libropeway.la
 	%D%/expand/expand_points.c \
 	%D%/statics/flight.c \
 	%D%/statics/given.c \
-	%D%/statics/line.h \
 	%D%/statics/march.c \
 	%D%/modes/modes.c \
-	%D%/modes/modes.h \
 	%D%/modes/modes_equations.c \
 	%D%/modes/modes_fill.c \
 	%D%/modes/modes_grid.c \
@@ -32,7 +29,6 @@ noinst_LTLIBRARIES += %D%/libropeway.la
 	%D%/modes/modes_static.c \
 	%D%/modes/modes_systems.c \
 	%D%/statics/path.c \
-	%D%/statics/rope.h \
 	%D%/statics/search.c \
 	%D%/statics/solution.c \
 	%D%/statics/trace.c
@@ -45,16 +41,13 @@ noinst_LTLIBRARIES += %D%/libropeway.la
 	%D%/modes/loop_modes.c \
 	%D%/transient/passing.c \
 	%D%/read/read.c \
-	%D%/read/read.h \
 	%D%/statics/state.c \
 	%D%/statics/sweep.c \
 	%D%/read/towers.c \
 	%D%/modes/track.c \
-	%D%/modes/track.h \
 	%D%/modes/track_match.c \
 	%D%/modes/track_sample.c \
 	%D%/transient/transient.c \
-	%D%/transient/transient.h \
 	%D%/transient/transient_chain.c \
 	%D%/transient/transient_rows.c \
 	%D%/transient/transient_slow.c \

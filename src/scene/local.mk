@@ -4,25 +4,18 @@ noinst_LTLIBRARIES += %D%/libscene.la
 	%D%/document.c \
 	%D%/events.c \
 	%D%/keys.c \
-	%D%/keys.h \
 	%D%/paths.c \
 	%D%/plausible.c \
-	%D%/reader.h \
 	%D%/scene.c \
 	%D%/page/schema.c \
-	%D%/page/schema.h \
 	%D%/page/schema_span.c \
 	%D%/page/schema_value.c \
 	%D%/span_read.c \
 	%D%/span_rows.c \
 	%D%/state_file.c \
-	%D%/state_file.h \
 	%D%/tree.c \
-	%D%/tree.h \
 	%D%/tree_keys.c \
-	%D%/tree_keys.h \
 	%D%/tree_fill.c \
-	%D%/tree_rows.h \
 	%D%/tree_set.c \
 	%D%/tree_value.c \
 	%D%/units.c \

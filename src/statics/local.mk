@@ -1,22 +1,14 @@
 noinst_LTLIBRARIES += %D%/libstatics.la
 %C%_libstatics_la_SOURCES = \
-	%D%/catenary.h \
-	%D%/frame.h \
-	%D%/models.h \
-	%D%/search.h \
-	%D%/travel.h \
 	%D%/catenary.c \
 	%D%/tension.c \
 	%D%/travel.c \
 	%D%/wind.c \
-	%D%/wind.h \
 	%D%/equivalent.c \
 	%D%/held.c \
 	%D%/limit.c \
 	%D%/load.c \
-	%D%/load.h \
 	%D%/loaded.c \
-	%D%/loaded.h \
 	%D%/loaded_solve.c \
 	%D%/sag.c \
 	%D%/length.c \

@@ -1,12 +1,10 @@
 noinst_LTLIBRARIES += %D%/libstudy.la
 %C%_libstudy_la_SOURCES = \
 	%D%/accuracy/certificate.c \
-	%D%/accuracy/certificate.h \
 	%D%/accuracy/certificate_mesh.c \
 	%D%/accuracy/certificate_start.c \
 	%D%/accuracy/certificate_span.c \
 	%D%/accuracy/certify.c \
-	%D%/accuracy/certify.h \
 	%D%/accuracy/chosen.c \
 	%D%/accuracy/closed.c \
 	%D%/accuracy/draft.c \
@@ -14,7 +12,6 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/accuracy/draft.h \
 	%D%/identify/decay.c \
 	%D%/identify/half_power.c \
-	%D%/identify/half_power.h \
 	%D%/identify/half_power_one.c %D%/identify/half_power_pair.c %D%/identify/half_power_quotient.c \
 	%D%/plan/cost.c \
 	%D%/plan/decide.c \
@@ -26,55 +23,40 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/map/net_family.c \
 	%D%/accuracy/fidelity.c \
 	%D%/identify/identify.c \
-	%D%/identify/identify.h \
 	%D%/identify/identify_match.c \
 	%D%/identify/identify_modes.c \
 	%D%/identify/identify_result.c \
 	%D%/accuracy/landmark.c \
-	%D%/accuracy/landmark.h \
 	%D%/identify/least_squares.c \
 	%D%/compare/match.c \
 	%D%/accuracy/motions.c \
-	%D%/accuracy/motions.h \
 	%D%/accuracy/peaks.c \
 	%D%/plan/plan.c \
 	%D%/accuracy/primary.c \
-	%D%/accuracy/primary.h \
 	%D%/accuracy/primary_curve.c \
-	%D%/accuracy/respond.h \
 	%D%/map/ridge.c \
-	%D%/map/ridge.h \
 	%D%/map/ridge_find.c \
 	%D%/accuracy/run.c \
 	%D%/accuracy/scales.c \
-	%D%/accuracy/scales.h \
 	%D%/accuracy/sharpen.c \
 	%D%/compare/span_motion.c \
 	%D%/sizes.c \
-	%D%/accuracy/stencil.c \
-	%D%/accuracy/stencil.h \
-	%D%/accuracy/survey.h
+	%D%/accuracy/stencil.c
 # accuracy asked for
 %C%_libstudy_la_SOURCES += \
 	%D%/accuracy/accuracy.c \
-	%D%/accuracy/accuracy.h \
 	%D%/accuracy/accuracy_full.c \
 	%D%/accuracy/full_bases.c \
 	%D%/accuracy/carry.c \
-	%D%/accuracy/carry.h \
 	%D%/compare/curve.c \
-	%D%/compare/curve.h \
 	%D%/compare/distance.c \
 	%D%/accuracy/fixed.c \
-	%D%/accuracy/instead.c \
-	%D%/compare/distance.h
+	%D%/accuracy/instead.c
 # maps over two parameters
 %C%_libstudy_la_SOURCES += \
 	%D%/map/map.c \
-	%D%/map/map.h \
 	%D%/map/map_beam.c \
 	%D%/map/map_cable.c \
-	%D%/map/map_cable.h \
 	%D%/map/map_checkpoint.c \
 	%D%/map/map_doubt.c \
 	%D%/map/map_gallop.c \
@@ -88,7 +70,6 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/map/map_quantity.c \
 	%D%/map/map_ranks.c \
 	%D%/basin/basin.c \
-	%D%/basin/basin.h \
 	%D%/basin/basin_count.c \
 	%D%/basin/basin_form.c \
 	%D%/basin/map_basin.c \
@@ -97,7 +78,6 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/map/map_row_result.c \
 	%D%/map/map_rows.c \
 	%D%/map/map_rows_across.c \
-	%D%/map/map_rows.h \
 	%D%/map/map_rows_file.c \
 	%D%/map/map_rows_ranks.c \
 	%D%/map/map_rows_lines.c \
@@ -107,7 +87,6 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 # boundaries of stability by continuation
 %C%_libstudy_la_SOURCES += \
 	%D%/hill/hill.c \
-	%D%/hill/hill.h \
 	%D%/hill/hill_count.c \
 	%D%/hill/hill_field.c \
 	%D%/hill/hill_lines.c \

@@ -4,7 +4,6 @@
  * the folder $GCOV_PREFIX (tests/run -g): a byte a block of code, not 0 where it was reached; and
  * twice the place of each block in the program, plus 1 where a function begins.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#define _GNU_SOURCE
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>

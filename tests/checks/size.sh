@@ -38,11 +38,6 @@ awk 'FNR == 1 { if (file && !named) print file ":1: no SPDX line"; file = FILENA
 for folder in src/*/; do
 	find "$folder" -name '*.c' | sed 's|.*/||' | sort | uniq -d | sed "s|^|$folder: |"
 done | nothing "the sources of a stage have different names"
-# The first thing included, so that feature macros and sizes hold for the whole file.
-awk 'FNR == 1 { if (file && first != want) print file ":1: config.h is not first"; file = FILENAME; first = "" }
-	/^#include/ && !first { first = $0 }
-	END { if (first != want) print file ":1: config.h is not first" }
-' want='#include "config.h"' $(find src -name '*.c' | sort) | nothing "config.h comes first"
 # A comment on the line, or one above the group of constants without a blank line in it.
 awk 'FNR == 1 { above = 0 }
 	/^#define [A-Z_0-9]+ +[-(]?[0-9.]/ { if (!/\/\*/ && !above) print FILENAME ":" FNR ": " $0; next }

@@ -121,17 +121,15 @@ static const struct sweep_axis closed_axis[CLOSED_AXES] = {
 static void closed_curve(struct sweep_point *point, const double *x, void *context)
 {
 	struct hawser_folds_options options = {.method = NULL};
-	const char *source = getenv("SRCDIR");
 	struct hawser_folds folds;
 	struct hawser_rom rom;
-	char path[512];
+	const char *path = source_file("tests/reference/absorber.json");
 	int there = x[FACTOR] > BORN && x[FACTOR] < MERGED, m;
 
 	(void)context;
 	point->skip = sweep_left_out(3, 1);
 	if (point->skip)
 		return;
-	snprintf(path, sizeof path, "%s/tests/reference/absorber.json", source ? source : ".");
 	point->status = hawser_rom_open(&rom, path, &point->report);
 	if (point->status)
 		return;

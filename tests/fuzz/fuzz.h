@@ -1,4 +1,4 @@
-/* tests/fuzz/fuzz.h - code common to the fuzz targets. Include "config.h" before anything else.
+/* tests/fuzz/fuzz.h - code common to the fuzz targets.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_TESTS_FUZZ_H
 #define HAWSER_TESTS_FUZZ_H

@@ -23,10 +23,8 @@ static int open_scene(const char *name)
 	const char *const set[] = {"model.condense=static"};
 	struct hawser_modes_options first = {.n = 1};
 	struct hawser_modes modes;
-	char path[4096];
+	const char *path = source_file("notebooks-data/scenes/%s.yaml", name);
 
-	snprintf(path, sizeof path, "%s/notebooks-data/scenes/%s.yaml",
-	         getenv("SRCDIR") ? getenv("SRCDIR") : ".", name);
 	if (!ok(!hawser_scene_open(&scene, path, set, 1, &report) &&
 	        !hawser_statics_scene(&statics, &scene, &report) &&
 	        !hawser_modes_solve(&modes, &statics, &first, &report), "%s %s", name,

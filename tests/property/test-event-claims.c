@@ -98,10 +98,8 @@ static double claim(const struct hawser_frf_event *event, const double complex *
 static int trace(struct hawser_frf *frf, const char *name, const struct hawser_frf_options *options)
 {
 	struct hawser_report report = {.status = HAWSER_OK};
-	const char *source = getenv("SRCDIR");
-	char path[4096];
+	const char *path = source_file("tests/reference/%s", name);
 
-	snprintf(path, sizeof path, "%s/tests/reference/%s", source ? source : ".", name);
 	if (ok(!hawser_rom_open(&rom, path, &report) && !hawser_frf_trace(frf, &rom, options, &report),
 	       "%s %s", name, report.message))
 		return 1;

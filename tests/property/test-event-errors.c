@@ -174,10 +174,8 @@ static void check_cable(void)
 	struct hawser_modes modes;
 	struct hawser_report report = {0};
 	struct hawser_rom rom;
-	char path[400];
+	const char *path = source_file("notebooks-data/scenes/b-table-4.2.yaml");
 
-	snprintf(path, sizeof path, "%s/notebooks-data/scenes/b-table-4.2.yaml",
-	         getenv("SRCDIR") ? getenv("SRCDIR") : ".");
 	if (!ok(!hawser_scene_open(&scene, path, NULL, 0, &report), "scene %s", report.message))
 		return;
 	modes_options = (struct hawser_modes_options){.n = scene.model.modes};

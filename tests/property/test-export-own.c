@@ -70,20 +70,18 @@ static int compile_and_run(double *value, int states, double p)
 
 static void compare(const char *name, const char *key, double from, double to, double p)
 {
-	const char *folder = getenv("SRCDIR") ? getenv("SRCDIR") : ".";
 	struct hawser_auto_options options = {.ntst = 0};
 	struct hawser_report report = {.message = ""};
 	struct hawser_rom_source source;
 	struct hawser_rom_family family = {.context = NULL};
 	const struct hawser_rom *rom;
 	double x[MOST], f[MOST], value[MOST + 3], worst = 0.0;
-	char path[512];
+	const char *path = source_file("tests/reference/autonomous/%s.json", name);
 	int states;
 	enum hawser_status status;
 
 	options.from = from;
 	options.to = to;
-	snprintf(path, sizeof path, "%s/tests/reference/autonomous/%s.json", folder, name);
 	status = hawser_rom_source_open(&source, path, &report);
 	if (!status)
 		status = hawser_parameter_open(&family, &source, key, 0.0, &report);

@@ -16,10 +16,8 @@
 
 static int open_model(struct hawser_rom *rom, const char *name)
 {
-	char path[512];
-	const char *source = getenv("SRCDIR");
+	const char *path = source_file("tests/reference/%s.json", name);
 
-	snprintf(path, sizeof path, "%s/tests/reference/%s.json", source ? source : ".", name);
 	return ok(!hawser_rom_open(rom, path, NULL), "%s read", path);
 }
 
@@ -80,8 +78,8 @@ static int read_scene(struct hawser_scene *scene, const char *key, double value)
 {
 	static const char *const set[] = {"model.modes=4", "model.condense=static", "model.inertia=none",
 	                                  "span.h=0"};
-	const char *source = getenv("SRCDIR");
-	char path[512], text[80];
+	char text[80];
+	const char *path = source_file("notebooks-data/scenes/b-table-4.2.yaml");
 	const char *sets[5];
 	FILE *stream;
 	int failed;
@@ -89,7 +87,6 @@ static int read_scene(struct hawser_scene *scene, const char *key, double value)
 	memcpy(sets, set, sizeof set);
 	snprintf(text, sizeof text, "%s=%.17g", key, value);
 	sets[4] = text;
-	snprintf(path, sizeof path, "%s/notebooks-data/scenes/b-table-4.2.yaml", source ? source : ".");
 	if (!(stream = fopen(path, "r")))
 		return ok(0, "%s", path);
 	failed = hawser_scene_read(scene, stream, path, sets, 5, NULL) != HAWSER_OK;

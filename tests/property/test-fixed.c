@@ -24,16 +24,13 @@ static void check(int n, double error)
 	struct hawser_modes_options lowest = {.n = n};
 	struct hawser_report report = {.message = ""};
 	static const char *const set[] = {"model.condense=static"};
-	const char *srcdir = getenv("SRCDIR");
 	struct hawser_modes modes = {.n = 0};
 	struct hawser_scene scene;
 	struct hawser_statics statics;
 	struct hawser_frf frf = {.n = 0};
 	struct hawser_rom rom = {.n = 0};
-	char path[512];
+	const char *path = source_file("notebooks-data/scenes/b-table-4.4-line-2.yaml");
 
-	snprintf(path, sizeof path, "%s/notebooks-data/scenes/b-table-4.4-line-2.yaml",
-	         srcdir ? srcdir : ".");
 	if (!ok(!hawser_scene_open(&scene, path, set, 1, &report) &&
 	        !hawser_statics_scene(&statics, &scene, &report) &&
 	        !hawser_modes_solve(&modes, &statics, &lowest, &report), "the scene %s", report.message))

@@ -23,14 +23,12 @@ static int functions(void)
 /* The model, and its first frequency. */
 static int build(struct hawser_rom *rom)
 {
-	char path[512];
 	struct hawser_scene scene;
 	struct hawser_statics statics;
 	struct hawser_report report = {0};
 	int fine;
 
-	snprintf(path, sizeof path, "%s/%s", getenv("SRCDIR") ? getenv("SRCDIR") : ".", SCENE);
-	fine = !hawser_scene_open(&scene, path, NULL, 0, &report) &&
+	fine = !hawser_scene_open(&scene, source_file(SCENE), NULL, 0, &report) &&
 	       !hawser_statics_scene(&statics, &scene, &report) &&
 	       !hawser_rom_build_full(rom, &statics, &scene, functions(), &report);
 	hawser_scene_clear(&scene);

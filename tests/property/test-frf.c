@@ -440,13 +440,11 @@ static void check_narrow_doublings(void)
 	struct hawser_statics statics;
 	struct hawser_scene scene;
 	struct hawser_rom rom;
-	char path[512];
+	const char *path = source_file("notebooks-data/scenes/b-table-4.5.yaml");
 	int fine;
 
-	snprintf(path, sizeof path, "%s/notebooks-data/scenes/b-table-4.5.yaml",
-	         getenv("SRCDIR") ? getenv("SRCDIR") : ".");
-	fine = !hawser_scene_open(&scene, path, NULL, 0, NULL);
-	fine = fine && !hawser_statics_scene(&statics, &scene, NULL) &&
+	fine = !hawser_scene_open(&scene, path, NULL, 0, NULL) &&
+	       !hawser_statics_scene(&statics, &scene, NULL) &&
 	       !hawser_modes_solve(&modes, &statics, &six, NULL) &&
 	       !hawser_rom_build(&rom, &modes, &scene, NULL);
 	hawser_modes_clear(&modes);

@@ -45,12 +45,12 @@ static struct floor any(void)
 
 static int solve(struct hawser_net_statics *st, const struct floor *of, struct hawser_report *report)
 {
-	char path[4096], nodes[TEXT], cables[TEXT], obstacles[TEXT];
+	char nodes[TEXT], cables[TEXT], obstacles[TEXT];
+	const char *path = source_file("notebooks-data/scenes/net-drag.yaml");
 	const char *const set[] = {nodes, cables, "supports={A: fixed, B: fixed}", obstacles};
 	struct hawser_net net;
 	enum hawser_status status;
 
-	snprintf(path, sizeof path, "%s/notebooks-data/scenes/net-drag.yaml", getenv("SRCDIR"));
 	snprintf(nodes, sizeof nodes, "nodes={A: [0, 0, 0], B: [%.17g, %.17g, 0]}", of->b[0], of->b[1]);
 	snprintf(cables, sizeof cables, "cables=[{name: c, from: A, to: B, EA: %.17g, rho: %.17g, length0: "
 	         "%.17g, elements: %d}]", of->EA, of->rho, of->length0, of->elements);

@@ -22,13 +22,12 @@ static int last(struct hawser_net_motion *motion, const char *scene, const char 
 	struct hawser_net_motion_options with = *options;
 	struct hawser_report report;
 	struct hawser_net net;
-	char path[4096];
+	const char *path = source_file("notebooks-data/scenes/%s.yaml", scene);
 	enum hawser_status status;
 
 	with.probe = &at;
 	with.probes = 1;
 	with.every = with.every > 0.0 ? with.every : with.until;
-	snprintf(path, sizeof path, "%s/notebooks-data/scenes/%s.yaml", getenv("SRCDIR"), scene);
 	status = hawser_net_open(&net, path, set, sets, &report);
 	if (!status)
 		status = hawser_net_integrate(motion, &net, &with, &report);

@@ -15,10 +15,8 @@ static struct hawser_report report;
 static int open_net(struct hawser_net *net, const char *folder, const char *name,
                     const char *const *set, size_t sets)
 {
-	char path[4096];
+	const char *path = source_file("%s/%s.yaml", folder, name);
 
-	snprintf(path, sizeof path, "%s/%s/%s.yaml", getenv("SRCDIR") ? getenv("SRCDIR") : ".", folder,
-	         name);
 	return ok(!hawser_net_open(net, path, set, sets, &report), "%s %s", name, report.message);
 }
 

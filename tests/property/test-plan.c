@@ -22,11 +22,9 @@ static int open_scene(const char *name)
 	struct hawser_modes_options one = {.n = 1};
 	struct hawser_modes modes = {.n = 0};
 	struct hawser_report report = {.message = ""};
-	const char *srcdir = getenv("SRCDIR");
-	char path[512];
+	const char *path = source_file("notebooks-data/scenes/%s.yaml", name);
 	int opened;
 
-	snprintf(path, sizeof path, "%s/notebooks-data/scenes/%s.yaml", srcdir ? srcdir : ".", name);
 	opened = !hawser_scene_open(&scene, path, NULL, 0, &report) &&
 	         !hawser_statics_scene(&statics, &scene, &report) &&
 	         !hawser_modes_solve(&modes, &statics, &one, &report);

@@ -18,10 +18,8 @@ static int open_scene(const char *name, const char *const *set, size_t sets)
 {
 	struct hawser_report report = {.message = ""};
 	struct hawser_modes_options options = {.n = 24};
-	char path[4096];
+	const char *path = source_file("notebooks-data/scenes/%s.yaml", name);
 
-	snprintf(path, sizeof path, "%s/notebooks-data/scenes/%s.yaml",
-	         getenv("SRCDIR") ? getenv("SRCDIR") : ".", name);
 	return ok(!hawser_scene_open(&scene, path, set, sets, &report) &&
 	          !hawser_statics_scene(&statics, &scene, &report) &&
 	          !hawser_modes_solve(&modes, &statics, &options, &report), "%s %s", name,

@@ -18,11 +18,9 @@ static int open_scene(const char *name)
 	struct hawser_report report = {.message = ""};
 	struct hawser_modes_options options = {.n = 1};
 	struct hawser_modes modes = {.n = 0};
-	char path[4096];
+	const char *path = source_file("notebooks-data/scenes/%s.yaml", name);
 	int opened;
 
-	snprintf(path, sizeof path, "%s/notebooks-data/scenes/%s.yaml",
-	         getenv("SRCDIR") ? getenv("SRCDIR") : ".", name);
 	opened = ok(!hawser_scene_open(&scene, path, NULL, 0, &report) &&
 	            !hawser_statics_scene(&statics, &scene, &report) &&
 	            !hawser_modes_solve(&modes, &statics, &options, &report), "%s %s", name,

@@ -24,11 +24,9 @@ struct own {
 
 static void begin(struct own *own, const char *name, double from, double to)
 {
-	const char *folder = getenv("SRCDIR") ? getenv("SRCDIR") : ".";
-	char path[512];
+	const char *path = source_file("tests/reference/autonomous/%s.json", name);
 
 	*own = (struct own){.options = {.from = from, .to = to, .tolerance = 1e-11, .step_max = 0.1}};
-	snprintf(path, sizeof path, "%s/tests/reference/autonomous/%s.json", folder, name);
 	ok(!hawser_rom_source_open(&own->source, path, &own->report), "%s: read%s", name,
 	   own->report.message);
 }

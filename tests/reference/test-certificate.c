@@ -54,13 +54,10 @@ static int make(struct made *made, const struct scene *scene, const char *set)
 {
 	struct hawser_frf_options choice = {.method = "balance", .unjudged = 1, .step_max = 0.05,
 		.samples = HAWSER_NONE, .tolerance = 1e-8, .event_tolerance = 1e-8};
-	const char *source = getenv("SRCDIR");
-	char path[512];
+	const char *path = source_file("tests/reference/net-rom-%s.yaml", scene->name);
 
 	*made = (struct made){.options = {.n = scene->n, .kept = scene->count ? scene->kept : NULL,
 	                                  .count = scene->count}};
-	snprintf(path, sizeof path, "%s/tests/reference/net-rom-%s.yaml", source ? source : ".",
-	         scene->name);
 	if (!ok(!hawser_net_open(&made->net, path, &set, set != NULL, &report), "%s: %s", scene->name,
 	        report.message) ||
 	    !ok(!hawser_net_rom_build(&made->rom, &made->modes, &made->net, &made->options, &report),

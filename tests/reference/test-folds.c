@@ -20,10 +20,8 @@
 
 static int open_model(struct hawser_rom *rom, const char *name)
 {
-	char path[512];
-	const char *source = getenv("SRCDIR");
+	const char *path = source_file("tests/reference/%s.json", name);
 
-	snprintf(path, sizeof path, "%s/tests/reference/%s.json", source ? source : ".", name);
 	return ok(!hawser_rom_open(rom, path, NULL), "%s read", path);
 }
 

@@ -85,16 +85,14 @@ static enum hawser_status from_scene(struct hawser_rom *rom, const char *path,
 
 /* The range of a model file is in its own units, that of a scene in multiples of the first
  * frequency. */
-static void trace(struct curve *curve, const char *folder, const char *name, int is_scene,
-                  double from, double to)
+static void trace(struct curve *curve, const char *name, int is_scene, double from, double to)
 {
 	struct hawser_frf_options options = {.method = NULL};
 	struct hawser_report report = {.message = ""};
-	char path[1024];
+	const char *path = source_file("%s/%s", is_scene ? "notebooks-data/scenes" : "tests/reference",
+	                               name);
 	double residual = 0.0, liouville = 0.0, unit;
 
-	snprintf(path, sizeof path, "%s/%s/%s", folder,
-	         is_scene ? "notebooks-data/scenes" : "tests/reference", name);
 	snprintf(curve->name, sizeof curve->name, "%s", name);
 	if (!ok(!(is_scene ? from_scene(&curve->rom, path, &report)
 	                   : hawser_rom_open(&curve->rom, path, &report)), "%s %s", name,
@@ -131,7 +129,7 @@ static void finish(struct curve *curve)
 	memset(curve, 0, sizeof *curve);
 }
 
-static void obey(struct curve *curve, const char *folder, const char *line)
+static void obey(struct curve *curve, const char *line)
 {
 	char word[64], kind[64];
 	double from, to, omega;
@@ -139,10 +137,10 @@ static void obey(struct curve *curve, const char *folder, const char *line)
 
 	if (sscanf(line, "model %63s %lf %lf", word, &from, &to) == 3) {
 		finish(curve);
-		trace(curve, folder, word, 0, from, to);
+		trace(curve, word, 0, from, to);
 	} else if (sscanf(line, "scene %63s %lf %lf", word, &from, &to) == 3) {
 		finish(curve);
-		trace(curve, folder, word, 1, from, to);
+		trace(curve, word, 1, from, to);
 	} else if (sscanf(line, "event %63s %lf %d", kind, &omega, &digits) == 3 && curve->open) {
 		const struct hawser_frf_event *event = nearest(&curve->frf, kind, omega);
 
@@ -157,17 +155,16 @@ static void obey(struct curve *curve, const char *folder, const char *line)
 	}
 }
 
-static void check_cases(const char *folder)
+static void check_cases(void)
 {
 	struct curve curve = {.name = ""};
-	char path[1024], line[512];
-	FILE *cases;
+	const char *path = source_file("tests/reference/frf-cases.txt");
+	FILE *cases = fopen(path, "r");
+	char line[512];
 
-	snprintf(path, sizeof path, "%s/tests/reference/frf-cases.txt", folder);
-	cases = fopen(path, "r");
 	if (ok(cases != NULL, "%s is there", path)) {
 		while (fgets(line, sizeof line, cases))
-			obey(&curve, folder, line);
+			obey(&curve, line);
 		fclose(cases);
 	}
 	finish(&curve);
@@ -175,14 +172,12 @@ static void check_cases(const char *folder)
 
 CASE(reference_frf_published)
 {
-	const char *folder = getenv("SRCDIR") ? getenv("SRCDIR") : ".";
-
 	for (int i = 0; hawser_frf_method(i); i++) {
 		if (hawser_frf_method(i)->approximate)
 			continue;
 		method = hawser_frf_method(i)->name;
 		printf("# %s\n", method);
-		check_cases(folder);
+		check_cases();
 	}
 	return done_testing();
 }

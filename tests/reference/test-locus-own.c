@@ -17,14 +17,12 @@ static struct hawser_report report;
 static int trace(struct hawser_locus *locus, const char *name, const char *const key[2],
                  struct hawser_locus_options options)
 {
-	const char *folder = getenv("SRCDIR") ? getenv("SRCDIR") : ".";
 	struct hawser_rom_source source;
 	struct hawser_rom_plane plane;
-	char path[512];
+	const char *path = source_file("tests/reference/autonomous/%s.json", name);
 	enum hawser_status status;
 
 	*locus = (struct hawser_locus){.n = 0};
-	snprintf(path, sizeof path, "%s/tests/reference/autonomous/%s.json", folder, name);
 	if (!ok(!hawser_rom_source_open(&source, path, &report), "%s %s", name, report.message))
 		return 0;
 	status = hawser_parameter_plane_open(&plane, &source, key, 0.0, &report);

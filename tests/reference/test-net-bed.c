@@ -14,9 +14,8 @@
 static int opened(struct hawser_net *net, const char *const *set, size_t sets)
 {
 	struct hawser_report report = {0};
-	char path[4096];
+	const char *path = source_file("notebooks-data/scenes/net-mooring.yaml");
 
-	snprintf(path, sizeof path, "%s/notebooks-data/scenes/net-mooring.yaml", getenv("SRCDIR"));
 	return ok(!hawser_net_open(net, path, set, sets, &report), "the scene: %s", report.message);
 }
 

@@ -54,10 +54,9 @@ static void driven(double until)
 	struct hawser_net net;
 	struct hawser_net_motion motion = {0};
 	struct hawser_report report;
-	char path[4096];
+	const char *path = source_file("notebooks-data/scenes/net-belt-driven.yaml");
 	enum hawser_status status;
 
-	snprintf(path, sizeof path, "%s/notebooks-data/scenes/net-belt-driven.yaml", getenv("SRCDIR"));
 	status = hawser_net_open(&net, path, NULL, 0, &report);
 	if (!status)
 		status = hawser_net_integrate(&motion, &net, &options, &report);

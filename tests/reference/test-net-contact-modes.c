@@ -17,12 +17,11 @@ static struct hawser_report report;
 static int solved(struct hawser_net *net, struct hawser_net_modes *modes, int n, const char *scene,
                   const char *const *set, size_t sets)
 {
-	char path[4096];
+	const char *path = source_file("notebooks-data/scenes/%s.yaml", scene);
 	enum hawser_status status;
 
 	report.message[0] = '\0';
 	memset(modes, 0, sizeof *modes);
-	snprintf(path, sizeof path, "%s/notebooks-data/scenes/%s.yaml", getenv("SRCDIR"), scene);
 	status = hawser_net_open(net, path, set, sets, &report);
 	if (!status)
 		status = hawser_net_modes_solve(modes, net, n, &report);
@@ -226,10 +225,9 @@ static void off_centre(void)
 		"cables.r2.elements=20", "cables.l1.elements=20", "cables.l2.elements=20"};
 	struct hawser_net net;
 	struct hawser_net_statics st = {0};
-	char path[4096];
+	const char *path = source_file("notebooks-data/scenes/net-belt.yaml");
 	enum hawser_status status;
 
-	snprintf(path, sizeof path, "%s/notebooks-data/scenes/net-belt.yaml", getenv("SRCDIR"));
 	status = hawser_net_open(&net, path, set, 6, &report);
 	if (!status)
 		status = hawser_net_solve(&st, &net, NULL, &report);

@@ -17,10 +17,9 @@ static int solved(struct hawser_net *net, struct hawser_net_statics *st, const c
                   const char *const *set, size_t sets)
 {
 	struct hawser_report report;
-	char path[4096];
+	const char *path = source_file("notebooks-data/scenes/%s.yaml", scene);
 	enum hawser_status status;
 
-	snprintf(path, sizeof path, "%s/notebooks-data/scenes/%s.yaml", getenv("SRCDIR"), scene);
 	status = hawser_net_open(net, path, set, sets, &report);
 	if (!status)
 		status = hawser_net_solve(st, net, NULL, &report);
@@ -33,10 +32,9 @@ static void refused(const char *const *set, size_t sets, enum hawser_status expe
 	struct hawser_net net;
 	struct hawser_net_statics st;
 	struct hawser_report report;
-	char path[4096];
+	const char *path = source_file("notebooks-data/scenes/net-capstan.yaml");
 	enum hawser_status status;
 
-	snprintf(path, sizeof path, "%s/notebooks-data/scenes/net-capstan.yaml", getenv("SRCDIR"));
 	status = hawser_net_open(&net, path, set, sets, &report);
 	if (!status)
 		status = hawser_net_solve(&st, &net, NULL, &report);
@@ -162,9 +160,8 @@ static void turned(void)
 		double c = cos(i*angle), s = sin(i*angle);
 		const char *set[] = {nodes, planes, "cables.line.length0=520", "cables.line.EA=1e7",
 		                     "contact={sliding: none}"};
-		char path[4096];
+		const char *path = source_file("notebooks-data/scenes/net-seabed.yaml");
 
-		snprintf(path, sizeof path, "%s/notebooks-data/scenes/net-seabed.yaml", getenv("SRCDIR"));
 		snprintf(nodes, sizeof nodes, "nodes={A: [0, 0, 0], B: [%.17g, 30, %.17g]}", 400.0*c, 400.0*s);
 		snprintf(planes, sizeof planes, "obstacles=[{plane: {point: [0, 0, 0], normal: [%.17g, 1, "
 		         "%.17g]}}, {plane: {point: [0, -90, 0], normal: [%.17g, 1, %.17g]}}]", 0.385*c,

@@ -27,12 +27,11 @@ static int opened(struct hawser_net *net, const char *bed, double length, int n,
 {
 	const char *set[] = {nodes, cable_text, bed_text, "g=9.4011927657697393", more};
 	struct hawser_report report = {0};
-	char file[4096];
+	const char *file = source_file("notebooks-data/scenes/net-mooring.yaml");
 
 	snprintf(bed_text, sizeof bed_text, "obstacles=[{name: bed, %s}]", bed);
 	snprintf(cable_text, sizeof cable_text, "cables=[{name: line, from: A, to: B, EA: 753.6e6, rho: "
 	         "113.35, length0: %.17g, elements: %d, diameter: 0.0766}]", length, n);
-	snprintf(file, sizeof file, "%s/notebooks-data/scenes/net-mooring.yaml", getenv("SRCDIR"));
 	return ok(!hawser_net_open(net, file, set, more ? 5 : 4, &report), "the scene: %s", report.message);
 }
 

@@ -17,10 +17,9 @@ static int moved(struct hawser_net *net, struct hawser_net_motion *motion,
                  const char *const *set, size_t sets)
 {
 	struct hawser_report report;
-	char path[4096];
+	const char *path = source_file("notebooks-data/scenes/%s.yaml", scene);
 	enum hawser_status status;
 
-	snprintf(path, sizeof path, "%s/notebooks-data/scenes/%s.yaml", getenv("SRCDIR"), scene);
 	status = hawser_net_open(net, path, set, sets, &report);
 	if (!status)
 		status = hawser_net_integrate(motion, net, options, &report);
@@ -178,7 +177,8 @@ static void wedge(double mu, double most, int held)
 	const struct hawser_net_probe at = {.node = 1, .cable = -1};
 	const struct hawser_net_motion_options options = {.until = 2.5, .every = 0.1, .probe = &at,
 	                                                  .probes = 1};
-	char obstacles[300], path[4096];
+	char obstacles[300];
+	const char *path = source_file("notebooks-data/scenes/net-impact.yaml");
 	const char *const set[] = {"nodes={A: [0, 3, 0], B: [1, 0, 0]}", obstacles,
 	                           "contact={restitution: 0}"};
 	struct hawser_net net;
@@ -186,7 +186,6 @@ static void wedge(double mu, double most, int held)
 	struct hawser_report report;
 	enum hawser_status status;
 
-	snprintf(path, sizeof path, "%s/notebooks-data/scenes/net-impact.yaml", getenv("SRCDIR"));
 	snprintf(obstacles, sizeof obstacles, "obstacles=[{name: floor, plane: {point: [0, 0], normal: "
 	         "[0, 1]}, friction: %g, velocity: [-0.5, 0]}, {name: k, circle: {centre: [0, 0.4], "
 	         "radius: 0.5}, "

@@ -17,9 +17,8 @@
 static enum hawser_status opened(struct hawser_net *net, const char *const *set, size_t sets,
                                  struct hawser_report *report)
 {
-	char path[4096];
+	const char *path = source_file("notebooks-data/scenes/net-mooring.yaml");
 
-	snprintf(path, sizeof path, "%s/notebooks-data/scenes/net-mooring.yaml", getenv("SRCDIR"));
 	return hawser_net_open(net, path, set, sets, report);
 }
 
@@ -152,10 +151,8 @@ static void steep(void)
 	struct hawser_net net;
 	struct hawser_net_statics st = {0};
 	struct hawser_report report = {0};
-	char path[4096];
 
-	snprintf(path, sizeof path, "%s/tests/reference/net-law.yaml", getenv("SRCDIR"));
-	if (ok(!hawser_net_open(&net, path, NULL, 0, &report) &&
+	if (ok(!hawser_net_open(&net, source_file("tests/reference/net-law.yaml"), NULL, 0, &report) &&
 	       !hawser_net_solve(&st, &net, NULL, &report), "steep laws: %s", report.message))
 		ok(st.residual < 1e-6 && st.gap < 1e-12*st.energy, "balanced to %.1e N, gap %.1e J",
 		   st.residual, st.gap);

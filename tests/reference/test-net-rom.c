@@ -50,14 +50,11 @@ static int build(struct hawser_rom *rom, const struct scene *scene)
 {
 	const struct hawser_net_rom_options options = {.n = scene->n, .bare = 1,
 		.kept = scene->count ? scene->kept : NULL, .count = scene->count};
-	const char *source = getenv("SRCDIR");
 	struct hawser_modes modes;
 	struct hawser_net net;
-	char path[512];
+	const char *path = source_file("tests/reference/net-rom-%s.yaml", scene->name);
 	int good;
 
-	snprintf(path, sizeof path, "%s/tests/reference/net-rom-%s.yaml", source ? source : ".",
-	         scene->name);
 	if (!ok(!hawser_net_open(&net, path, NULL, 0, &report), "%s: %s", scene->name, report.message))
 		return 0;
 	good = ok(!hawser_net_rom_build(rom, &modes, &net, &options, &report), "its model %s",

@@ -31,9 +31,8 @@ static void drum(void)
 {
 	static const int elements[] = {200, 400, 1000, 2000};
 	const double R = 0.25, L = 4.78535, EA = 3e6;
-	char path[4096];
+	const char *path = source_file("notebooks-data/scenes/net-capstan.yaml");
 
-	snprintf(path, sizeof path, "%s/notebooks-data/scenes/net-capstan.yaml", getenv("SRCDIR"));
 	for (int i = 0; i < 4; i++) {
 		char cables[200];
 		const char *const set[] = {"nodes={A: [-0.25, -1, 0], B: [0.25, -3, 0]}", cables, "g=9.81",
@@ -56,9 +55,8 @@ static void drum(void)
 static void sheave(void)
 {
 	static const double expected[2][2] = {{14434.16, 21805.31}, {27300.14, 41649.11}};
-	char path[4096];
+	const char *path = source_file("notebooks-data/scenes/net-capstan.yaml");
 
-	snprintf(path, sizeof path, "%s/notebooks-data/scenes/net-capstan.yaml", getenv("SRCDIR"));
 	for (int i = 0; i < 2; i++) {
 		const char *const set[] = {
 			"nodes={A: [-20, 0, 0], B: [20, 0, 0]}", "cables=[{name: c, from: A, to: B, EA: 1 MN, "
@@ -88,9 +86,8 @@ static void corner(void)
 	struct hawser_net_statics st = {0};
 	struct hawser_net net;
 	struct hawser_report report;
-	char path[4096];
+	const char *path = source_file("tests/reference/net-bed-corner.yaml");
 
-	snprintf(path, sizeof path, "%s/tests/reference/net-bed-corner.yaml", getenv("SRCDIR"));
 	if (solved(&st, path, fine, 1)) {
 		close_to(st.member[0].T_from, 650.4e3, 1e-4, "T_A, N");
 		close_to(st.reaction[1][0], 634.9e3, 1e-4, "H, N");

@@ -15,9 +15,8 @@
 static int opened(struct hawser_net *net, const char *scene, const char *const *set, size_t sets)
 {
 	struct hawser_report report = {0};
-	char path[4096];
+	const char *path = source_file("notebooks-data/scenes/%s.yaml", scene);
 
-	snprintf(path, sizeof path, "%s/notebooks-data/scenes/%s.yaml", getenv("SRCDIR"), scene);
 	return ok(!hawser_net_open(net, path, set, sets, &report), "%s: %s", scene, report.message);
 }
 

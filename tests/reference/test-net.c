@@ -91,12 +91,10 @@ static void solved(const struct hawser_net *net, const struct hawser__net_method
 
 CASE(reference_net)
 {
-	const char *top = getenv("SRCDIR");
 	struct hawser_report report = {0};
 	struct hawser_net net;
-	char path[1000];
+	const char *path = source_file("notebooks-data/scenes/net-table-3-1.yaml");
 
-	snprintf(path, sizeof path, "%s/notebooks-data/scenes/net-table-3-1.yaml", top ? top : ".");
 	if (!ok(!hawser_net_open(&net, path, NULL, 0, &report), "the scene is read"))
 		return done_testing();
 	for (int i = 0; hawser__net_method(i); i++)

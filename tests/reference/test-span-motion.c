@@ -24,10 +24,8 @@ static struct hawser_report report;
 
 static int open_span(struct hawser_scene *scene, struct hawser_statics *statics, const char *name)
 {
-	const char *folder = getenv("SRCDIR");
-	char path[1024];
+	const char *path = source_file("notebooks-data/scenes/%s", name);
 
-	snprintf(path, sizeof path, "%s/notebooks-data/scenes/%s", folder ? folder : ".", name);
 	return ok(!hawser_scene_open(scene, path, NULL, 0, &report) &&
 	          !hawser_statics_scene(statics, scene, &report), "%s %s", name, report.message);
 }

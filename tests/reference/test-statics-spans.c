@@ -80,14 +80,13 @@ static int invert(const struct row *row, const struct hawser_statics *st, enum h
 
 CASE(reference_statics_spans)
 {
-	const char *folder = getenv("SRCDIR");
-	char path[4096], line[512];
+	char line[512];
+	const char *path = source_file("tests/reference/statics-spans.tsv");
 	struct hawser_statics st;
 	struct row row;
 	FILE *file;
 	int rows = 0, failed = 0;
 
-	snprintf(path, sizeof path, "%s/tests/reference/statics-spans.tsv", folder ? folder : ".");
 	file = fopen(path, "r");
 	if (!ok(file != NULL, "%s opens", path))
 		return done_testing();

@@ -1,5 +1,4 @@
 /* tests/unit/scene-text.h - read a scene from a string.
- * Include "config.h" before anything else, for fmemopen.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_TESTS_SCENE_TEXT_H
 #define HAWSER_TESTS_SCENE_TEXT_H

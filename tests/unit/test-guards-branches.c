@@ -108,7 +108,8 @@ static void describe(char *text, size_t size, const struct hawser_statics *stati
 
 static void branches(void)
 {
-	static const struct hawser__sweep sweep = {"sweep", statics_at, describe, 0, 0, 0};
+	static const struct hawser__sweep sweep = {.where = "sweep", .statics_at = statics_at,
+	                                           .describe = describe};
 	static const struct hawser_span span = {1e6, 6.0, 9.81, 250.0, 0.0};
 	static const double ends[] = {-1.0, 1.0}, apart[] = {-1.0, -0.9};
 	int jump = 0, enough, none[2] = {0};
@@ -162,13 +163,11 @@ static void points(void)
 {
 	static const char *const set[] = {"model.condense=static", "model.modes=3", "tension.T0=40000",
 	                                  "load.per_length=[0, 80, 0]"};
-	const char *top = getenv("SRCDIR");
 	struct hawser_map_source source = {.quantity = "multiplier", .key = {"Omega", "factor.load"},
 		.from = {-1.0, 0.5}, .to = {1.0, 1.5}};
 	struct hawser_scene scene;
-	char path[4096];
+	const char *path = source_file("notebooks-data/scenes/b-table-4.2.yaml");
 
-	snprintf(path, sizeof path, "%s/notebooks-data/scenes/b-table-4.2.yaml", top ? top : ".");
 	if (!ok(!hawser_scene_open(&scene, path, set, 4, &report), "a deep span %s", report.message))
 		return;
 	source.scene = &scene;

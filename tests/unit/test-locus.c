@@ -28,11 +28,9 @@ CASE(unit_locus)
 	struct hawser_rom_family family;
 	struct hawser_locus locus;
 	struct hawser_rom rom;
-	const char *source = getenv("SRCDIR");
 	struct hawser_report report = {.message = ""};
-	char path[512];
+	const char *path = source_file("tests/reference/duffing-nlvib-01.json");
 
-	snprintf(path, sizeof path, "%s/tests/reference/duffing-nlvib-01.json", source ? source : ".");
 	if (!ok(!hawser_rom_open(&rom, path, NULL), "%s read", path) ||
 	    !ok(!hawser_factor_open(&family, &rom, HAWSER_FACTOR_LOAD, 1.0, NULL), "a family"))
 		return done_testing();

@@ -66,10 +66,8 @@ static void check(int i)
 {
 	struct hawser_report report = {.message = ""};
 	struct hawser_scene scene;
-	char path[4096];
+	const char *path = source_file("notebooks-data/scenes/%s.yaml", table[i].file);
 
-	snprintf(path, sizeof path, "%s/notebooks-data/scenes/%s.yaml", getenv("SRCDIR"),
-	         table[i].file);
 	if (!ok(hawser_scene_open(&scene, path, NULL, 0, &report) == HAWSER_OK, "%s%s%s",
 	        table[i].file, *report.message ? ": " : "", report.message))
 		return;

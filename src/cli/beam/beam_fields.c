@@ -370,7 +370,7 @@ static struct cli_head head(const void *of)
 	const struct cli_beam_result *result = of;
 
 	return (struct cli_head){result->common, "beam", result->method->name, &result->scene,
-	                         view_of(result, &result->variant[0]), NULL, NULL};
+	                         view_of(result, &result->variant[0]), NULL, NULL, NULL};
 }
 
 const struct cli_showing cli_beam_showing = {

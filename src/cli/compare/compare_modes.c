@@ -400,7 +400,7 @@ static struct cli_head head(const void *of)
 	return (struct cli_head){
 		&result->settings->common, "compare modes",
 		result->settings->method ? result->settings->method : "all", &result->scene,
-		{.scale = hawser__si, .context = result}, NULL, NULL};
+		{.scale = hawser__si, .context = result}, NULL, NULL, NULL};
 }
 
 static enum hawser_status draw(const char *path, const void *context, struct hawser_report *report)

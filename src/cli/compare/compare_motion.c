@@ -217,7 +217,7 @@ static struct cli_head head(const void *of)
 
 	return (struct cli_head){&result->settings->common, "compare motion",
 		"mesh of cable elements against reduced models", &result->of.model.scene,
-		{.scale = hawser__si, .context = result}, NULL, NULL};
+		{.scale = hawser__si, .context = result}, NULL, NULL, NULL};
 }
 
 /* Whether models say of slack what the mesh does. */

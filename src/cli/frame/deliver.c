@@ -263,8 +263,9 @@ static void show_table(struct hawser__table *table, const struct cli_showing *sh
 	cli_echo_table(table, head.common, head.command, head.scene, method);
 	if (showing->comments)
 		showing->comments(table, result);
-	if (showing->rows)
-		hawser__fields_table(table, showing->rows, head.rows ? head.rows : result, &head.view);
+	if (head.list || showing->rows)
+		hawser__fields_table(table, head.list ? head.list : showing->rows,
+		                     head.rows ? head.rows : result, &head.view);
 	if (showing->more)
 		showing->more(table, result);
 	hawser__units_comments(table);

@@ -28,13 +28,14 @@ struct cli_head cli_model_head(const struct cli_common *common, const char *comm
                                const char *method, const struct cli_model *model, unsigned options)
 {
 	return (struct cli_head){common, command, method, model->has_scene ? &model->scene : NULL,
-	                         cli_view(model, options), NULL, NULL};
+	                         cli_view(model, options), NULL, NULL, NULL};
 }
 
 struct cli_head cli_si_head(const struct cli_common *common, const char *command, const char *method,
                             const void *context, unsigned options)
 {
-	return (struct cli_head){common, command, method, NULL, {hawser__si, context, options}, NULL, NULL};
+	return (struct cli_head){common, command, method, NULL, {hawser__si, context, options}, NULL, NULL,
+	                         NULL};
 }
 
 const char *cli_unit(const struct cli_model *model, const char *name)

@@ -26,6 +26,7 @@ struct cli_head {
 	struct hawser__view view;
 	const void *rows; /* parent of the list of rows; NULL: the result */
 	const char *also; /* text after the method; or NULL */
+	const struct hawser__list *list; /* of rows, where it depends on the result; NULL: the showing's */
 };
 /* For a command whose results are in SI and without a struct hawser_scene; `context`: of the view. */
 struct cli_head cli_si_head(const struct cli_common *common, const char *command, const char *method,

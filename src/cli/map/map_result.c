@@ -440,7 +440,7 @@ static struct cli_head head(const void *of)
 		            (result->quantity->nonlinear ? 0u : LINEAR) |
 		            (result->map->narrow.count > 0 || result->map->narrow.beyond ? NARROW : 0u) |
 		            (result->basins.count > 0 ? BASINS : 0u) |
-		            (result->common->reproducible ? 0u : TIMES)}, NULL, NULL};
+		            (result->common->reproducible ? 0u : TIMES)}, NULL, NULL, NULL};
 }
 
 const struct cli_showing cli_map_showing = {

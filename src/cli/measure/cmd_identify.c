@@ -143,7 +143,7 @@ static struct cli_head head(const void *of)
 
 	return (struct cli_head){&result->settings->common, "identify",
 	                         "least squares of the logarithms of the frequencies", &result->scene,
-	                         cli_si_view(0), &result->found, NULL};
+	                         cli_si_view(0), &result->found, NULL, NULL};
 }
 
 static void key_comment(struct hawser__table *table, const struct result *result, int k)

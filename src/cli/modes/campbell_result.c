@@ -275,7 +275,7 @@ static struct cli_head head(const void *of)
 	return (struct cli_head){
 		result->common, "campbell", result->campbell.method, &result->scene,
 		cli_si_view((result->hertz ? IN_HERTZ : IN_RAD_S) | (result->harmonics ? SPACED : 0u)),
-		&result->campbell, NULL};
+		&result->campbell, NULL, NULL};
 }
 
 struct hawser__axis cli_campbell_axis(const char *column,

@@ -337,7 +337,7 @@ static struct cli_head head(const void *of)
 		result->common, "irvine", result->sweep[0].irvine.method, &result->scene,
 		{.scale = hawser__si, .context = result,
 		 .options = (result->moving ? MOVING : 0u) | (sweep != HAWSER_GIVEN_H ? OTHER : 0u) |
-		            (result->sweeps == 1 ? ONE : SEVERAL)}, NULL, NULL};
+		            (result->sweeps == 1 ? ONE : SEVERAL)}, NULL, NULL, NULL};
 }
 
 static void rows(struct hawser__table *table, const void *of)

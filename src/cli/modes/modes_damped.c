@@ -305,12 +305,11 @@ const struct hawser__field cli_damped_member[] = {
 static struct cli_head head(const void *of)
 {
 	const struct cli_damped_result *result = of;
+	struct cli_head head = cli_si_head(result->common, "modes", "damped", result,
+	                                   result->key ? SWEPT : SINGLE);
 
-	if (result->net.cables)
-		return cli_si_head(result->common, "modes", "damped", result, result->key ? SWEPT : SINGLE);
-	return (struct cli_head){
-		result->common, "modes", "damped", &result->scene,
-		{.scale = hawser__si, .context = result, .options = result->key ? SWEPT : SINGLE}, NULL, NULL};
+	head.scene = result->net.cables ? NULL : &result->scene;
+	return head;
 }
 
 static void over_comments(struct hawser__table *table, const struct cli_damped_result *result)
@@ -439,12 +438,5 @@ static enum hawser_status draw(const char *path, const void *of, struct hawser_r
 	return hawser__figure_finish(&figure, report);
 }
 
-static void rows(struct hawser__table *table, const void *of)
-{
-	struct hawser__view view = head(of).view;
-
-	hawser__fields_table(table, &row_list, of, &view);
-}
-
 const struct cli_showing cli_damped_showing = {
-	.head = head, .comments = comments, .more = rows, .fields = cli_damped_member, .draw = draw};
+	.head = head, .comments = comments, .rows = &row_list, .fields = cli_damped_member, .draw = draw};

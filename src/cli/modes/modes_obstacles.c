@@ -20,9 +20,12 @@ struct result {
 static struct cli_head head(const void *of)
 {
 	const struct cli_ropeway_modes *line = of;
+	struct cli_head head = cli_si_head(
+		line->common, "modes", "spectral elements, piece by piece", line,
+		CLI_MODES_REST | (line->points > 0 ? CLI_MODES_SHAPES : 0u));
 
-	return cli_si_head(line->common, "modes", "spectral elements, piece by piece", line,
-	                   CLI_MODES_REST | (line->points > 0 ? CLI_MODES_SHAPES : 0u));
+	head.list = line->points > 0 ? &cli_modes_ropeway_points : &cli_modes_ropeway_list;
+	return head;
 }
 
 static void comments(struct hawser__table *table, const void *of)
@@ -44,15 +47,6 @@ static void comments(struct hawser__table *table, const void *of)
 	                      : result->loose ? "; no groove: the rope moves along the axes of the circles"
 	                      : "; grooves hold the rope in the plane");
 	cli_ropeway_modes_comments(table, &result->line);
-}
-
-static void rows(struct hawser__table *table, const void *of)
-{
-	const struct cli_ropeway_modes *line = of;
-	const struct hawser__view view = head(of).view;
-
-	hawser__fields_table(table, line->points > 0 ? &cli_modes_ropeway_points
-	                                             : &cli_modes_ropeway_list, line, &view);
 }
 
 static enum hawser_status draw(const char *path, const void *of, struct hawser_report *report)
@@ -101,7 +95,7 @@ const struct hawser__field cli_modes_obstacles_member[] = {
 };
 #undef OF
 static const struct cli_showing showing = {
-	.head = head, .comments = comments, .more = rows, .fields = cli_modes_obstacles_member,
+	.head = head, .comments = comments, .fields = cli_modes_obstacles_member,
 	.stats = cli_modes_ropeway_stats, .draw = draw};
 
 /* Names of the free parts, "A to s0", and the energy in each. */

@@ -388,18 +388,9 @@ static struct cli_head head(const void *of)
 		 .options = (result->modes.gyroscopic ? TRAVELS : REST) |
 		            (result->modes.statics.bending.EI > 0.0 ? BENDS : 0u) |
 		            (result->modes.stroke ? ABSORBS : 0u) |
-		            (result->points > 0 ? SHAPES : 0u)}, NULL, NULL};
-}
-
-static void rows(struct hawser__table *table, const void *of)
-{
-	const struct cli_modes_result *result = of;
-	struct hawser__view view = head(of).view;
-
-	if (result->points > 0)
-		hawser__fields_table(table, &point_list, result, &view);
-	else
-		hawser__fields_table(table, &mode_list, &result->modes, &view);
+		            (result->points > 0 ? SHAPES : 0u)},
+		result->points > 0 ? (const void *)result : &result->modes, NULL,
+		result->points > 0 ? &point_list : &mode_list};
 }
 
 static enum hawser_status draw(const char *path, const void *of, struct hawser_report *report)
@@ -417,4 +408,4 @@ static enum hawser_status draw(const char *path, const void *of, struct hawser_r
 }
 
 const struct cli_showing cli_modes_showing = {
-	.head = head, .comments = comments, .more = rows, .fields = result_field, .draw = draw};
+	.head = head, .comments = comments, .fields = result_field, .draw = draw};

@@ -103,20 +103,13 @@ static struct cli_head head(const void *of)
 {
 	const struct cli_ropeway_modes *result = of;
 	int runs = result->modes.gyroscopic;
+	struct cli_head head = cli_si_head(
+		result->common, "modes", "spectral elements, piece by piece", result,
+		CLI_MODES_ROPEWAY | (runs ? CLI_MODES_RUNS : CLI_MODES_REST) |
+		(result->lanes > 1 ? CLI_MODES_LOOP : 0u) | (result->points > 0 ? CLI_MODES_SHAPES : 0u));
 
-	return cli_si_head(result->common, "modes", "spectral elements, piece by piece", result,
-	                   CLI_MODES_ROPEWAY | (runs ? CLI_MODES_RUNS : CLI_MODES_REST) |
-	                   (result->lanes > 1 ? CLI_MODES_LOOP : 0u) |
-	                   (result->points > 0 ? CLI_MODES_SHAPES : 0u));
-}
-
-static void rows(struct hawser__table *table, const void *of)
-{
-	const struct cli_ropeway_modes *result = of;
-	const struct hawser__view view = head(of).view;
-
-	hawser__fields_table(table, result->points > 0 ? &cli_modes_ropeway_points
-	                                               : &cli_modes_ropeway_list, result, &view);
+	head.list = result->points > 0 ? &cli_modes_ropeway_points : &cli_modes_ropeway_list;
+	return head;
 }
 
 enum hawser_status cli_ropeway_modes_draw(const char *path,
@@ -170,7 +163,7 @@ const struct hawser__field cli_modes_ropeway_stats[] = {
 	HAWSER__END,
 };
 static const struct cli_showing showing = {
-	.head = head, .comments = comments, .more = rows, .fields = cli_modes_ropeway_member,
+	.head = head, .comments = comments, .fields = cli_modes_ropeway_member,
 	.stats = cli_modes_ropeway_stats, .draw = draw};
 
 /* --- what is shown --- */

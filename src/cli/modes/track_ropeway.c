@@ -196,13 +196,6 @@ static void comments(struct hawser__table *table, const void *of)
 		                      *t->sweep.si ? " " : "", t->sweep.si, track->why.message);
 }
 
-static void rows(struct hawser__table *table, const void *of)
-{
-	const struct hawser__view view = head(of).view;
-
-	hawser__fields_table(table, &cli_track_rows, of, &view);
-}
-
 /* Lines of the passing of carriers, each with its number where it leaves the panel. */
 static void draw_harmonics(struct hawser__figure *figure, const struct cli_track *t, double last,
                            double high)
@@ -322,7 +315,8 @@ static enum hawser_status draw(const char *path, const void *of, struct hawser_r
 }
 
 static const struct cli_showing showing = {
-	.head = head, .comments = comments, .more = rows, .fields = cli_track_member, .draw = draw};
+	.head = head, .comments = comments, .rows = &cli_track_rows, .fields = cli_track_member,
+	.draw = draw};
 
 /* Where the harmonics of the passing of carriers meet the branches. */
 static enum hawser_status resonances(struct cli_track *t, struct hawser_report *report)

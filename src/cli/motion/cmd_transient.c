@@ -59,11 +59,17 @@ static const char *const event_name[] = {"start", "stop", "run"};
 static struct cli_head head(const void *of)
 {
 	const struct cli_transient *result = of;
+	struct cli_head head = cli_si_head(
+		result->common, "transient", result->passes
+		? "catenaries and arcs, phase by phase"
+		: "chain of masses and springs on the statics of each phase, midpoint rule",
+		NULL, (unsigned)result->table);
 
-	return cli_si_head(result->common, "transient", result->passes
-	                   ? "catenaries and arcs, phase by phase"
-	                   : "chain of masses and springs on the statics of each phase, midpoint rule",
-	                   NULL, (unsigned)result->table);
+	head.list = result->passes ? &cli_passing_list
+		: result->table == CLI_TRANSIENT_SPANS ? &cli_transient_span_list
+		: result->table == CLI_TRANSIENT_TOWERS ? &cli_transient_tower_list
+		: &cli_transient_row_list;
+	return head;
 }
 
 static void comments(struct hawser__table *table, const void *of)
@@ -107,17 +113,6 @@ static void comments(struct hawser__table *table, const void *of)
 	                      run->error_travel);
 }
 
-static void rows(struct hawser__table *table, const void *of)
-{
-	const struct cli_transient *result = of;
-	const struct hawser__view view = cli_si_view(0);
-
-	hawser__fields_table(table, result->passes ? &cli_passing_list
-	                     : result->table == CLI_TRANSIENT_SPANS ? &cli_transient_span_list
-	                     : result->table == CLI_TRANSIENT_TOWERS ? &cli_transient_tower_list
-	                     : &cli_transient_row_list, result, &view);
-}
-
 static enum hawser_status draw(const char *path, const void *of, struct hawser_report *report)
 {
 	const struct cli_transient *result = of;
@@ -128,7 +123,7 @@ static enum hawser_status draw(const char *path, const void *of, struct hawser_r
 }
 
 static const struct cli_showing showing = {
-	.head = head, .comments = comments, .more = rows, .fields = cli_transient_field, .draw = draw};
+	.head = head, .comments = comments, .fields = cli_transient_field, .draw = draw};
 
 /* --- the command --- */
 

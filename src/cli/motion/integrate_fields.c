@@ -293,15 +293,8 @@ static struct cli_head head(const void *of)
 		(result->lyapunov.averaged > 0 ? EXPONENTS : 0u));
 
 	head.view.context = result;
+	head.list = result->spectrum ? &spectrum_list : &history_list;
 	return head;
-}
-
-static void rows(struct hawser__table *table, const void *of)
-{
-	const struct cli_integrate_result *result = of;
-	struct hawser__view view = head(of).view;
-
-	hawser__fields_table(table, result->spectrum ? &spectrum_list : &history_list, result, &view);
 }
 
 struct hawser__axis cli_integrate_axis(const struct cli_integrate_result *result)
@@ -312,5 +305,5 @@ struct hawser__axis cli_integrate_axis(const struct cli_integrate_result *result
 }
 
 const struct cli_showing cli_integrate_showing = {
-	.head = head, .comments = cli_integrate_comments, .more = rows, .fields = integrate_field,
+	.head = head, .comments = cli_integrate_comments, .fields = integrate_field,
 	.stats = cost_field, .draw = cli_integrate_draw};

@@ -176,7 +176,7 @@ static struct cli_head head(const void *of)
 
 	return (struct cli_head){result->common, "integrate",
 		"mesh of cable elements that carry tension only", &result->of.model.scene,
-		cli_si_view(result->run.off ? KNOWN : 0u), NULL, NULL};
+		cli_si_view(result->run.off ? KNOWN : 0u), NULL, NULL, NULL};
 }
 
 /* "y_mid 0.12 %": errors relative to the motion, of what moves. */

@@ -190,7 +190,7 @@ static struct cli_head head(const void *of)
 		            (aside(&result->statics) ? TURNED : 0u) |
 		            (settings->models ? MODELS : 0u) | (settings->kinds.cases ? CASES : 0u) |
 		            (settings->speeds ? SPEEDS : 0u) | (result->fe ? MESH : 0u) |
-		            (settings->compatibility ? COMPATIBILITY : 0u)), NULL, NULL};
+		            (settings->compatibility ? COMPATIBILITY : 0u)), NULL, NULL, NULL};
 }
 
 static void comments(struct hawser__table *table, const void *of)

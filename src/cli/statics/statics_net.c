@@ -296,24 +296,18 @@ const struct cli_listing cli_statics_net_listing[] = {
 static struct cli_head head(const void *of)
 {
 	const struct result *result = of;
+	struct cli_head head = cli_si_head(
+		result->common, "statics", result->st.method, &result->mesh.net,
+		(result->mesh.net.surfaces ? SURFACES : 0u) |
+		(result->mesh.net.water.density > 0.0 && !result->mesh.net.winds ? WATER : 0u) |
+		(result->st.bodies ? BODIES : 0u) | (result->profile ? PROFILE : 0u) |
+		(result->stiffness.rows ? CLI_STIFFNESS : 0u) |
+		(result->stiffness.rows > 3 ? CLI_STIFFNESS_TURNS : 0u));
 
-	return cli_si_head(result->common, "statics", result->st.method, &result->mesh.net,
-	                   (result->mesh.net.surfaces ? SURFACES : 0u) |
-	                   (result->mesh.net.water.density > 0.0 && !result->mesh.net.winds ? WATER : 0u) |
-	                   (result->st.bodies ? BODIES : 0u) | (result->profile ? PROFILE : 0u) |
-	                   (result->stiffness.rows ? CLI_STIFFNESS : 0u) |
-	                   (result->stiffness.rows > 3 ? CLI_STIFFNESS_TURNS : 0u));
-}
-
-static void rows(struct hawser__table *table, const void *of)
-{
-	const struct hawser__view view = head(of).view;
-
-	if (view.options & CLI_STIFFNESS)
-		hawser__fields_table(table, &cli_stiffness_list, &((const struct result *)of)->stiffness,
-		                     &view);
-	else
-		hawser__fields_table(table, view.options & PROFILE ? &point_list : &member_list, of, &view);
+	head.rows = result->stiffness.rows ? &result->stiffness : NULL;
+	head.list = result->stiffness.rows ? &cli_stiffness_list
+		: result->profile ? &point_list : &member_list;
+	return head;
 }
 
 static enum hawser_status draw(const char *path, const void *of, struct hawser_report *report)
@@ -325,7 +319,7 @@ static enum hawser_status draw(const char *path, const void *of, struct hawser_r
 		: hawser__plot_net(path, &result->mesh.net, &result->st, report);
 }
 
-static const struct cli_showing showing = {.head = head, .comments = comments, .more = rows,
+static const struct cli_showing showing = {.head = head, .comments = comments,
                                            .fields = net_field, .draw = draw};
 
 static enum hawser_status method_of(const char *name, struct hawser_report *report)

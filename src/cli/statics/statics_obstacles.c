@@ -13,9 +13,12 @@
 static struct cli_head head(const void *of)
 {
 	const struct cli_obstacles *result = of;
+	struct cli_head head = cli_si_head(
+		result->common, "statics", "catenaries and arcs, laid from end A", NULL,
+		cli_obstacles_view(result));
 
-	return cli_si_head(result->common, "statics", "catenaries and arcs, laid from end A", NULL,
-	                   cli_obstacles_view(result));
+	head.list = result->spans_wanted ? &cli_obstacle_span_list : &cli_obstacle_point_list;
+	return head;
 }
 
 static void obstacle_comments(struct hawser__table *table, const struct cli_obstacle *of,
@@ -92,15 +95,6 @@ static void comments(struct hawser__table *table, const void *of)
 	limit_comment(table, "without obstacles", &result->st.clear);
 }
 
-static void rows(struct hawser__table *table, const void *of)
-{
-	const struct cli_obstacles *result = of;
-	const struct hawser__view view = cli_si_view(cli_obstacles_view(result));
-
-	hawser__fields_table(table, result->spans_wanted ? &cli_obstacle_span_list
-	                                                 : &cli_obstacle_point_list, result, &view);
-}
-
 static enum hawser_status draw(const char *path, const void *of, struct hawser_report *report)
 {
 	const struct cli_obstacles *result = of;
@@ -109,7 +103,7 @@ static enum hawser_status draw(const char *path, const void *of, struct hawser_r
 }
 
 static const struct cli_showing showing = {
-	.head = head, .comments = comments, .more = rows, .fields = cli_obstacles_field, .draw = draw};
+	.head = head, .comments = comments, .fields = cli_obstacles_field, .draw = draw};
 
 enum hawser_status cli_statics_obstacles(const void *settings, struct hawser_report *report)
 {

@@ -18,6 +18,9 @@ enum {
 
 struct hawser__branches;
 
+struct hawser__sample;
+struct hawser__crossover;
+
 /* A kind of sweep: the functions and properties that depend on the swept quantity. */
 struct hawser__sweep {
 	const char *where; /* `where` of reports */
@@ -27,6 +30,11 @@ struct hawser__sweep {
 	                            struct hawser_report *report);
 	/* Write the abscissa as text for reports, such as "H = 80000 N". */
 	void (*describe)(char *text, size_t size, const struct hawser_statics *statics);
+	/* Put into the result: station i; the mode of a branch there, `place` by frequency in its plane,
+	 * at [stations][branches]; a crossover of two branches, numbered from 1. */
+	void (*station)(void *result, int i, const struct hawser__sample *sample);
+	void (*branch)(void *result, size_t at, int place, const struct hawser_mode *mode);
+	void (*crossover)(void *result, const struct hawser__crossover *at, int below, int above);
 	int moving; /* 1: the cable travels, the modes are complex */
 	int ends;   /* 1: the cable has no solution beyond some x; a search that reaches it stops */
 	int marks;  /* branches that cannot be distinguished: 1: mark the sample and continue; 0:
@@ -103,12 +111,10 @@ struct hawser__branches {
 /* branches_follow.c: tell that this part of the present stage is done. */
 void hawser__branches_tell(struct hawser__branches *all, double fraction);
 
-
-/* branches_crossover.c: the two branches of a crossover. If they cross, swap their places in
- * all->at. Returns 0 if neither is one of the requested branches. To be called for the crossovers
- * in the order of the sweep. */
-int hawser__branches_pair(int *below, int *above, struct hawser__branches *all,
-                          const struct hawser__crossover *crossover);
+/* branches_crossover.c: fill branch [in + out] and, by the functions of the sweep and in its order, the
+ * rest of a result. The crossovers of `all` are sorted. */
+void hawser__branches_read(void *result, struct hawser_irvine_branch *branch,
+                           struct hawser__branches *all);
 
 /* Prepare *all, whose sweep, context, span and options are set, for _follow. */
 enum hawser_status hawser__branches_open(struct hawser__branches *all,

@@ -352,16 +352,60 @@ enum hawser_status hawser__branches_veerings(struct hawser__branches *all,
 	return status;
 }
 
-int hawser__branches_pair(int *below, int *above, struct hawser__branches *all,
-                          const struct hawser__crossover *crossover)
-{
-	int k = crossover->k;
+/* --- the result --- */
 
-	*below = all->at[k];
-	*above = all->at[k + 1];
-	if (crossover->kind == HAWSER_CROSSING) {
-		all->at[k] = *above;
-		all->at[k + 1] = *below;
+/* Sort into the order of the sweep, by insertion: there are few. */
+static void sort_crossovers(struct hawser__branches *all, int way)
+{
+	for (int i = 1; i < all->crossovers; i++) {
+		struct hawser__crossover one = all->crossover[i];
+		int j = i;
+
+		for (; j > 0 && way*all->crossover[j - 1].x > way*one.x; j--)
+			all->crossover[j] = all->crossover[j - 1];
+		all->crossover[j] = one;
 	}
-	return *below < all->in || *above < all->in;
+}
+
+/* The two branches of a crossover, one of which was asked for, swap their places where they cross. */
+static void read_crossover(void *result, struct hawser__branches *all,
+                           const struct hawser__crossover *at)
+{
+	int below = all->at[at->k], above = all->at[at->k + 1];
+
+	if (at->kind == HAWSER_CROSSING) {
+		all->at[at->k] = above;
+		all->at[at->k + 1] = below;
+	}
+	if (below < all->in || above < all->in)
+		all->sweep->crossover(result, at, below + 1, above + 1);
+}
+
+void hawser__branches_read(void *result, struct hawser_irvine_branch *branch,
+                           struct hawser__branches *all)
+{
+	int way = all->sample[all->samples - 1].x > all->sample[0].x ? 1 : -1, next = 0;
+	size_t branches = (size_t)all->in + (size_t)all->out;
+
+	for (int b = 0; b < all->in + all->out; b++)
+		branch[b] = b < all->in ? (struct hawser_irvine_branch){HAWSER_IN_PLANE, b + 1}
+		                        : (struct hawser_irvine_branch){HAWSER_OUT_OF_PLANE, b - all->in + 1};
+	sort_crossovers(all, way);
+	for (int k = 0; k < all->at_capacity; k++)
+		all->at[k] = k;
+	for (int i = 0; i < all->samples; i++) {
+		const struct hawser__sample *sample = all->sample + i;
+		size_t row = (size_t)i*branches;
+
+		for (; next < all->crossovers && way*all->crossover[next].x < way*sample->x; next++)
+			read_crossover(result, all, all->crossover + next);
+		all->sweep->station(result, i, sample);
+		for (int place = 0; place < sample->in; place++)
+			if (all->at[place] < all->in)
+				all->sweep->branch(result, row + (size_t)all->at[place], place, sample->mode + place);
+		for (int b = 0; b < all->out; b++)
+			all->sweep->branch(result, row + (size_t)(all->in + b), b, sample->mode + sample->in + b);
+	}
+	for (; next < all->crossovers; next++)
+		read_crossover(result, all, all->crossover + next);
 }

@@ -14,6 +14,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "core/hold.h"
 #include "core/report.h"
 #include "modes/sweep/branches.h"
 
@@ -35,16 +36,7 @@ void hawser_campbell_clear(struct hawser_campbell *campbell)
 {
 	if (!campbell)
 		return;
-	free(campbell->station);
-	free(campbell->branch);
-	free(campbell->crossover);
-	free(campbell->critical);
-	free(campbell->re);
-	free(campbell->im);
-	free(campbell->residual);
-	free(campbell->downstream);
-	free(campbell->place);
-	free(campbell->family);
+	hawser__hold_clear(&(struct hawser__hold){.last = campbell->held});
 	*campbell = (struct hawser_campbell){0};
 }
 
@@ -72,8 +64,6 @@ static void describe(char *text, size_t size, const struct hawser_statics *st)
 	snprintf(text, size, "a speed of %.12g m/s", st->motion.speed);
 }
 
-static const struct hawser__sweep sweep = {where, statics_at, describe, 1, 1, 1};
-
 /* --- from places to branches --- */
 
 static enum hawser_status allocate(struct hawser_campbell *campbell,
@@ -81,75 +71,59 @@ static enum hawser_status allocate(struct hawser_campbell *campbell,
 {
 	size_t stations = (size_t)all->samples, branches = (size_t)all->in + (size_t)all->out;
 	size_t size = stations*branches;
+	struct hawser__hold hold = {0};
 
-	campbell->station = calloc(stations, sizeof *campbell->station);
-	campbell->branch = calloc(branches, sizeof *campbell->branch);
-	campbell->crossover = calloc((size_t)all->crossovers + 1, sizeof *campbell->crossover);
-	campbell->critical = calloc(1, sizeof *campbell->critical);
-	campbell->re = calloc(size, sizeof *campbell->re);
-	campbell->im = calloc(size, sizeof *campbell->im);
-	campbell->residual = calloc(size, sizeof *campbell->residual);
-	campbell->downstream = calloc(size, sizeof *campbell->downstream);
-	campbell->place = calloc(size, sizeof *campbell->place);
-	campbell->family = calloc(size, sizeof *campbell->family);
-	if (!campbell->station || !campbell->branch || !campbell->crossover || !campbell->critical ||
-	    !campbell->re || !campbell->im || !campbell->residual || !campbell->downstream ||
-	    !campbell->place || !campbell->family)
-		return hawser__no_memory(report, where);
-	return HAWSER_OK;
+	campbell->station = hawser__hold(&hold, stations, sizeof *campbell->station);
+	campbell->branch = hawser__hold(&hold, branches, sizeof *campbell->branch);
+	campbell->crossover = hawser__hold(&hold, (size_t)all->crossovers + 1, sizeof *campbell->crossover);
+	campbell->critical = hawser__hold(&hold, 1, sizeof *campbell->critical);
+	campbell->re = hawser__hold(&hold, size, sizeof *campbell->re);
+	campbell->im = hawser__hold(&hold, size, sizeof *campbell->im);
+	campbell->residual = hawser__hold(&hold, size, sizeof *campbell->residual);
+	campbell->downstream = hawser__hold(&hold, size, sizeof *campbell->downstream);
+	campbell->place = hawser__hold(&hold, size, sizeof *campbell->place);
+	campbell->family = hawser__hold(&hold, size, sizeof *campbell->family);
+	campbell->held = hold.last;
+	return hold.short_of_memory ? hawser__no_memory(report, where) : HAWSER_OK;
 }
 
-static void fill_branch(struct hawser_campbell *campbell, int i, int b, int k, int at_place,
-                        const struct hawser__sample *sample)
+static void fill_branch(void *result, size_t at, int place, const struct hawser_mode *mode)
 {
-	size_t at = (size_t)i*(size_t)campbell->branches + (size_t)b;
+	struct hawser_campbell *campbell = result;
 
-	campbell->re[at] = sample->mode[k].re;
-	campbell->im[at] = sample->mode[k].omega;
-	campbell->residual[at] = sample->mode[k].residual;
-	campbell->downstream[at] = sample->mode[k].downstream;
-	campbell->family[at] = sample->mode[k].family;
-	campbell->place[at] = at_place;
+	campbell->re[at] = mode->re;
+	campbell->im[at] = mode->omega;
+	campbell->residual[at] = mode->residual;
+	campbell->downstream[at] = mode->downstream;
+	campbell->family[at] = mode->family;
+	campbell->place[at] = place;
 }
 
-static void fill_station(struct hawser_campbell *campbell, int i, const struct hawser__branches *all)
+static void fill_station(void *result, int i, const struct hawser__sample *sample)
 {
-	const struct hawser__sample *sample = all->sample + i;
+	struct hawser_campbell *campbell = result;
 
 	campbell->station[i] = (struct hawser_campbell_station){
 		sample->statics, sample->x, sample->moved, sample->inserted, sample->unsure};
 	campbell->unsure += sample->unsure;
-	for (int k = 0; k < sample->in; k++)
-		if (all->at[k] < all->in)
-			fill_branch(campbell, i, all->at[k], k, k, sample);
-	for (int b = 0; b < all->out; b++)
-		fill_branch(campbell, i, all->in + b, sample->in + b, b, sample);
 }
 
-static void fill_crossover(struct hawser_campbell *campbell, struct hawser__branches *all,
-                           const struct hawser__crossover *at)
+static void fill_crossover(void *result, const struct hawser__crossover *at, int below, int above)
 {
-	int below, above;
+	struct hawser_campbell *campbell = result;
 
-	if (!hawser__branches_pair(&below, &above, all, at))
-		return;
 	campbell->crossover[campbell->crossovers++] = (struct hawser_campbell_crossover){
-		.kind = at->kind, .speed = at->x, .below = below + 1, .above = above + 1,
+		.kind = at->kind, .speed = at->x, .below = below, .above = above,
 		.omega = at->omega, .gap = at->gap*at->omega, .relative_gap = at->gap};
 }
 
-static int ascending(const void *a, const void *b)
-{
-	double x = ((const struct hawser__crossover *)a)->x, y = ((const struct hawser__crossover *)b)->x;
-
-	return (x > y) - (x < y);
-}
+static const struct hawser__sweep sweep = {where, statics_at, describe, fill_station, fill_branch,
+                                           fill_crossover, 1, 1, 1};
 
 static enum hawser_status finish(struct hawser_campbell *campbell, struct hawser__branches *all,
                                  struct hawser_report *report)
 {
 	enum hawser_status status = allocate(campbell, all, report);
-	int next = 0;
 
 	if (status)
 		return status;
@@ -160,21 +134,7 @@ static enum hawser_status finish(struct hawser_campbell *campbell, struct hawser
 	campbell->solves = all->solves;
 	campbell->basis = all->basis;
 	campbell->least_correlation = all->least_correlation;
-	for (int b = 0; b < campbell->branches; b++)
-		campbell->branch[b] = b < all->in
-			? (struct hawser_irvine_branch){HAWSER_IN_PLANE, b + 1}
-			: (struct hawser_irvine_branch){HAWSER_OUT_OF_PLANE, b - all->in + 1};
-	if (all->crossovers > 0)
-		qsort(all->crossover, (size_t)all->crossovers, sizeof *all->crossover, ascending);
-	for (int k = 0; k < all->at_capacity; k++)
-		all->at[k] = k;
-	for (int i = 0; i < all->samples; i++) {
-		for (; next < all->crossovers && all->crossover[next].x < all->sample[i].x; next++)
-			fill_crossover(campbell, all, all->crossover + next);
-		fill_station(campbell, i, all);
-	}
-	for (; next < all->crossovers; next++)
-		fill_crossover(campbell, all, all->crossover + next);
+	hawser__branches_read(campbell, campbell->branch, all);
 	return HAWSER_OK;
 }
 

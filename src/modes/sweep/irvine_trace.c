@@ -10,6 +10,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "core/hold.h"
 #include "core/report.h"
 #include "modes/sweep/branches.h"
 
@@ -33,9 +34,6 @@ static void describe(char *text, size_t size, const struct hawser_statics *st)
 	snprintf(text, size, "H = %.12g N", hawser_irvine_value(st, HAWSER_GIVEN_H));
 }
 
-static const struct hawser__sweep resting = {"irvine", statics_at, describe, 0, 0, 0};
-static const struct hawser__sweep travelling = {"irvine", statics_at, describe, 1, 0, 0};
-
 const char *hawser_crossover_name(enum hawser_crossover_kind kind)
 {
 	return kind == HAWSER_CROSSING ? "crossing" : "veering";
@@ -53,14 +51,7 @@ void hawser_irvine_clear(struct hawser_irvine *irvine)
 {
 	if (!irvine)
 		return;
-	free(irvine->station);
-	free(irvine->branch);
-	free(irvine->crossover);
-	free(irvine->omega);
-	free(irvine->residual);
-	free(irvine->place);
-	free(irvine->symmetry);
-	free(irvine->family);
+	hawser__hold_clear(&(struct hawser__hold){.last = irvine->held});
 	*irvine = (struct hawser_irvine){0};
 }
 
@@ -121,25 +112,23 @@ static enum hawser_status allocate(struct hawser_irvine *irvine,
                                    const struct hawser__branches *all, struct hawser_report *report)
 {
 	size_t stations = (size_t)all->samples, branches = (size_t)all->in + (size_t)all->out;
+	struct hawser__hold hold = {0};
 
-	irvine->station = calloc(stations, sizeof *irvine->station);
-	irvine->branch = calloc(branches, sizeof *irvine->branch);
-	irvine->crossover = calloc((size_t)all->crossovers + 1, sizeof *irvine->crossover);
-	irvine->omega = calloc(stations*branches, sizeof *irvine->omega);
-	irvine->residual = calloc(stations*branches, sizeof *irvine->residual);
-	irvine->place = calloc(stations*branches, sizeof *irvine->place);
-	irvine->symmetry = calloc(stations*branches, sizeof *irvine->symmetry);
-	irvine->family = calloc(stations*branches, sizeof *irvine->family);
-	if (!irvine->station || !irvine->branch || !irvine->crossover || !irvine->omega ||
-	    !irvine->residual || !irvine->place || !irvine->symmetry || !irvine->family)
-		return hawser__no_memory(report, "irvine");
-	return HAWSER_OK;
+	irvine->station = hawser__hold(&hold, stations, sizeof *irvine->station);
+	irvine->branch = hawser__hold(&hold, branches, sizeof *irvine->branch);
+	irvine->crossover = hawser__hold(&hold, (size_t)all->crossovers + 1, sizeof *irvine->crossover);
+	irvine->omega = hawser__hold(&hold, stations*branches, sizeof *irvine->omega);
+	irvine->residual = hawser__hold(&hold, stations*branches, sizeof *irvine->residual);
+	irvine->place = hawser__hold(&hold, stations*branches, sizeof *irvine->place);
+	irvine->symmetry = hawser__hold(&hold, stations*branches, sizeof *irvine->symmetry);
+	irvine->family = hawser__hold(&hold, stations*branches, sizeof *irvine->family);
+	irvine->held = hold.last;
+	return hold.short_of_memory ? hawser__no_memory(report, "irvine") : HAWSER_OK;
 }
 
-static void fill_branch(struct hawser_irvine *irvine, int i, int b, int place,
-                        const struct hawser_mode *mode)
+static void fill_branch(void *result, size_t at, int place, const struct hawser_mode *mode)
 {
-	size_t at = (size_t)i*(size_t)irvine->branches + (size_t)b;
+	struct hawser_irvine *irvine = result;
 
 	irvine->omega[at] = mode->omega;
 	irvine->residual[at] = mode->residual;
@@ -148,53 +137,35 @@ static void fill_branch(struct hawser_irvine *irvine, int i, int b, int place,
 	irvine->family[at] = mode->family;
 }
 
-/* Row i of the result; all->at maps places to in-plane branches. */
-static void fill_station(struct hawser_irvine *irvine, int i, const struct hawser__branches *all)
+static void fill_station(void *result, int i, const struct hawser__sample *sample)
 {
-	const struct hawser__sample *sample = all->sample + i;
+	struct hawser_irvine *irvine = result;
 
 	irvine->station[i] = (struct hawser_irvine_station){
 		sample->statics, hawser_irvine_value(&sample->statics, irvine->sweep), expm1(sample->moved),
 		sample->inserted};
-	for (int place = 0; place < sample->in; place++)
-		if (all->at[place] < all->in)
-			fill_branch(irvine, i, all->at[place], place, sample->mode + place);
-	for (int b = 0; b < all->out; b++)
-		fill_branch(irvine, i, all->in + b, b, sample->mode + sample->in + b);
 }
 
-static void fill_crossover(struct hawser_irvine *irvine, struct hawser__branches *all,
-                           const struct hawser__crossover *at)
+static void fill_crossover(void *result, const struct hawser__crossover *at, int below, int above)
 {
-	int below, above;
+	struct hawser_irvine *irvine = result;
 
-	if (!hawser__branches_pair(&below, &above, all, at))
-		return;
 	irvine->crossover[irvine->crossovers++] = (struct hawser_irvine_crossover){
 		.kind = at->kind, .value = hawser_irvine_value(&at->statics, irvine->sweep),
 		.H = hawser_irvine_value(&at->statics, HAWSER_GIVEN_H), .irvine = at->statics.irvine,
-		.irvine_source = at->statics.irvine_source, .below = below + 1, .above = above + 1,
+		.irvine_source = at->statics.irvine_source, .below = below, .above = above,
 		.omega = at->omega, .gap = at->gap*at->omega, .relative_gap = at->gap};
 }
 
-/* Sort into the order of the sweep, by insertion: there are few. */
-static void sort_crossovers(struct hawser__branches *all, int way)
-{
-	for (int i = 1; i < all->crossovers; i++) {
-		struct hawser__crossover one = all->crossover[i];
-		int j = i;
-
-		for (; j > 0 && way*all->crossover[j - 1].x > way*one.x; j--)
-			all->crossover[j] = all->crossover[j - 1];
-		all->crossover[j] = one;
-	}
-}
+static const struct hawser__sweep resting = {"irvine", statics_at, describe, fill_station,
+                                             fill_branch, fill_crossover, 0, 0, 0};
+static const struct hawser__sweep travelling = {"irvine", statics_at, describe, fill_station,
+                                                fill_branch, fill_crossover, 1, 0, 0};
 
 static enum hawser_status finish(struct hawser_irvine *irvine, struct hawser__branches *all,
                                  struct hawser_report *report)
 {
 	const struct hawser_irvine_options *options = all->context;
-	int way = all->sample[all->samples - 1].x > all->sample[0].x ? 1 : -1, next = 0;
 	enum hawser_status status = allocate(irvine, all, report);
 
 	if (status)
@@ -209,20 +180,7 @@ static enum hawser_status finish(struct hawser_irvine *irvine, struct hawser__br
 	irvine->in_plane = all->in;
 	irvine->solves = all->solves;
 	irvine->least_correlation = all->least_correlation;
-	for (int b = 0; b < irvine->branches; b++)
-		irvine->branch[b] = b < all->in
-			? (struct hawser_irvine_branch){HAWSER_IN_PLANE, b + 1}
-			: (struct hawser_irvine_branch){HAWSER_OUT_OF_PLANE, b - all->in + 1};
-	sort_crossovers(all, way);
-	for (int k = 0; k < all->at_capacity; k++)
-		all->at[k] = k;
-	for (int i = 0; i < all->samples; i++) {
-		for (; next < all->crossovers && way*all->crossover[next].x < way*all->sample[i].x; next++)
-			fill_crossover(irvine, all, all->crossover + next);
-		fill_station(irvine, i, all);
-	}
-	for (; next < all->crossovers; next++)
-		fill_crossover(irvine, all, all->crossover + next);
+	hawser__branches_read(irvine, irvine->branch, all);
 	return HAWSER_OK;
 }
 

@@ -10,6 +10,7 @@
 
 #include <hawser/net_modes.h>
 
+#include "core/hold.h"
 #include "core/report.h"
 #include "net/body.h"
 #include "net/statics/solve.h"
@@ -23,20 +24,7 @@ void hawser_net_modes_clear(struct hawser_net_modes *modes)
 {
 	if (!modes)
 		return;
-	free(modes->omega);
-	free(modes->mass);
-	free(modes->share);
-	free(modes->along);
-	free(modes->residual);
-	free(modes->corners);
-	free(modes->parity);
-	free(modes->waves);
-	free(modes->pair);
-	free(modes->shape);
-	free(modes->point);
-	free(modes->place);
-	free(modes->cable);
-	free(modes->S);
+	hawser__hold_clear(&(struct hawser__hold){.last = modes->held});
 	free(modes->contact);
 	free(modes->state);
 	memset(modes, 0, sizeof *modes);
@@ -45,25 +33,24 @@ void hawser_net_modes_clear(struct hawser_net_modes *modes)
 static enum hawser_status allocate(struct hawser_net_modes *modes, struct hawser_report *report)
 {
 	size_t n = (size_t)modes->n, points = (size_t)modes->points;
+	struct hawser__hold hold = {0};
 
-	modes->omega = calloc(n, sizeof *modes->omega);
-	modes->mass = calloc(n, sizeof *modes->mass);
-	modes->share = calloc(n, sizeof *modes->share);
-	modes->along = calloc(n, sizeof *modes->along);
-	modes->residual = calloc(n, sizeof *modes->residual);
-	modes->corners = calloc(n, sizeof *modes->corners);
-	modes->parity = calloc(n, sizeof *modes->parity);
-	modes->waves = calloc(n, sizeof *modes->waves);
-	modes->pair = calloc(n, sizeof *modes->pair);
-	modes->shape = calloc(n*(size_t)modes->nodes + 1, sizeof *modes->shape);
-	modes->point = calloc(n*points + 1, sizeof *modes->point);
-	modes->place = calloc(points + 1, sizeof *modes->place);
-	modes->cable = calloc(points + 1, sizeof *modes->cable);
-	modes->S = calloc(points + 1, sizeof *modes->S);
-	return modes->omega && modes->mass && modes->share && modes->along && modes->residual &&
-	       modes->corners && modes->parity && modes->waves && modes->pair && modes->shape &&
-	       modes->point && modes->place && modes->cable && modes->S
-		? HAWSER_OK : hawser__no_memory(report, "net");
+	modes->omega = hawser__hold(&hold, n, sizeof *modes->omega);
+	modes->mass = hawser__hold(&hold, n, sizeof *modes->mass);
+	modes->share = hawser__hold(&hold, n, sizeof *modes->share);
+	modes->along = hawser__hold(&hold, n, sizeof *modes->along);
+	modes->residual = hawser__hold(&hold, n, sizeof *modes->residual);
+	modes->corners = hawser__hold(&hold, n, sizeof *modes->corners);
+	modes->parity = hawser__hold(&hold, n, sizeof *modes->parity);
+	modes->waves = hawser__hold(&hold, n, sizeof *modes->waves);
+	modes->pair = hawser__hold(&hold, n, sizeof *modes->pair);
+	modes->shape = hawser__hold(&hold, n*(size_t)modes->nodes + 1, sizeof *modes->shape);
+	modes->point = hawser__hold(&hold, n*points + 1, sizeof *modes->point);
+	modes->place = hawser__hold(&hold, points + 1, sizeof *modes->place);
+	modes->cable = hawser__hold(&hold, points + 1, sizeof *modes->cable);
+	modes->S = hawser__hold(&hold, points + 1, sizeof *modes->S);
+	modes->held = hold.last;
+	return hold.short_of_memory ? hawser__no_memory(report, "net") : HAWSER_OK;
 }
 
 /* Scale a vector so that the largest displacement of a node is 1, its largest component positive. */

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/hold.h"
 #include "core/report.h"
 #include "net/motion/motion.h"
 
@@ -12,21 +13,7 @@ void hawser_net_motion_clear(struct hawser_net_motion *motion)
 {
 	if (!motion)
 		return;
-	free(motion->time);
-	free(motion->x);
-	free(motion->v);
-	free(motion->T);
-	free(motion->pull);
-	free(motion->kinetic);
-	free(motion->potential);
-	free(motion->work);
-	free(motion->dissipated);
-	free(motion->slack);
-	free(motion->touching);
-	free(motion->sliding);
-	free(motion->friction);
-	free(motion->impacts);
-	free(motion->apart);
+	hawser__hold_clear(&(struct hawser__hold){.last = motion->held});
 	free(motion->contact);
 	free(motion->failure);
 	free(motion->winch);
@@ -37,22 +24,23 @@ void hawser_net_motion_clear(struct hawser_net_motion *motion)
 enum hawser_status hawser__motion_rows(struct hawser_net_motion *to, size_t rows, size_t probes,
                                        struct hawser_report *report)
 {
-	to->time = calloc(rows, sizeof *to->time);
-	to->x = calloc(rows*probes + 1, sizeof *to->x);
-	to->v = calloc(rows*probes + 1, sizeof *to->v);
-	to->T = calloc(rows*probes + 1, sizeof *to->T);
-	to->pull = calloc(rows*probes + 1, sizeof *to->pull);
-	to->kinetic = calloc(rows, sizeof *to->kinetic);
-	to->potential = calloc(rows, sizeof *to->potential);
-	to->work = calloc(rows, sizeof *to->work);
-	to->dissipated = calloc(rows, sizeof *to->dissipated);
-	to->slack = calloc(rows, sizeof *to->slack);
-	to->touching = calloc(rows, sizeof *to->touching);
-	to->sliding = calloc(rows, sizeof *to->sliding);
-	to->friction = calloc(rows, sizeof *to->friction);
-	to->impacts = calloc(rows, sizeof *to->impacts);
-	to->apart = calloc(rows, sizeof *to->apart);
-	return to->time && to->x && to->v && to->T && to->pull && to->kinetic && to->potential &&
-	       to->work && to->dissipated && to->slack && to->touching && to->sliding && to->friction &&
-	       to->impacts && to->apart ? HAWSER_OK : hawser__no_memory(report, "net");
+	struct hawser__hold hold = {0};
+
+	to->time = hawser__hold(&hold, rows, sizeof *to->time);
+	to->x = hawser__hold(&hold, rows*probes + 1, sizeof *to->x);
+	to->v = hawser__hold(&hold, rows*probes + 1, sizeof *to->v);
+	to->T = hawser__hold(&hold, rows*probes + 1, sizeof *to->T);
+	to->pull = hawser__hold(&hold, rows*probes + 1, sizeof *to->pull);
+	to->kinetic = hawser__hold(&hold, rows, sizeof *to->kinetic);
+	to->potential = hawser__hold(&hold, rows, sizeof *to->potential);
+	to->work = hawser__hold(&hold, rows, sizeof *to->work);
+	to->dissipated = hawser__hold(&hold, rows, sizeof *to->dissipated);
+	to->slack = hawser__hold(&hold, rows, sizeof *to->slack);
+	to->touching = hawser__hold(&hold, rows, sizeof *to->touching);
+	to->sliding = hawser__hold(&hold, rows, sizeof *to->sliding);
+	to->friction = hawser__hold(&hold, rows, sizeof *to->friction);
+	to->impacts = hawser__hold(&hold, rows, sizeof *to->impacts);
+	to->apart = hawser__hold(&hold, rows, sizeof *to->apart);
+	to->held = hold.last;
+	return hold.short_of_memory ? hawser__no_memory(report, "net") : HAWSER_OK;
 }

@@ -31,13 +31,6 @@ void hawser__linear_mesh_clear(struct hawser__linear_mesh *linear)
 	hawser__klu_clear(linear->re);
 	hawser__klu_clear(linear->im);
 	hawser__mesh_clear(&linear->mesh);
-	free(linear->T);
-	free(linear->K);
-	free(linear->M);
-	free(linear->C);
-	free(linear->wet);
-	free(linear->right);
-	free(linear->x);
 	hawser__hold_clear(&linear->hold);
 	hawser__bodies_unseat(&linear->seated, &linear->seated);
 }
@@ -233,7 +226,7 @@ enum hawser_status hawser__linear_mesh_open(struct hawser__linear_mesh *linear,
 	if (!status)
 		status = hawser__mesh_build(mesh, net, report);
 	elements = (size_t)mesh->elements + 1;
-	if (!status && !(linear->T = calloc(elements, sizeof *linear->T)))
+	if (!status && !(linear->T = hawser__hold(&linear->hold, elements, sizeof *linear->T)))
 		status = hawser__no_memory(report, "net");
 	if (!status)
 		status = hawser__net_equilibrium(mesh, linear->T, net, report);
@@ -246,13 +239,13 @@ enum hawser_status hawser__linear_mesh_open(struct hawser__linear_mesh *linear,
 		status = hawser__bodies_release(mesh, net, report);
 	if (!status)
 		status = hawser__linear_bodies_open(linear, report);
-	linear->K = calloc(elements, sizeof *linear->K);
-	linear->M = calloc(elements, sizeof *linear->M);
-	linear->C = calloc(elements, sizeof *linear->C);
-	linear->wet = calloc(2*elements + (size_t)net->nodes, sizeof *linear->wet);
-	linear->right = calloc(2*(size_t)mesh->unknowns + 1, sizeof *linear->right);
-	linear->x = calloc((size_t)mesh->nodes + 1, sizeof *linear->x);
-	if (!status && !(linear->K && linear->M && linear->C && linear->wet && linear->right && linear->x))
+	linear->K = hawser__hold(&linear->hold, elements, sizeof *linear->K);
+	linear->M = hawser__hold(&linear->hold, elements, sizeof *linear->M);
+	linear->C = hawser__hold(&linear->hold, elements, sizeof *linear->C);
+	linear->wet = hawser__hold(&linear->hold, 2*elements + (size_t)net->nodes, sizeof *linear->wet);
+	linear->right = hawser__hold(&linear->hold, 2*(size_t)mesh->unknowns + 1, sizeof *linear->right);
+	linear->x = hawser__hold(&linear->hold, (size_t)mesh->nodes + 1, sizeof *linear->x);
+	if (!status && linear->hold.short_of_memory)
 		status = hawser__no_memory(report, "net");
 	if (!status)
 		status = hawser__klu_open(&linear->re, &nodes, report);

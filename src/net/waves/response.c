@@ -14,6 +14,7 @@
 #include <hawser/net_waves.h>
 
 #include "core/progress.h"
+#include "core/hold.h"
 #include "core/report.h"
 #include "core/settle.h"
 #include "core/vec3.h"
@@ -31,15 +32,7 @@ void hawser_net_waves_clear(struct hawser_net_waves *waves)
 {
 	if (!waves)
 		return;
-	free(waves->omega);
-	free(waves->spectrum);
-	free(waves->x);
-	free(waves->phase);
-	free(waves->T);
-	free(waves->T_phase);
-	free(waves->size);
-	free(waves->T_size);
-	free(waves->T_mean);
+	hawser__hold_clear(&(struct hawser__hold){.last = waves->held});
 	*waves = (struct hawser_net_waves){0};
 }
 
@@ -260,19 +253,19 @@ static enum hawser_status allocate(struct hawser_net_waves *waves, int is_sea,
 {
 	size_t points = (size_t)waves->points, probes = (size_t)waves->probes;
 	size_t cables = (size_t)waves->cables;
+	struct hawser__hold hold = {0};
 
-	waves->omega = calloc(points, sizeof *waves->omega);
-	waves->spectrum = is_sea ? calloc(points, sizeof *waves->spectrum) : NULL;
-	waves->x = calloc(3*points*probes + 1, sizeof *waves->x);
-	waves->phase = calloc(3*points*probes + 1, sizeof *waves->phase);
-	waves->T = calloc(2*points*cables + 1, sizeof *waves->T);
-	waves->T_phase = calloc(2*points*cables + 1, sizeof *waves->T_phase);
-	waves->size = calloc(probes + 1, sizeof *waves->size);
-	waves->T_size = calloc(cables + 1, sizeof *waves->T_size);
-	waves->T_mean = calloc(2*cables + 1, sizeof *waves->T_mean);
-	return waves->omega && (waves->spectrum || !is_sea) && waves->x && waves->phase && waves->T &&
-	       waves->T_phase && waves->size && waves->T_size && waves->T_mean
-		? HAWSER_OK : hawser__no_memory(report, "net");
+	waves->omega = hawser__hold(&hold, points, sizeof *waves->omega);
+	waves->spectrum = is_sea ? hawser__hold(&hold, points, sizeof *waves->spectrum) : NULL;
+	waves->x = hawser__hold(&hold, 3*points*probes + 1, sizeof *waves->x);
+	waves->phase = hawser__hold(&hold, 3*points*probes + 1, sizeof *waves->phase);
+	waves->T = hawser__hold(&hold, 2*points*cables + 1, sizeof *waves->T);
+	waves->T_phase = hawser__hold(&hold, 2*points*cables + 1, sizeof *waves->T_phase);
+	waves->size = hawser__hold(&hold, probes + 1, sizeof *waves->size);
+	waves->T_size = hawser__hold(&hold, cables + 1, sizeof *waves->T_size);
+	waves->T_mean = hawser__hold(&hold, 2*cables + 1, sizeof *waves->T_mean);
+	waves->held = hold.last;
+	return hold.short_of_memory ? hawser__no_memory(report, "net") : HAWSER_OK;
 }
 
 static enum hawser_status check(const struct hawser_net *net,

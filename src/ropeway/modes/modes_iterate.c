@@ -40,6 +40,7 @@ struct work {
 	double *x, *y, *mx, *my; /* [vectors][size]; mx and my with the weights of the inner product */
 	double *a, *b;           /* [vectors][vectors] */
 	double *mu, *last;       /* [vectors] */
+	struct hawser__hold hold;
 };
 
 void hawser__lmode_pairs_clear(struct hawser__lmode_pairs *pairs)
@@ -53,15 +54,9 @@ void hawser__lmode_pairs_clear(struct hawser__lmode_pairs *pairs)
 
 static void work_clear(struct work *t)
 {
-	free(t->x);
-	free(t->y);
-	free(t->mx);
-	free(t->my);
-	free(t->a);
-	free(t->b);
-	free(t->mu);
-	free(t->last);
-	t->x = t->y = t->mx = t->my = t->a = t->b = t->mu = t->last = NULL;
+	hawser__hold_clear(&t->hold);
+	free(t->x); /* that of another grid may take its place */
+	t->x = NULL;
 }
 
 static enum hawser_status work_open(struct work *t, struct hawser_report *report)
@@ -69,16 +64,14 @@ static enum hawser_status work_open(struct work *t, struct hawser_report *report
 	size_t q = (size_t)t->vectors, size = (size_t)t->system->size;
 
 	t->x = hawser__numbers(q, size);
-	t->y = hawser__numbers(q, size);
-	t->mx = hawser__numbers(q, size);
-	t->my = hawser__numbers(q, size);
-	t->a = hawser__numbers(q, q);
-	t->b = hawser__numbers(q, q);
-	t->mu = hawser__numbers(q, 1);
-	t->last = hawser__numbers(q, 1);
-	if (t->x && t->y && t->mx && t->my && t->a && t->b && t->mu && t->last)
-		return HAWSER_OK;
-	return hawser__no_memory(report, "line modes");
+	t->y = hawser__hold(&t->hold, q*size, sizeof *t->y);
+	t->mx = hawser__hold(&t->hold, q*size, sizeof *t->mx);
+	t->my = hawser__hold(&t->hold, q*size, sizeof *t->my);
+	t->a = hawser__hold(&t->hold, q*q, sizeof *t->a);
+	t->b = hawser__hold(&t->hold, q*q, sizeof *t->b);
+	t->mu = hawser__hold(&t->hold, q, sizeof *t->mu);
+	t->last = hawser__hold(&t->hold, q, sizeof *t->last);
+	return !t->x || t->hold.short_of_memory ? hawser__no_memory(report, "line modes") : HAWSER_OK;
 }
 
 /* Fill with random numbers, the same in each run. */
