@@ -23,7 +23,7 @@
 
 #include "response/orbit/balance.h"
 
-#define S HAWSER__NODES
+#define S HAWSER__BLOCK_NODES
 
 /* block [rows][columns] of a matrix [n][n] at the coordinates listed. */
 static void gather(float *block, const float *matrix, int n, const int *row, int rows,
