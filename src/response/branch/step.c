@@ -29,6 +29,8 @@
                                 * points of the branch, where there is no other branch: the second
                                 * one has the second-order response of stiff coordinates, and may be
                                 * larger than the first; chosen */
+#define TANGENT_RESIDUAL 1e-5  /* relative, of the tangents of the points of a branch, which serve
+                                * for predictions */
 #define WORST_ERROR 0.05       /* largest estimated relative error of an accepted orbit; chosen */
 
 /* Part of the range that is done and time left: folds turn back, and the furthest place counts. Not
@@ -232,7 +234,9 @@ enum hawser_status hawser__trace_finish(void *owner, double ds, double *angle)
 	struct hawser__trace *trace = owner;
 	const struct hawser__metric metric = hawser__orbit_metric(trace->orbit);
 
+	trace->orbit->goal = TANGENT_RESIDUAL;
 	hawser__station_turn(&trace->next, trace->orbit, hawser__known_side(trace, ds));
+	trace->orbit->goal = 0.0;
 	*angle = hawser__metric_angle(&metric, trace->here.t, trace->next.t);
 	trace->next.arc = trace->here.arc + ds;
 	if (refused(trace, *angle, ds)) /* multipliers would take most of the time of the step */

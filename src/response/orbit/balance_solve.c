@@ -93,7 +93,7 @@ static int factorise(struct hawser__balance *balance, int exact)
 	balance->direct = balance->factored && !balance->single;
 	balance->norm_inverse = 0.0;
 	balance->jacobians = 1;
-	balance->iterations = balance->spent = 0;
+	balance->iterations = balance->spent = balance->learned = 0;
 	return !balance->factored;
 }
 
@@ -145,7 +145,7 @@ static int prepare(struct hawser__balance *balance)
 	balance->factored = balance->fresh = 1;
 	balance->norm_inverse = 0.0;
 	balance->jacobians = 1;
-	balance->iterations = balance->spent = 0;
+	balance->iterations = balance->spent = balance->learned = 0;
 	memset(balance->free, 0, (size_t)balance->unknowns*sizeof(double));
 	balance->free[balance->unknowns] = 1.0;
 	hawser__blocks_apply(&balance->blocks, balance, balance->free);
@@ -227,13 +227,26 @@ static void precondition_by_blocks(struct hawser__balance *balance, double *x)
 	            x, 1);
 }
 
-/* x = approximation of M^-1 x */
+/* x = approximation of M^-1 x: its parts along the images that are known, the last first, and by the
+ * factors what remains. */
 static void precondition(struct hawser__balance *balance, double *x)
 {
+	int count = balance->unknowns + 1, last = balance->learned;
+	double *part = balance->rest + 2*(size_t)count;
+
+	memset(part, 0, (size_t)count*sizeof *part);
+	for (int i = last - 1; i >= 0 && i >= last - HAWSER__LEARNED; i--) {
+		size_t at = (size_t)(i%HAWSER__LEARNED)*count;
+		double share = cblas_ddot(count, balance->effect + at, 1, x, 1);
+
+		cblas_daxpy(count, share, balance->cause + at, 1, part, 1);
+		cblas_daxpy(count, -share, balance->effect + at, 1, x, 1);
+	}
 	if (balance->blockwise)
 		precondition_by_blocks(balance, x);
 	else
 		apply(balance, x, 'T');
+	cblas_daxpy(count, 1.0, part, 1, x, 1);
 }
 
 /* The same by blocks, which have no transpose: the largest growth of a vector near the singular
@@ -341,6 +354,26 @@ static int hopeless(const struct hawser__balance *balance, int k, double part, d
 	return !balance->fresh && k >= TRIED && k*log(goal) < OLD_KRYLOV*log(part);
 }
 
+/* Store the vectors of a solution with k iterations, combined such that their images are orthonormal:
+ * those are what old factors are wrong for, and the next Jacobian differs little from this one
+ * (Broyden's update of the inverse). */
+static void learn(struct hawser__balance *balance, const struct hessenberg *H, int k)
+{
+	int count = balance->unknowns + 1;
+
+	for (int i = 0; i < k; i++) {
+		double *v = balance->krylov + (size_t)i*count, *z = balance->flexible + (size_t)i*count;
+		size_t at = (size_t)(balance->learned++%HAWSER__LEARNED)*count;
+
+		cblas_drot(count, v, 1, v + count, 1, H->c[i], H->s[i]);
+		for (int j = 0; j < i; j++)
+			cblas_daxpy(count, -H->r[i][j], balance->flexible + (size_t)j*count, 1, z, 1);
+		cblas_dscal(count, 1.0/H->r[i][i], z, 1);
+		memcpy(balance->cause + at, z, (size_t)count*sizeof *z);
+		memcpy(balance->effect + at, v, (size_t)count*sizeof *v);
+	}
+}
+
 /* x = M^-1 x to the relative residual `goal`. Returns 1 after too many iterations; x is then
  * invalid. */
 static int gmres(struct hawser__balance *balance, double *x, double goal)
@@ -373,6 +406,7 @@ static int gmres(struct hawser__balance *balance, double *x, double goal)
 		H.g[i] /= H.r[i][i];
 		cblas_daxpy(count, H.g[i], balance->flexible + (size_t)i*count, 1, x, 1);
 	}
+	learn(balance, &H, k);
 	return 0;
 }
 
@@ -419,9 +453,9 @@ void hawser__balance_solve(struct hawser__orbit *orbit, double *dy, int homogene
 	double *x = balance->rhs;
 
 	set_right(balance, x, homogeneous, last);
-	hawser__balance_invert(balance, x, homogeneous         ? TANGENT_RESIDUAL
-	                                   : orbit->goal > 0.0 ? orbit->goal
-	                                                       : NEWTON_RESIDUAL);
+	hawser__balance_invert(balance, x, orbit->goal > 0.0 ? orbit->goal
+	                                   : homogeneous     ? TANGENT_RESIDUAL
+	                                                     : NEWTON_RESIDUAL);
 	/* a prediction from points with other active pairs may have values in inactive ones */
 	for (int i = 0; i < end; i++)
 		dy[i] = homogeneous ? 0.0 : balance->at[i] - balance->given[i];
