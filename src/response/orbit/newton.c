@@ -44,9 +44,11 @@
  * is used. */
 #define LENGTH_RESIDUAL 0.03
 /* Relative residual to which steps are solved: the defects that remain are this part of the tolerance,
- * unless that asks for less than a method's own residual. */
-#define STEP_PART 0.1
+ * unless that asks for less than a method's own residual. With larger ones (0.1, 0.03) the length of
+ * the second step is that of the error of the first solution, and the control makes shorter steps. */
+#define STEP_PART 0.01
 #define STEP_RESIDUAL 1e-5
+#define STEP_LOOSEST 1e-3
 
 enum hawser_status hawser__orbit_init(struct hawser__orbit *orbit, const struct hawser_rom *rom,
                                       int size, struct hawser_report *report)
@@ -257,7 +259,7 @@ static double residual_needed(const struct hawser__correction *correction, doubl
 {
 	double part = STEP_PART*tolerance/correction->residual;
 
-	return part < STEP_RESIDUAL ? 0.0 : fmin(part, LENGTH_RESIDUAL);
+	return part < STEP_RESIDUAL ? 0.0 : fmin(part, STEP_LOOSEST);
 }
 
 /* Newton's method from y with its Jacobian. */
