@@ -80,14 +80,22 @@ void hawser__curve_between(double *y, double *direction, const struct hawser__no
 		direction[i] /= length;
 }
 
-void hawser__curve_ahead(double *y, const struct hawser__node *node, int nodes, double ds,
-                         const struct hawser__metric *metric)
+/* Arclengths of 1 to 3 nodes, 0 of the last, and the lengths of their tangents. */
+static void place_nodes(double *s, double *scale, const struct hawser__node *node, int nodes,
+                        const struct hawser__metric *metric)
 {
-	double s[3] = {0.0}, scale[3] = {1.0, 1.0, 1.0};
-
+	s[nodes - 1] = 0.0;
 	scale[nodes - 1] = hawser__metric_length(metric, node[nodes - 1].t);
 	for (int k = nodes - 1; k > 0; k--)
 		s[k - 1] = s[k] - arc_between(metric, &node[k - 1], &node[k], &scale[k - 1], &scale[k]);
+}
+
+void hawser__curve_ahead(double *y, const struct hawser__node *node, int nodes, double ds,
+                         const struct hawser__metric *metric)
+{
+	double s[3], scale[3];
+
+	place_nodes(s, scale, node, nodes, metric);
 	memset(y, 0, (size_t)metric->size*sizeof *y);
 	for (int k = 0; k < nodes; k++) {
 		double basis = 1.0, slope = 0.0, value, tangent;
@@ -101,6 +109,29 @@ void hawser__curve_ahead(double *y, const struct hawser__node *node, int nodes, 
 		tangent = basis*basis*(ds - s[k])/scale[k];
 		for (int i = 0; i < metric->size; i++)
 			y[i] += value*node[k].y[i] + tangent*node[k].t[i];
+	}
+}
+
+/* Hermite's basis with y as a simple node: the polynomial of y has the slope `sum over the nodes of
+ * 2/back`, those of a node, with `basis` the square of its quotients of distances, what t is less. */
+void hawser__curve_slope(double *t, const double *y, const struct hawser__node *node, int nodes,
+                         double ds, const struct hawser__metric *metric)
+{
+	double s[3], scale[3];
+
+	place_nodes(s, scale, node, nodes, metric);
+	memset(t, 0, (size_t)metric->size*sizeof *t);
+	for (int k = 0; k < nodes; k++) {
+		double basis = 1.0, back = ds - s[k], sum = 2.0;
+
+		for (int o = 0; o < nodes; o++)
+			if (o != k) {
+				basis *= (ds - s[o])/(s[k] - s[o]);
+				sum += 2.0*back/(s[o] - s[k]);
+			}
+		basis *= basis;
+		for (int i = 0; i < metric->size; i++)
+			t[i] += 2.0/back*y[i] - basis*(sum/back*node[k].y[i] + node[k].t[i]/scale[k]);
 	}
 }
 

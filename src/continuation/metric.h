@@ -36,6 +36,11 @@ void hawser__curve_between(double *y, double *direction, const struct hawser__no
 void hawser__curve_ahead(double *y, const struct hawser__node *node, int nodes, double ds,
                          const struct hawser__metric *metric);
 
+/* t [size]: tangent at y, which is at arclength ds beyond the last of these nodes, on the polynomial of
+ * degree 2 nodes through them, their tangents and y. */
+void hawser__curve_slope(double *t, const double *y, const struct hawser__node *node, int nodes,
+                         double ds, const struct hawser__metric *metric);
+
 /* The fraction of the way from a to b at which component `place` of the cubic meets `bound`, which
  * lies between those of a and b; y [size] is the point there, direction [size] work space. */
 double hawser__curve_meets(double *y, double *direction, const struct hawser__node *a,

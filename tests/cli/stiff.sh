@@ -9,7 +9,7 @@
 
 scene="$SRCDIR/notebooks-data/scenes/deep-sag.yaml"
 rough "past the fold by harmonic balance" frf "$scene" --method balance --from 0.51 --to 0.6 \
-	--tolerance 1e-7 --step 0.2 --max-points 68 --multipliers --json balance.json --quiet
+	--tolerance 1e-7 --step 0.2 --max-points 80 --multipliers --json balance.json --quiet
 python "one fold, and no branch point" <<'END'
 import json
 

@@ -369,11 +369,44 @@ static void check_passage(void)
 	   off);
 }
 
+/* The tangent at a point of a circle from 1 to 3 unequal arcs before it, with tangents of any length:
+ * the error falls with the square of the arcs from one, and from more with their fourth power, as the
+ * error of arclengths by chords does. */
+static void check_slope(void)
+{
+	for (int nodes = 1; nodes <= 3; nodes++) {
+		double error[2];
+
+		for (int half = 0; half < 2; half++) {
+			double y[4][2], t[4][2], slope[2], h = half ? 0.1 : 0.2;
+			struct hawser__node node[3];
+
+			for (int e = 0; e <= nodes; e++) {
+				double angle = h*(e + 0.2385*e*e);
+
+				y[e][0] = cos(angle);
+				y[e][1] = sin(angle);
+				t[e][0] = -(1.0 + e)*y[e][1];
+				t[e][1] = (1.0 + e)*y[e][0];
+				if (e < nodes)
+					node[e] = (struct hawser__node){y[e], t[e]};
+			}
+			hawser__curve_slope(slope, y[nodes], node, nodes,
+			                    h*(1.0 + 0.2385*(2*nodes - 1)), &plane);
+			error[half] = hypot(slope[0] - t[nodes][0]/(1.0 + nodes),
+			                    slope[1] - t[nodes][1]/(1.0 + nodes));
+		}
+		ok(error[0] < 0.05 && error[1] < 1.25*error[0]/(nodes == 1 ? 4.0 : 16.0),
+		   "tangent from %d nodes: %.1e, then %.1e", nodes, error[0], error[1]);
+	}
+}
+
 CASE(unit_continuation)
 {
 	check_battery();
 	check_arcs();
 	check_ends();
 	check_passage();
+	check_slope();
 	return done_testing();
 }

@@ -11,6 +11,9 @@
 
 /* Round-off of the logarithm of a product of multipliers. */
 #define NEUTRAL 1e-12
+/* Component along Omega of a unit tangent beside a fold, where its sign needs a solution to all digits;
+ * relative to the width of Omega. */
+#define SURE_TURN 0.01
 /* Logarithm of a multiplier that is not computed. */
 #define INSIDE (-1.0)
 
@@ -191,6 +194,10 @@ void hawser__station_turn(struct hawser__station *station, struct hawser__orbit 
 	double turn;
 
 	hawser__orbit_tangent(orbit, station->t);
+	if (orbit->goal > 0.0 && fabs(station->t[orbit->size - 1]) < SURE_TURN*orbit->W) {
+		orbit->goal = 0.0;
+		hawser__orbit_tangent(orbit, station->t);
+	}
 	if (hawser__orbit_dot(orbit, station->t, side) < 0.0) {
 		for (int i = 0; i < orbit->size; i++)
 			station->t[i] = -station->t[i];

@@ -29,6 +29,8 @@
                                 * points of the branch, where there is no other branch: the second
                                 * one has the second-order response of stiff coordinates, and may be
                                 * larger than the first; chosen */
+#define TANGENT_RESIDUAL 1e-5  /* relative, of the tangents of the points of a branch, which serve
+                                * for predictions */
 #define WORST_ERROR 0.05       /* largest estimated relative error of an accepted orbit; chosen */
 
 /* Part of the range that is done and time left: folds turn back, and the furthest place counts. Not
@@ -75,17 +77,26 @@ int hawser__trace_interrupted(void *owner, int tries)
 	return tries > 0 && hawser__trace_told_to_stop(trace);
 }
 
+/* The last stations, of which there are one to three. */
+static int last_nodes(struct hawser__node *node, const struct hawser__trace *trace)
+{
+	const struct hawser__station *last[] = {&trace->before, &trace->prev, &trace->here};
+	int nodes = trace->known < 3 ? trace->known : 3;
+
+	for (int k = 0; k < nodes; k++)
+		node[k] = hawser__station_node(last[3 - nodes + k]);
+	return nodes;
+}
+
 int hawser__trace_predict(void *owner, double ds)
 {
 	struct hawser__trace *trace = owner;
 	const struct hawser__metric metric = hawser__orbit_metric(trace->orbit);
-	const struct hawser__node node[3] = {hawser__station_node(&trace->before),
-	                                     hawser__station_node(&trace->prev),
-	                                     hawser__station_node(&trace->here)};
-	int nodes = trace->known < 3 ? trace->known : 3;
+	struct hawser__node node[3];
+	int nodes = last_nodes(node, trace);
 
 	if (!hawser__known_ahead(trace, ds))
-		hawser__curve_ahead(trace->next.y, node + 3 - nodes, nodes, ds, &metric);
+		hawser__curve_ahead(trace->next.y, node, nodes, ds, &metric);
 	/* The plane is normal to the known tangent, since the direction of an extrapolated one may be
 	 * wrong. */
 	memcpy(trace->direction, trace->here.t, (size_t)trace->orbit->size*sizeof(double));
@@ -231,8 +242,15 @@ enum hawser_status hawser__trace_finish(void *owner, double ds, double *angle)
 {
 	struct hawser__trace *trace = owner;
 	const struct hawser__metric metric = hawser__orbit_metric(trace->orbit);
+	struct hawser__node node[3];
+	int nodes = last_nodes(node, trace);
 
+	hawser__curve_slope(trace->direction, trace->next.y, node, nodes, ds, &metric);
+	trace->orbit->estimate = trace->direction;
+	trace->orbit->goal = TANGENT_RESIDUAL;
 	hawser__station_turn(&trace->next, trace->orbit, hawser__known_side(trace, ds));
+	trace->orbit->goal = 0.0;
+	trace->orbit->estimate = NULL;
 	*angle = hawser__metric_angle(&metric, trace->here.t, trace->next.t);
 	trace->next.arc = trace->here.arc + ds;
 	if (refused(trace, *angle, ds)) /* multipliers would take most of the time of the step */

@@ -40,7 +40,7 @@ enum hawser_status hawser__monodromy_init(struct hawser__monodromy *monodromy, i
 	monodromy->expected = HAWSER__EXPECTED;
 	hawser__collocation_make(&monodromy->gauss);
 	hawser__collocation_indirect(&monodromy->gauss);
-	hawser__collocation_make_radau(&monodromy->radau);
+	hawser__collocation_make_radau(&monodromy->radau, S);
 	hawser__collocation_indirect(&monodromy->radau);
 	monodromy->part = calloc(3*(size_t)n, sizeof(int));
 	monodromy->pivot = calloc(wide, sizeof(int));

@@ -137,6 +137,8 @@ void hawser__balance_release(struct hawser__balance *balance)
 	free(balance->krylov);
 	free(balance->flexible);
 	free(balance->image);
+	free(balance->cause);
+	free(balance->effect);
 	free(balance->moved);
 	free(balance->border);
 	free(balance->near);

@@ -33,6 +33,7 @@
 #define HAWSER__PART 1e-5 /* smallest pair taken from another model, or with exact energy, by the roots of
                            * their energies: small motions along the cable stretch it; chosen */
 #define HAWSER__KRYLOV 72 /* largest number of iterations of GMRES */
+#define HAWSER__LEARNED 24 /* number of vectors that correct old factors; chosen */
 
 struct hawser__balance {
 	struct hawser__orbit base;
@@ -81,7 +82,7 @@ struct hawser__balance {
 	int top_from, top_count; /* the first of these harmonics, number of their unknowns */
 	int *top_pivot;          /* [top_count] */
 	double *row;             /* [size] the row of which the border is made */
-	double *rest;            /* [2][P + 1] scratch */
+	double *rest;            /* [3][P + 1] scratch */
 	double *free;            /* [P + 1] approximation of M^-1 (0, ..., 0, 1) */
 	double *near;            /* [P + 1] approximation of the singular vector of the smallest
 	                          * singular value of M */
@@ -96,6 +97,8 @@ struct hawser__balance {
 	double *row_scale, *col_scale; /* [P] */
 	double *krylov;          /* [HAWSER__KRYLOV + 1][P + 1] */
 	double *flexible;        /* [HAWSER__KRYLOV][P + 1] the same times the approximate inverse */
+	int learned;             /* number of vectors stored since the factorisation (balance_solve.c) */
+	double *cause, *effect;  /* [HAWSER__LEARNED][P + 1] the last ones and their products with M */
 	double norm_inverse;     /* estimate for lu; 0: not computed yet */
 	double turn;             /* Omega component over W of the last unit tangent */
 	struct hawser__monodromy monodromy;

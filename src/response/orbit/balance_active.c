@@ -165,9 +165,11 @@ static int make_room(struct hawser__balance *balance, int unknowns)
 	       room(&balance->T, (2*(size_t)balance->spread + 1)*n*n) |
 	       (balance->more && terms_room(balance, rows, n)) |
 	       room(&balance->rhs, 2*square) | room(&balance->krylov, (HAWSER__KRYLOV + 1)*square) |
-	       room(&balance->flexible, HAWSER__KRYLOV*square) | room(&balance->image, wide) |
+	       room(&balance->flexible, HAWSER__KRYLOV*square) |
+	       room(&balance->cause, HAWSER__LEARNED*square) |
+	       room(&balance->effect, HAWSER__LEARNED*square) | room(&balance->image, wide) |
 	       room(&balance->moved, 2*rows*n) | room(&balance->border, square) |
-	       room(&balance->near, square) | room(&balance->rest, 2*square) |
+	       room(&balance->near, square) | room(&balance->rest, 3*square) |
 	       room(&balance->free, square) |
 	       room(&balance->row_scale, square) | room(&balance->col_scale, square) |
 	       (balance->blockwise ? hawser__blocks_arrange(&balance->blocks, balance)
@@ -191,7 +193,7 @@ enum hawser_status hawser__balance_arrange(struct hawser__balance *balance,
 		if (balance->base.rom->harmonic[p].k > k)
 			k = balance->base.rom->harmonic[p].k;
 	balance->unknowns = unknowns;
-	balance->factored = balance->direct = 0;
+	balance->factored = balance->direct = balance->learned = 0;
 	balance->reach = balance->order + 2*k;
 	balance->spread = k > 2*balance->order ? k : 2*balance->order;
 	samples = 3*balance->order + balance->reach + 1;

@@ -23,10 +23,9 @@
 #include <string.h>
 
 #include "core/report.h"
-
 #include "response/orbit/balance.h"
 
-#define S HAWSER__NODES
+#define S HAWSER__BLOCK_NODES
 #define FAST 3.0 /* at the highest harmonic the static response has an error of 1/9, which GMRES
                   * corrects */
 

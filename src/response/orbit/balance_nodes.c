@@ -7,7 +7,7 @@
 
 #include "response/orbit/balance.h"
 
-#define S HAWSER__NODES
+#define S HAWSER__BLOCK_NODES
 #define SLIGHT 1e-5 /* chosen, far below the errors of the steps (balance_blocks.c) */
 
 void hawser__blocks_tabulate(struct hawser__blocks *blocks)

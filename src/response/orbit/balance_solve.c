@@ -40,8 +40,8 @@
  * factorisation is limited by the processor, an iteration by the memory). */
 #define FACTOR_COST 24.0
 /* By blocks: time of an operation of a factorisation (matrix products) over that of an iteration
- * (matrix times vector). With 0.5 the same responses took up to 12 % longer. */
-#define BLOCK_SPEED 0.2
+ * (matrix times vector). With 0.2 four drafts took 5 % longer, with 0.4 4 %. */
+#define BLOCK_SPEED 0.3
 #define BLOCK_INVERSE_ITERATIONS 2 /* they start from the vector of the last point */
 
 /* Factors in single precision take half the time and are as good a preconditioner: GMRES needs one
@@ -93,7 +93,7 @@ static int factorise(struct hawser__balance *balance, int exact)
 	balance->direct = balance->factored && !balance->single;
 	balance->norm_inverse = 0.0;
 	balance->jacobians = 1;
-	balance->iterations = balance->spent = 0;
+	balance->iterations = balance->spent = balance->learned = 0;
 	return !balance->factored;
 }
 
@@ -145,7 +145,7 @@ static int prepare(struct hawser__balance *balance)
 	balance->factored = balance->fresh = 1;
 	balance->norm_inverse = 0.0;
 	balance->jacobians = 1;
-	balance->iterations = balance->spent = 0;
+	balance->iterations = balance->spent = balance->learned = 0;
 	memset(balance->free, 0, (size_t)balance->unknowns*sizeof(double));
 	balance->free[balance->unknowns] = 1.0;
 	hawser__blocks_apply(&balance->blocks, balance, balance->free);
@@ -227,13 +227,26 @@ static void precondition_by_blocks(struct hawser__balance *balance, double *x)
 	            x, 1);
 }
 
-/* x = approximation of M^-1 x */
+/* x = approximation of M^-1 x: its parts along the images that are known, the last first, and by the
+ * factors what remains. */
 static void precondition(struct hawser__balance *balance, double *x)
 {
+	int count = balance->unknowns + 1, last = balance->learned;
+	double *part = balance->rest + 2*(size_t)count;
+
+	memset(part, 0, (size_t)count*sizeof *part);
+	for (int i = last - 1; i >= 0 && i >= last - HAWSER__LEARNED; i--) {
+		size_t at = (size_t)(i%HAWSER__LEARNED)*count;
+		double share = cblas_ddot(count, balance->effect + at, 1, x, 1);
+
+		cblas_daxpy(count, share, balance->cause + at, 1, part, 1);
+		cblas_daxpy(count, -share, balance->effect + at, 1, x, 1);
+	}
 	if (balance->blockwise)
 		precondition_by_blocks(balance, x);
 	else
 		apply(balance, x, 'T');
+	cblas_daxpy(count, 1.0, part, 1, x, 1);
 }
 
 /* The same by blocks, which have no transpose: the largest growth of a vector near the singular
@@ -341,6 +354,26 @@ static int hopeless(const struct hawser__balance *balance, int k, double part, d
 	return !balance->fresh && k >= TRIED && k*log(goal) < OLD_KRYLOV*log(part);
 }
 
+/* Store the vectors of a solution with k iterations, combined such that their images are orthonormal:
+ * those are what old factors are wrong for, and the next Jacobian differs little from this one
+ * (Broyden's update of the inverse). */
+static void learn(struct hawser__balance *balance, const struct hessenberg *H, int k)
+{
+	int count = balance->unknowns + 1;
+
+	for (int i = 0; i < k; i++) {
+		double *v = balance->krylov + (size_t)i*count, *z = balance->flexible + (size_t)i*count;
+		size_t at = (size_t)(balance->learned++%HAWSER__LEARNED)*count;
+
+		cblas_drot(count, v, 1, v + count, 1, H->c[i], H->s[i]);
+		for (int j = 0; j < i; j++)
+			cblas_daxpy(count, -H->r[i][j], balance->flexible + (size_t)j*count, 1, z, 1);
+		cblas_dscal(count, 1.0/H->r[i][i], z, 1);
+		memcpy(balance->cause + at, z, (size_t)count*sizeof *z);
+		memcpy(balance->effect + at, v, (size_t)count*sizeof *v);
+	}
+}
+
 /* x = M^-1 x to the relative residual `goal`. Returns 1 after too many iterations; x is then
  * invalid. */
 static int gmres(struct hawser__balance *balance, double *x, double goal)
@@ -373,6 +406,7 @@ static int gmres(struct hawser__balance *balance, double *x, double goal)
 		H.g[i] /= H.r[i][i];
 		cblas_daxpy(count, H.g[i], balance->flexible + (size_t)i*count, 1, x, 1);
 	}
+	learn(balance, &H, k);
 	return 0;
 }
 
@@ -412,16 +446,42 @@ void hawser__balance_invert(struct hawser__balance *balance, double *x, double g
 	apply(balance, x, 'T');
 }
 
+/* x [P + 1] = M^-1 (0, ..., 0, last) from an estimate of its direction [size]; base [P + 1] is work
+ * space. */
+static void improve(struct hawser__balance *balance, double *x, double *base, const double *estimate,
+                    double last, double goal)
+{
+	int P = balance->unknowns;
+	double length;
+
+	for (int i = 0; i < P; i++)
+		base[i] = estimate[balance->slot[i]]/balance->col_scale[i];
+	base[P] = estimate[balance->base.size - 1]/balance->base.W;
+	cblas_dscal(P + 1, last/cblas_ddot(P + 1, balance->border, 1, base, 1), base, 1);
+	multiply(balance, x, base);
+	cblas_dscal(P + 1, -1.0, x, 1);
+	x[P] = 0.0;
+	length = cblas_dnrm2(P + 1, x, 1);
+	if (length > goal*fabs(last))
+		hawser__balance_invert(balance, x, goal*fabs(last)/length);
+	else
+		memset(x, 0, ((size_t)P + 1)*sizeof *x);
+	cblas_daxpy(P + 1, 1.0, base, 1, x, 1);
+}
+
 void hawser__balance_solve(struct hawser__orbit *orbit, double *dy, int homogeneous, double last)
 {
 	struct hawser__balance *balance = (struct hawser__balance *)orbit;
 	int P = balance->unknowns, end = orbit->size - 1;
-	double *x = balance->rhs;
+	double *x = balance->rhs, goal = orbit->goal;
 
+	if (!(goal > 0.0))
+		goal = homogeneous ? TANGENT_RESIDUAL : NEWTON_RESIDUAL;
 	set_right(balance, x, homogeneous, last);
-	hawser__balance_invert(balance, x, homogeneous         ? TANGENT_RESIDUAL
-	                                   : orbit->goal > 0.0 ? orbit->goal
-	                                                       : NEWTON_RESIDUAL);
+	if (homogeneous && orbit->estimate)
+		improve(balance, x, x + P + 1, orbit->estimate, last, goal);
+	else
+		hawser__balance_invert(balance, x, goal);
 	/* a prediction from points with other active pairs may have values in inactive ones */
 	for (int i = 0; i < end; i++)
 		dy[i] = homogeneous ? 0.0 : balance->at[i] - balance->given[i];

@@ -3,8 +3,8 @@
  *
  * Every iteration of GMRES solves the equations of all steps one after the other, each with a single
  * right side. For this case LAPACK calls a vector operation a column, whose call takes as long as its
- * arithmetic. Here 8 columns are subtracted at a time: the order of the equations is a multiple of
- * the number of nodes, which is 8.
+ * arithmetic. Here S columns are subtracted at a time: the order of the equations is a multiple of
+ * the number of nodes.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -12,11 +12,11 @@
 #include "core/hot.h"
 #include "response/orbit/balance.h"
 
-#define S HAWSER__NODES
+#define S HAWSER__BLOCK_NODES
 
 typedef float floats __attribute__((vector_size(4*S), aligned(4), may_alias));
 
-/* x[rows from..to) -= columns [8] of the factors times values [8]. */
+/* x[rows from..to) -= columns [S] of the factors times values [S]. */
 HAWSER_PART void subtract(float *x, const float *column, int count, int from, int to,
                           const float *value)
 {
@@ -30,7 +30,7 @@ HAWSER_PART void subtract(float *x, const float *column, int count, int from, in
 	}
 }
 
-/* The same for the triangle of these columns: y [8] in registers. */
+/* The same for the triangle of these columns: y [S] in registers. */
 HAWSER_PART void solve_lower(float *x, const float *block, int count)
 {
 	float y[S];

@@ -38,94 +38,97 @@ void hawser__collocation_integrals(double *once, double *twice, double x)
 		           (2*(2*m + 1));
 }
 
-/* Node i of the Gauss rule on [-1, 1], by Newton from Tricomi's guess, and its weight. */
-static double gauss_node(double *weight, int i)
+/* Node i of the Gauss rule of s nodes on [-1, 1], by Newton from Tricomi's guess, and its weight. */
+static double gauss_node(double *weight, int i, int s)
 {
-	double z = -cos(M_PI*(i + 0.75)/(S + 0.5)), p[S + 1], slope = 1.0;
+	double z = -cos(M_PI*(i + 0.75)/(s + 0.5)), p[S + 1], slope = 1.0;
 
 	for (int k = 0; k < 10; k++) {
-		hawser__legendre(p, z, S + 1);
-		slope = S*(p[S - 1] - z*p[S])/(1.0 - z*z);
-		z -= p[S]/slope;
+		hawser__legendre(p, z, s + 1);
+		slope = s*(p[s - 1] - z*p[s])/(1.0 - z*z);
+		z -= p[s]/slope;
 	}
 	*weight = 2.0/((1.0 - z*z)*slope*slope);
 	return z;
 }
 
 /* row_j = sum_m integral_m transform[m][j] */
-static void compose(double *row, const double *integral, double (*transform)[S])
+static void compose(double *row, const double *integral, const struct hawser__collocation *table)
 {
-	for (int j = 0; j < S; j++) {
+	for (int j = 0; j < table->nodes; j++) {
 		row[j] = 0.0;
-		for (int m = 0; m < S; m++)
-			row[j] += integral[m]*transform[m][j];
+		for (int m = 0; m < table->nodes; m++)
+			row[j] += integral[m]*table->transform[m][j];
 	}
 }
 
 /* P_s - P_{s-1} */
-static double radau(double z)
+static double radau(double z, int s)
 {
 	double p[S + 1];
 
-	hawser__legendre(p, z, S + 1);
-	return p[S] - p[S - 1];
+	hawser__legendre(p, z, s + 1);
+	return p[s] - p[s - 1];
 }
 
 /* Node i of the Radau rule on [-1, 1] that has 1 as its last, and its weight. The others lie between
  * those of the Gauss rule. */
-static double radau_node(double *weight, int i)
+static double radau_node(double *weight, int i, int s)
 {
-	double p[S + 1], low = gauss_node(weight, i), high = i < S - 1 ? gauss_node(weight, i + 1) : 1.0;
-	double sign = radau(low), z = 1.0;
+	double p[S + 1], low = gauss_node(weight, i, s);
+	double high = i < s - 1 ? gauss_node(weight, i + 1, s) : 1.0, sign = radau(low, s), z = 1.0;
 
-	while (i < S - 1 && (z = 0.5*(low + high), z > low && z < high))
-		*(radau(z)*sign > 0.0 ? &low : &high) = z;
-	hawser__legendre(p, z, S + 1);
-	*weight = (1.0 + z)/(S*p[S - 1]*S*p[S - 1]);
+	while (i < s - 1 && (z = 0.5*(low + high), z > low && z < high))
+		*(radau(z, s)*sign > 0.0 ? &low : &high) = z;
+	hawser__legendre(p, z, s + 1);
+	*weight = (1.0 + z)/(s*p[s - 1]*s*p[s - 1]);
 	return z;
 }
 
-static void make(struct hawser__collocation *table, double (*node)(double *, int))
+static void make(struct hawser__collocation *table, double (*node)(double *, int, int), int s)
 {
 	double once[S], twice[S], value[S], weight;
 
-	for (int i = 0; i < S; i++) {
-		double z = node(&weight, i);
+	table->nodes = s;
+	for (int i = 0; i < s; i++) {
+		double z = node(&weight, i, s);
 
 		table->node[i] = (1.0 + z)/2.0;
-		hawser__legendre(value, z, S);
-		for (int m = 0; m < S; m++)
+		hawser__legendre(value, z, s);
+		for (int m = 0; m < s; m++)
 			table->transform[m][i] = (2*m + 1)*weight/2.0*value[m];
 	}
-	for (int i = 0; i < S; i++) {
+	for (int i = 0; i < s; i++) {
 		hawser__collocation_integrals(once, twice, table->node[i]);
-		compose(table->once[i], once, table->transform);
-		compose(table->twice[i], twice, table->transform);
+		compose(table->once[i], once, table);
+		compose(table->twice[i], twice, table);
 	}
 	hawser__collocation_integrals(once, twice, 1.0);
-	compose(table->end_once, once, table->transform);
-	compose(table->end_twice, twice, table->transform);
+	compose(table->end_once, once, table);
+	compose(table->end_twice, twice, table);
 }
 
 void hawser__collocation_make(struct hawser__collocation *table)
 {
-	make(table, gauss_node);
+	make(table, gauss_node, S);
 }
 
-void hawser__collocation_make_radau(struct hawser__collocation *table)
+void hawser__collocation_make_radau(struct hawser__collocation *table, int nodes)
 {
-	make(table, radau_node);
+	make(table, radau_node, nodes);
 }
 
 void hawser__collocation_indirect(struct hawser__collocation *table)
 {
-	for (int j = 0; j < S; j++) {
+	int s = table->nodes;
+
+	for (int j = 0; j < s; j++) {
 		table->end_twice[j] = 0.0;
-		for (int k = 0; k < S; k++)
+		for (int k = 0; k < s; k++)
 			table->end_twice[j] += table->end_once[k]*table->once[k][j];
-		for (int i = 0; i < S; i++) {
+		for (int i = 0; i < s; i++) {
 			table->twice[i][j] = 0.0;
-			for (int k = 0; k < S; k++)
+			for (int k = 0; k < s; k++)
 				table->twice[i][j] += table->once[i][k]*table->once[k][j];
 		}
 	}

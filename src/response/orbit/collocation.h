@@ -11,6 +11,7 @@
 #define HAWSER__NODES 8
 
 struct hawser__collocation {
+	int nodes; /* at most HAWSER__NODES */
 	double node[HAWSER__NODES]; /* c_i */
 	double transform[HAWSER__NODES][HAWSER__NODES]; /* alpha_m = sum_i transform[m][i] a_i */
 	double once[HAWSER__NODES][HAWSER__NODES];  /* v at node i per a_j: I times transform */
@@ -23,7 +24,7 @@ void hawser__collocation_make(struct hawser__collocation *table);
 /* The same with the nodes of the Radau rule whose last node is the end of the step. With
  * hawser__collocation_indirect this is the method Radau IIA, of order 2s - 1 = 15. It is L-stable:
  * components that are too fast for the step decay at once. */
-void hawser__collocation_make_radau(struct hawser__collocation *table);
+void hawser__collocation_make_radau(struct hawser__collocation *table, int nodes);
 
 /* Compute u at the nodes from v at the nodes as v from a: the Gauss method for the first-order
  * system. Its u is less accurate by one degree, but the method is A-stable and symplectic. The

@@ -92,6 +92,7 @@ struct hawser__orbit {
 	double patience;      /* contraction that the corrector bears; 0: its own limit (newton.c) */
 	double goal;          /* largest relative residual of the next solutions, where the method solves by
 	                       * iteration; 0: what a step of the corrector needs */
+	const double *estimate; /* [size] of the next tangent, of any length; or NULL */
 	int counted;          /* 1: det_sign and det_log are those of the multipliers */
 	int unjudged;         /* not 0: no multipliers are wanted: each orbit counts as stable */
 	double rate;          /* factor by which a step with a guessed Jacobian reduces the defects */

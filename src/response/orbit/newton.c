@@ -43,6 +43,12 @@
 /* Relative residual to which the step that confirms an orbit is solved: of its length, the first digit
  * is used. */
 #define LENGTH_RESIDUAL 0.03
+/* Relative residual to which steps are solved: the defects that remain are this part of the tolerance,
+ * unless that asks for less than a method's own residual. With larger ones (0.1, 0.03) the length of
+ * the second step is that of the error of the first solution, and the control makes shorter steps. */
+#define STEP_PART 0.01
+#define STEP_RESIDUAL 1e-5
+#define STEP_LOOSEST 1e-3
 
 enum hawser_status hawser__orbit_init(struct hawser__orbit *orbit, const struct hawser_rom *rom,
                                       int size, struct hawser_report *report)
@@ -168,16 +174,25 @@ double hawser__orbit_liouville(const struct hawser__orbit *orbit, double omega)
 	return fabs(sum + trace*2.0*M_PI/omega + orbit->drained);
 }
 
-/* One step of the corrector from the current defects; returns its length in the metric. */
-static double correct_once(struct hawser__orbit *orbit, double *y)
+/* The step of the corrector from the current defects, dy [size], to the relative residual `goal`, where
+ * the method solves by iteration (0: its own); returns its length in the metric. */
+static double step_from(struct hawser__orbit *orbit, double *dy, double goal)
 {
-	double *dy = orbit->step;
-
+	orbit->goal = goal;
 	orbit->ops->solve(orbit, dy, 0, 0.0);
+	orbit->goal = 0.0;
 	orbit->cost.solves++;
+	return sqrt(hawser__orbit_dot(orbit, dy, dy));
+}
+
+/* One step; returns its length. */
+static double correct_once(struct hawser__orbit *orbit, double *y, double goal)
+{
+	double *dy = orbit->step, length = step_from(orbit, dy, goal);
+
 	for (int i = 0; i < orbit->size; i++)
 		y[i] += dy[i];
-	return sqrt(hawser__orbit_dot(orbit, dy, dy));
+	return length;
 }
 
 /* The Jacobian at y and its factorisation. Returns 0, or 1 if it is not available. */
@@ -197,7 +212,7 @@ static int chords(struct hawser__orbit *orbit, double *y, struct hawser__correct
 	double rate = fmin(orbit->rate, WORST_RATE);
 
 	for (int i = 1; i <= MAX_CHORDS && rate <= WORST_RATE; i++) {
-		double length = correct_once(orbit, y), before = correction->residual;
+		double length = correct_once(orbit, y, 0.0), before = correction->residual;
 		int sure = rate*before <= SURELY*tolerance;
 
 		if (i == 1 && !(length <= NEAR)) {
@@ -239,6 +254,14 @@ static int approach(struct hawser__orbit *orbit, double *y, struct hawser__corre
 	return !*failed && correction->iterations > 0 && correction->residual <= 0.1*tolerance;
 }
 
+/* Relative residual of the next step after which the defects are as small as they must be. */
+static double residual_needed(const struct hawser__correction *correction, double tolerance)
+{
+	double part = STEP_PART*tolerance/correction->residual;
+
+	return part < STEP_RESIDUAL ? 0.0 : fmin(part, STEP_LOOSEST);
+}
+
 /* Newton's method from y with its Jacobian. */
 static int iterate(struct hawser__orbit *orbit, double *y, struct hawser__correction *correction,
                    const double *row, double tolerance)
@@ -247,7 +270,7 @@ static int iterate(struct hawser__orbit *orbit, double *y, struct hawser__correc
 	double previous = 0.0;
 
 	for (int i = correction->iterations + 1; i <= MAX_ITERATIONS; i++) {
-		double length = correct_once(orbit, y);
+		double length = correct_once(orbit, y, residual_needed(correction, tolerance));
 		double contraction = previous > 0.0 ? length/previous : 0.0;
 		/* after the first step no contraction is known, and the residual decides: near a branch
 		 * point a second step would be round-off and look like divergence */
@@ -283,13 +306,8 @@ static int settle(struct hawser__orbit *orbit, double *y, struct hawser__correct
 	double near = fmax(OFF_BRANCH*orbit->reach, 0.1*tolerance), *dy = orbit->step;
 
 	for (double before = INFINITY;;) {
-		double length;
+		double length = step_from(orbit, dy, LENGTH_RESIDUAL);
 
-		orbit->goal = LENGTH_RESIDUAL;
-		orbit->ops->solve(orbit, dy, 0, 0.0);
-		orbit->goal = 0.0;
-		orbit->cost.solves++;
-		length = sqrt(hawser__orbit_dot(orbit, dy, dy));
 		if (length <= near || length > 0.5*before)
 			return 0;
 		for (int i = 0; i < orbit->size; i++)

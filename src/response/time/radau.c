@@ -285,7 +285,7 @@ static struct hawser__stepper *open_radau(const struct hawser__stepper *problem,
 		close_radau(&radau->of.base);
 		return NULL;
 	}
-	hawser__collocation_make_radau(&radau->of.table);
+	hawser__collocation_make_radau(&radau->of.table, S);
 	hawser__collocation_indirect(&radau->of.table);
 	return &radau->of.base;
 }
