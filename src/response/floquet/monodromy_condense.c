@@ -147,7 +147,7 @@ static enum hawser_status make_room(struct hawser__condensation *work,
 		{&work->F, rows*work->wide_F},     {&work->F1, rows*work->wide_F},
 		{&work->rate, rows*work->wide_F},  {&work->N, rows*work->wide_N},
 		{&work->before, rows*work->wide_N}, {&work->inverse, rows*nf*nf},
-		{&work->part, 2*nf*ns + nf},       {&work->series, wide*work->wide_N},
+		{&work->part, nf},                 {&work->series, wide*work->wide_N},
 		{&work->result[0], wide*ns*ns},    {&work->result[1], wide*ns*ns},
 	};
 	size_t need = 0, count = sizeof part/sizeof part[0];
@@ -237,6 +237,15 @@ static double transform(const struct hawser__condensation *work, double top)
 	return last;
 }
 
+/* Whether D [n][n] couples no coordinates. */
+static int is_diagonal(const double *D, int n)
+{
+	for (int e = 0; e < n*n; e++)
+		if (D[e] != 0.0 && e%(n + 1) != 0)
+			return 0;
+	return 1;
+}
+
 /* Prepares the iteration; returns 1 if K_ff is singular or not positive at a phase. */
 static int prepare(struct hawser__condensation *work, const struct hawser__monodromy *monodromy,
                    const struct hawser__variational *system)
@@ -245,6 +254,7 @@ static int prepare(struct hawser__condensation *work, const struct hawser__monod
 	sample(work, work->K, work->rows, system->K, system->order, monodromy->slow, monodromy->fast);
 	sample(work, work->D, work->next_D ? work->rows : 1, system->D, system->order_d,
 	       monodromy->slow, monodromy->fast);
+	work->apart = !work->next_D && is_diagonal(work->D, work->n);
 	for (int i = 0; i < work->rows; i++)
 		for (int b = 0; b < work->blocks; b++)
 			if (work->block[b].nf > 0 && hawser__condense_invert(work, monodromy, &work->block[b], i))

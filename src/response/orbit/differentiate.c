@@ -64,8 +64,11 @@ void hawser__differentiate(const struct hawser__differentiate *rates, double *de
 	for (int k = 0; k <= rows/2; k++) {
 		double factor = 2*k == rows ? 0.0 : k*scale/rows; /* the highest sine is not sampled */
 
-		for (int j = 0; j < width; j++)
-			coefficient[(size_t)k*width + j] *= I*factor;
+		for (int j = 0; j < width; j++) {
+			double complex own = coefficient[(size_t)k*width + j];
+
+			coefficient[(size_t)k*width + j] = CMPLX(-factor*cimag(own), factor*creal(own));
+		}
 	}
 	fftw_execute_dft_c2r(rates->sum, coefficient, derivative);
 }
