@@ -114,8 +114,6 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/floquet/linear_margin.h \
 	%D%/orbit/load.c \
 	%D%/orbit/load.h \
-	%D%/orbit/differentiate.c \
-	%D%/orbit/differentiate.h \
 	%D%/branch/event_error.c \
 	%D%/branch/event_error.h \
 	%D%/branch/locate.c \

@@ -192,8 +192,10 @@ double hawser__condense_settle(const struct hawser__condensation *work,
 		return 0.0;
 	for (int k = 0; k < ITERATIONS; k++) {
 		for (int second = 0; second < 2; second++) {
-			hawser__differentiate(&monodromy->rates, work->rate,
-			                      second ? work->F1 : work->F, omega);
+			cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, work->rows,
+			            (int)work->wide_F, work->rows, omega, work->turn, work->rows,
+			            second ? work->F1 : work->F, (int)work->wide_F, 0.0, work->rate,
+			            (int)work->wide_F);
 			for (int i = 0; i < work->rows; i++)
 				for (int b = 0; b < work->blocks; b++)
 					iterate(work, &work->block[b], i, second);
