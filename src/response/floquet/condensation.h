@@ -16,7 +16,7 @@ struct hawser__condensation {
 	size_t wide_F, wide_N;      /* of a row */
 	int *pivot;                 /* [n] */
 	double *basis;              /* [rows][2 order + 1] */
-	double *turn;               /* [rows][rows] derivative by the phase of the functions at all phases */
+	double *turn;               /* [rows][rows] derivative by the phase */
 	double *sorted;             /* [2 order + 1][n][n] coefficients of K or D */
 	double *K, *D;              /* [rows][n][n]; D: [1][n][n] if it is constant */
 	size_t next_D;              /* n^2, or 0 if D is constant */
