@@ -88,6 +88,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/time/lyapunov.c \
 	%D%/orbit/load.c \
 	%D%/orbit/differentiate.c \
+	%D%/orbit/load.h \
 	%D%/branch/event_error.c \
 	%D%/branch/locate.c \
 	%D%/orbit/methods.c \

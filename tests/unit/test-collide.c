@@ -64,7 +64,7 @@ static void check_passing(void)
 			set_pair(k, place, DECAY, at[i]);
 		}
 	}
-	ok(!collide(2) && !collide(1) && followed,
+	ok(!collide(2) && !collide(1) && followed == (HAWSER__ALONE | HAWSER__TOGETHER),
 	   "pairs that pass each other do not collide, and are followed");
 }
 
@@ -131,7 +131,7 @@ static void check_alone(double width, int expected, const char *what)
 		set_pair(k, 1, DECAY, 1.9);
 		set_pair(k, 2, DECAY, M_PI - sqrt(off*off - width*width));
 	}
-	ok(!collide(2) && followed == expected, "%s", what);
+	ok(!collide(2) && (followed & HAWSER__ALONE) == expected, "%s", what);
 }
 
 /* A pair that meets the real axis is not followed. */
@@ -139,7 +139,24 @@ static void check_real(void)
 {
 	set_pair(3, 2, DECAY, M_PI);
 	(void)collide(2);
-	ok(!followed, "a pair that has met the real axis at one station is not followed");
+	ok(!(followed & HAWSER__ALONE), "a pair that has met the real axis at one station is not followed");
+}
+
+/* Real multipliers, one of them outside, and a pair that comes no nearer; then two pairs of which
+ * one is outside at both ends, and which may meet and part again in between. */
+static void check_outside(void)
+{
+	for (int k = 0; k < 4; k++) {
+		set_pair(k, 0, DECAY, 0.4 + 0.0131*k);
+		set_pair(k, 1, DECAY, 2.9);
+		set_pair(k, 2, DECAY, 0.0);
+		logs[k][4] += 0.0523;
+		logs[k][5] -= 0.0523;
+	}
+	ok(!collide(2) && followed == HAWSER__TOGETHER, "one outside that meets no other is followed");
+	for (int k = 0; k < 4; k++)
+		set_two(k, 0.0731*pow(k - 2.5, 2) - 0.0023);
+	ok(!collide(2) && followed == 0, "two that may meet, one of them outside, are not");
 }
 
 CASE(unit_collide)
@@ -160,5 +177,6 @@ CASE(unit_collide)
 	check_alone(0.015, 1, "also if it meets the real axis less far than the damping reaches");
 	check_alone(0.03, 0, "if it may leave the circle there within the step, it is not");
 	check_real();
+	check_outside();
 	return done_testing();
 }

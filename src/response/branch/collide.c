@@ -49,33 +49,21 @@
                          * -1; others are those of strong damping; chosen */
 #define DEFINITE 0.5    /* least size of a kind that tells something; chosen */
 #define COUPLED 2.0     /* factor on the growth that follows from the kinds at one station; chosen */
-#define CLOSE 1.0       /* distance at both ends, rad, above which pairs do not collide within a
-                         * step; chosen */
+#define CLOSE 1.0       /* distance at both ends above which pairs do not collide, rad; chosen */
 #define MOVES 8.0       /* the same, over what both pairs move at most between stations; chosen */
 
-/* The number of real multipliers near 1, or near -1 (negative: 1). *rank_th becomes the logarithm of
- * that with this rank, 0 for the largest: a station lists its multipliers by falling modulus. */
-static int list_real(double *rank_th, int rank, const struct hawser__station *station, int m,
-                     int negative)
+/* Whether multiplier i is real and near 1, or near -1 (negative: 1). */
+static int is_real(const struct hawser__station *station, int i, int negative)
 {
-	int count = 0;
+	double angle = fabs(station->argument[i]);
 
-	for (int i = 0; i < m; i++) {
-		double angle = fabs(station->argument[i]);
-
-		if (station->kind[i] == HAWSER__CONDENSED || !(negative ? angle >= M_PI : angle == 0.0) ||
-		    !(fabs(station->log_modulus[i]) < REAL))
-			continue;
-		if (count == rank)
-			*rank_th = station->log_modulus[i];
-		count++;
-	}
-	return count;
+	return station->kind[i] != HAWSER__CONDENSED && (negative ? angle >= M_PI : angle == 0.0) &&
+	       fabs(station->log_modulus[i]) < REAL;
 }
 
 /* The pairs of one station without those of condensed coordinates; returns their number, or -1 where a
  * real multiplier has no partner. All pairs have similar S, so that the largest of the real ones
- * belongs to the smallest. */
+ * belongs to the smallest: a station lists them by falling modulus. */
 static int list(double complex *lambda, const struct hawser__station *station, int m)
 {
 	int count = 0;
@@ -84,20 +72,22 @@ static int list(double complex *lambda, const struct hawser__station *station, i
 		if (station->argument[i] > 0.0 && station->argument[i] < M_PI &&
 		    station->kind[i] != HAWSER__CONDENSED)
 			lambda[count++] = station->log_modulus[i] + I*station->argument[i];
-	for (int negative = 0; negative < 2; negative++) {
-		double larger = 0.0, smaller = 0.0;
-		int real = list_real(&larger, 0, station, m, negative);
+	for (int negative = 0; negative < 2; negative++)
+		for (int i = 0, j = m - 1;; i++, j--) {
+			double d;
 
-		if (real%2)
-			return -1;
-		for (int k = 0; k < real/2; k++) {
-			list_real(&larger, k, station, m, negative);
-			list_real(&smaller, real - 1 - k, station, m, negative);
-			lambda[count++] = 0.5*(larger + smaller) +
-			                  I*(negative ? M_PI + 0.5*(larger - smaller)
-			                              : 0.5*(smaller - larger));
+			while (i < m && !is_real(station, i, negative))
+				i++;
+			while (j >= 0 && !is_real(station, j, negative))
+				j--;
+			if (i == j)
+				return -1;
+			if (i > j)
+				break;
+			d = 0.5*(station->log_modulus[i] - station->log_modulus[j]);
+			lambda[count++] = 0.5*(station->log_modulus[i] + station->log_modulus[j]) +
+			                  I*(negative ? M_PI + d : -d);
 		}
-	}
 	return count;
 }
 
@@ -295,15 +285,13 @@ static double complex cosh_of(double complex lambda, double half)
 }
 
 /* Whether pairs i and j, which are inside the unit circle at both ends of the step, may be outside
- * between them; lambda [4][count]. */
+ * between them; lambda [4][count]. If one of them is outside at an end: whether they may meet. */
 static int grows_together(const double complex *lambda, int count, int i, int j, const double *s,
                           const double *within, int step)
 {
 	double complex D[4], M[4], S[4];
-	double bound = fmax(within[i], within[j]);
+	double bound = fmax(within[i], within[j]), side;
 
-	if (within[i] < 0.0 || within[j] < 0.0)
-		return 0;
 	for (int k = 0; k < 4; k++) {
 		double complex a = lambda[k*count + i], b = lambda[k*count + j];
 		double half = 0.5*creal(a + b);
@@ -313,11 +301,17 @@ static int grows_together(const double complex *lambda, int count, int i, int j,
 		D[k] = (z - of_b)*(z - of_b);
 		M[k] = 0.5*(z + of_b);
 	}
-	for (int e = 0; e < SAMPLES; e++) {
+	side = creal(D[step]) < 0.0 ? -1.0 : 1.0;
+	for (int e = 0; e <= SAMPLES; e++) {
 		double at = place_of(D, s, step, e), off_D, off_M, off_S, least;
 		double complex sum = interpolate(&off_S, S, s, at), middle = interpolate(&off_M, M, s, at);
 		double complex difference = interpolate(&off_D, D, s, at);
 
+		if (within[i] < 0.0 || within[j] < 0.0) {
+			if (!(side*creal(difference) > SAFETY*off_D))
+				return 1;
+			continue;
+		}
 		least = sinh(bound - 0.5*(creal(sum) + off_S));
 		if (least < 0.0 ||
 		    square_growth(middle + 0.5*csqrt(difference - off_D)) > least*least)
@@ -480,7 +474,7 @@ int hawser__collide(int *followed, const struct hawser__station *const station[4
 				apart(before[i]) + apart(here[i]) > 0.0 ? 0.0 : cimag(rate[i]);
 		}
 	}
-	*followed = count > 0;
+	*followed = count > 0 ? HAWSER__ALONE | HAWSER__TOGETHER : 0;
 	for (int i = 0; i < count; i++) {
 		within[i] = bound_within(lambda, count, i, station, step, m);
 		move[i] = move_of(lambda, count, i);
@@ -489,12 +483,18 @@ int hawser__collide(int *followed, const struct hawser__station *const station[4
 		int alone = grows_alone(lambda, count, i, s, within, step);
 
 		found = alone && undecided;
-		*followed &= !alone && within[i] >= 0.0;
-		for (int j = 0; j < i && !found; j++)
-			found = near_by(lambda + step*count, count, i, j, move[i] + move[j]) &&
-			        !are_apart(lambda, count, i, j, station, within, step, m) &&
-			        grows_together(lambda, count, i, j, s, within, step) &&
-			        !passes_by(lambda, count, i, j, s, within, step);
+		if (alone || within[i] < 0.0)
+			*followed &= ~HAWSER__ALONE;
+		for (int j = 0; j < i && !found; j++) {
+			int out = within[i] < 0.0 || within[j] < 0.0;
+			int meet = near_by(lambda + step*count, count, i, j, move[i] + move[j]) &&
+			           (out || !are_apart(lambda, count, i, j, station, within, step, m)) &&
+			           grows_together(lambda, count, i, j, s, within, step) &&
+			           (out || !passes_by(lambda, count, i, j, s, within, step));
+
+			found = meet && !out;
+			*followed &= meet && out ? ~HAWSER__TOGETHER : ~0;
+		}
 	}
 	return found;
 }

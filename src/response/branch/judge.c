@@ -177,9 +177,10 @@ static int hides_excursion(const struct hawser__station *a, const struct hawser_
 }
 
 /* Two crossings of the unit circle, or two folds, between b and c change neither the signs nor the
- * count; a is the station beyond b. few: see hides_excursion; where nothing is undecided. */
+ * count; a is the station beyond b. few: see hides_excursion; of what collide.c has followed. */
 static int hides(const struct hawser__trace *trace, const struct hawser__station *a,
-                 const struct hawser__station *b, const struct hawser__station *c, int few)
+                 const struct hawser__station *b, const struct hawser__station *c, int few,
+                 int followed)
 {
 	int m = trace->orbit->m, last = trace->orbit->size - 1;
 
@@ -189,25 +190,40 @@ static int hides(const struct hawser__trace *trace, const struct hawser__station
 	if (trace->orbit->own == HAWSER__RESTS && exchanges(b, c, m))
 		return 1;
 	if (a->circle.undecided || b->circle.undecided || c->circle.undecided)
-		few = m;
+		followed = 0;
 	for (int centre = -1; centre <= 1; centre += 2)
-		if (hides_excursion(a, b, c, m, centre, few, product_near) ||
-		    hides_excursion(a, b, c, m, centre, few, product_couples))
+		if (hides_excursion(a, b, c, m, centre, followed & HAWSER__ALONE ? few : m,
+		                    product_near) ||
+		    hides_excursion(a, b, c, m, centre, followed & HAWSER__TOGETHER ? few : m,
+		                    product_couples))
 			return 1;
 	return hides_crossings(a->arc, a->t[last], b->arc, b->t[last], c->arc, c->t[last]);
 }
 
 /* Whether events between stations `step` and step + 1 of four (1 or 2), seen from the one beyond, may
- * not be separated; few: see hides_excursion. */
-static int hides_in(const struct hawser__trace *trace, const struct hawser__station *const all[4],
-                    int step, int few)
+ * not be separated; few: see hides_excursion; *followed: see collide.h. */
+static int hides_in(const struct hawser__trace *trace, int *followed,
+                    const struct hawser__station *const all[4], int step, int few)
 {
 	const struct hawser__station *beyond = all[step == 1 ? 3 : 1], *end = all[step == 1 ? 1 : 3];
-	int followed = 0;
 
+	*followed = 0;
 	return (trace->known > 2 &&
-	        hawser__collide(&followed, all, step, trace->orbit->m, trace->pairs)) ||
-	       hides(trace, beyond, all[2], end, followed ? few : trace->orbit->m);
+	        hawser__collide(followed, all, step, trace->orbit->m, trace->pairs)) ||
+	       hides(trace, beyond, all[2], end, few, *followed);
+}
+
+/* Whether as many coordinates are condensed at all stations, so that pairs of multipliers that could
+ * not be followed have moved far. */
+static int keeps_all(const struct hawser__station *const all[4], int m)
+{
+	int condensed[4] = {0};
+
+	for (int k = 0; k < 4; k++)
+		for (int i = 0; i < m; i++)
+			condensed[k] += all[k]->kind[i] == HAWSER__CONDENSED;
+	return condensed[0] == condensed[1] && condensed[1] == condensed[2] &&
+	       condensed[2] == condensed[3];
 }
 
 /* Whether a station between a and b shows events of which those two show nothing. */
@@ -235,26 +251,31 @@ static enum hawser_status look_between(struct hawser__trace *trace, int *hidden,
 	const struct hawser__station *a = all[step], *b = all[step + 1];
 	const struct hawser__station *five[5] = {all[step - 1], a, between, b, all[3]};
 	enum hawser_status status = HAWSER_OK;
+	int followed;
 
 	if (!hawser__station_inside(between, orbit, a, b, 0.5, trace->options.tolerance)) {
 		between->arc = 0.5*(a->arc + b->arc);
 		status = hawser__station_finish(between, orbit, a->t, trace->report);
-		*hidden = shows_more(a, between, b) || hides_in(trace, five, 1, 0) ||
-		          (step == 1 ? hides_in(trace, five + 1, 1, 0) : hides_in(trace, five, 2, 0));
+		*hidden = shows_more(a, between, b) || hides_in(trace, &followed, five, 1, 0) ||
+		          (step == 1 ? hides_in(trace, &followed, five + 1, 1, 0)
+		                     : hides_in(trace, &followed, five, 2, 0));
 	}
 	(void)orbit->ops->defects(orbit, trace->next.y, 1); /* the orbit is again that of next */
 	return status;
 }
 
-/* The same of two of the last four stations. Where an orbit takes little, a step is rather made
- * again. */
+/* The same of two of the last four stations, also between the last ones where pairs were not followed.
+ * Where an orbit takes little, a step is rather made again. */
 static enum hawser_status hides_behind(struct hawser__trace *trace, int *hidden, int step)
 {
 	const struct hawser__station *all[4] = {&trace->before, &trace->prev, &trace->here, &trace->next};
 
+	int followed = 1;
+
 	*hidden = trace->known > 1 && all[step + 1]->arc - all[step]->arc > HAWSER__SORTING_STEP &&
-	          hides_in(trace, all, step, FEW);
-	return *hidden && hawser__is_large(trace->rom) && !trace->orbit->unjudged && trace->known > 2
+	          hides_in(trace, &followed, all, step, FEW);
+	return hawser__is_large(trace->rom) && !trace->orbit->unjudged && trace->known > 2 &&
+	       (*hidden || (step == 2 && !followed && keeps_all(all, trace->orbit->m)))
 	       ? look_between(trace, hidden, all, step) : HAWSER_OK;
 }
 

@@ -76,7 +76,7 @@ static double reduce(const struct hawser__condensation *work, const struct hawse
 	const double *K = work->K + (size_t)row*n*n + corner, *D = work->D + row*work->next_D + corner;
 	double *N = work->N + (size_t)row*work->wide_N + block->N;
 	double *before = work->before + (size_t)row*work->wide_N + block->N;
-	double change = 0.0;
+	double change[2] = {0.0, 0.0};
 
 	memcpy(before, N, 2*(size_t)ns*ns*sizeof(double));
 	for (int s = 0; s < ns; s++) {
@@ -84,10 +84,16 @@ static double reduce(const struct hawser__condensation *work, const struct hawse
 		memcpy(N + 2*(size_t)s*ns + ns, D + (size_t)s*n + block->s, ns*sizeof(double));
 	}
 	add_product(block, N, 1.0, K + work->ns + block->f, n, ns, nf, work->F + at);
-	add_product(block, N, 1.0, D + work->ns + block->f, n, ns, nf, work->F1 + at);
-	for (int e = 0; e < 2*ns*ns; e++)
-		change = fmax(change, fabs(N[e] - before[e])/(e%(2*ns) < ns ? top*top : top));
-	return change;
+	if (!work->apart)
+		add_product(block, N, 1.0, D + work->ns + block->f, n, ns, nf, work->F1 + at);
+	for (int half = 0; half < 2*ns; half++)
+		for (int e = half*ns; e < (half + 1)*ns; e++) {
+			double moved = fabs(N[e] - before[e]);
+
+			if (moved > change[half%2])
+				change[half%2] = moved;
+		}
+	return fmax(change[0]/(top*top), change[1]/top);
 }
 
 /* out [nf][2 ns] = rate + F Y, the derivative of F y in time at one phase. */
@@ -118,7 +124,11 @@ static void follow(const struct hawser__condensation *work, const struct hawser_
 		cblas_daxpy(ns, 1.0, K + (size_t)f*n + block->s, 1, F2 + 2*(size_t)f*ns, 1);
 		cblas_daxpy(ns, 1.0, D + (size_t)f*n + block->s, 1, F2 + (2*(size_t)f + 1)*ns, 1);
 	}
-	add_product(block, F2, 1.0, D + work->ns + block->f, n, nf, nf, work->F1 + at);
+	if (!work->apart)
+		add_product(block, F2, 1.0, D + work->ns + block->f, n, nf, nf, work->F1 + at);
+	for (int f = 0; f < nf && work->apart; f++)
+		cblas_daxpy(2*ns, D[(size_t)f*(n + 1) + work->ns + block->f],
+		            work->F1 + at + 2*(size_t)f*ns, 1, F2 + 2*(size_t)f*ns, 1);
 	memset(work->F + at, 0, 2*(size_t)nf*ns*sizeof(double));
 	add_product(block, work->F + at, -1.0, inverse + (size_t)block->f*(work->nf + 1), work->nf, nf,
 	            nf, F2);
@@ -128,12 +138,15 @@ static void follow(const struct hawser__condensation *work, const struct hawser_
 static void follow_at_rest(const struct hawser__condensation *work,
                            const struct hawser__block *block, int row)
 {
+	int n = work->n, ns = block->ns, nf = block->nf;
 	double *F = work->F + (size_t)row*work->wide_F + block->F;
+	const double *K_fs = work->K + ((size_t)row*n + work->ns + block->f)*n + block->s;
+	const double *inverse = work->inverse + (size_t)row*work->nf*work->nf;
 
-	memset(work->part, 0, 2*(size_t)block->nf*block->ns*sizeof(double));
-	follow(work, block, work->part, row);
-	for (int f = 0; f < block->nf; f++)
-		memset(F + (2*(size_t)f + 1)*block->ns, 0, block->ns*sizeof(double));
+	memset(F, 0, 2*(size_t)nf*ns*sizeof(double));
+	if (ns > 0) /* see add_product */
+		cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, nf, ns, nf, -1.0,
+		            inverse + (size_t)block->f*(work->nf + 1), work->nf, K_fs, n, 0.0, F, 2*ns);
 }
 
 /* F from that of the last iteration, its derivatives and N, at one phase: the first derivative
@@ -179,8 +192,10 @@ double hawser__condense_settle(const struct hawser__condensation *work,
 		return 0.0;
 	for (int k = 0; k < ITERATIONS; k++) {
 		for (int second = 0; second < 2; second++) {
-			hawser__differentiate(&monodromy->rates, work->rate,
-			                      second ? work->F1 : work->F, omega);
+			cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, work->rows,
+			            (int)work->wide_F, work->rows, omega, work->turn, work->rows,
+			            second ? work->F1 : work->F, (int)work->wide_F, 0.0, work->rate,
+			            (int)work->wide_F);
 			for (int i = 0; i < work->rows; i++)
 				for (int b = 0; b < work->blocks; b++)
 					iterate(work, &work->block[b], i, second);

@@ -9,19 +9,21 @@
 struct hawser__condensation {
 	int n, ns, nf, rows, order; /* order of the result */
 	int symmetric;              /* 1: K is, and D is constant */
+	int apart;                  /* 1: D is constant, and couples no coordinates */
 	int singular;               /* 1: K_ff was, at a phase, in a try */
 	int blocks;
 	struct hawser__block *block;        /* [n] */
 	size_t wide_F, wide_N;      /* of a row */
 	int *pivot;                 /* [n] */
 	double *basis;              /* [rows][2 order + 1] */
+	double *turn;               /* [rows][rows] derivative by the phase */
 	double *sorted;             /* [2 order + 1][n][n] coefficients of K or D */
 	double *K, *D;              /* [rows][n][n]; D: [1][n][n] if it is constant */
 	size_t next_D;              /* n^2, or 0 if D is constant */
 	double *F, *F1, *rate;      /* [rows][blocks][nf][2 ns]; rate: time derivative of one of them */
 	double *N, *before;         /* [rows][blocks][ns][2 ns] of this and the last iteration */
 	double *inverse;            /* [rows][nf][nf] of K_ff */
-	double *part;               /* [nf][2 ns] */
+	double *part;               /* [nf] */
 	double *series;             /* [2 order + 1][blocks][ns][2 ns] of N */
 	double *result[2];          /* [2 order + 1][ns][ns] K and D of the slow coordinates */
 	double last;                /* size of the last harmonic of N, relative as in reduce() */

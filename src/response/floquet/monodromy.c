@@ -83,7 +83,6 @@ void hawser__monodromy_release(struct hawser__monodromy *monodromy)
 	free(monodromy->block);
 	free(monodromy->room);
 	free(monodromy->reduced);
-	hawser__differentiate_release(&monodromy->rates);
 	memset(monodromy, 0, sizeof *monodromy);
 }
 

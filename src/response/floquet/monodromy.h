@@ -35,7 +35,6 @@
 #include <math.h>
 
 #include "response/orbit/collocation.h"
-#include "response/orbit/differentiate.h"
 
 /* Variational equations with periodic coefficients, as Fourier series ordered by harmonics:
  * constant (twice its value), cos 1, sin 1, ... */
@@ -150,7 +149,6 @@ struct hawser__monodromy {
 	double *reach;          /* [n] workspace */
 	double *room;           /* workspace of the condensation */
 	size_t room_size;
-	struct hawser__differentiate rates;
 };
 
 /* Largest number of factors of the product: their memory grows with n^2. */

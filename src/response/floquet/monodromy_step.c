@@ -96,7 +96,6 @@ static void fill_system(struct hawser__monodromy *monodromy, const struct hawser
 	int w = c->w, wide = S*w;
 	double h = c->h;
 
-	memset(monodromy->matrix, 0, (size_t)wide*wide*sizeof(double));
 	for (int i = 0; i < S; i++)
 		for (int q = 0; q < w; q++)
 			for (int p = 0; p < w; p++) {
