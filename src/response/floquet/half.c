@@ -19,7 +19,7 @@
 
 static const char where[] = "backbone";
 
-#define FIRST_STEPS_A_PERIOD 8 /* per period of the fastest coordinate: its frequency is off by 9e-8,
+#define FIRST_STEPS_A_PERIOD 6 /* per period of the fastest coordinate: its frequency is off by 9e-8,
                                 * in which others' resonances with it are; chosen */
 #define MOST_STEPS 20000 /* enough for a coordinate 2500 times as fast as the motion */
 
