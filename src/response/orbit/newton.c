@@ -211,7 +211,7 @@ static int chords(struct hawser__orbit *orbit, double *y, struct hawser__correct
 			correction->first = length;
 		correction->residual = orbit->ops->defects(orbit, y, sure);
 		rate = correction->residual/before;
-		if (i == 1)
+		if (i == 1 && !(sure && rate <= orbit->rate))
 			orbit->rate = rate;
 		if (sure)
 			return 0;
