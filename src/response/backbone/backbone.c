@@ -23,6 +23,7 @@ static const char where[] = "backbone";
 
 #define FIRST_STEP 0.1    /* first step relative to the longest; chosen */
 #define PLANE 0.02        /* share of the smaller coordinate in quadrature, at least; chosen */
+#define LAST_STEP 50.0    /* tolerances: reach of a correction; a fiftieth of it is its last step */
 #define WORST_ANGLE 0.45  /* largest angle between successive tangents, rad; chosen */
 
 void hawser_backbone_settle(struct hawser_backbone_options *options)
@@ -106,7 +107,7 @@ static enum hawser_status record(struct hawser__free_walk *walk,
 	                           half->base.rows, 0.0))
 		return hawser__no_memory(report, where);
 	backbone->points++;
-	return hawser__half_unstable(half, &point->unstable, walk->t, report);
+	return hawser__half_unstable(half, &point->unstable, walk->t, correction->residual, report);
 }
 
 /* --- the curve --- */
@@ -120,6 +121,7 @@ enum hawser_status hawser__free_correct(struct hawser__free_walk *walk, double *
 	struct hawser__orbit *orbit = &walk->half.base;
 	enum hawser_status status = HAWSER_OK;
 
+	orbit->reach = LAST_STEP*walk->options->tolerance;
 	for (;;) {
 		*failed = hawser__orbit_correct(orbit, y, correction, row, walk->options->tolerance);
 		if (*failed || orbit->mesh <= walk->options->tolerance*orbit->X)
@@ -250,9 +252,13 @@ static enum hawser_status correct_next(void *owner, double ds, struct hawser__co
                                        int *failed)
 {
 	struct hawser__free_walk *walk = owner;
+	enum hawser_status status;
 
 	(void)ds;
-	return hawser__free_correct(walk, walk->next, walk->t, correction, failed, walk->report);
+	walk->half.guessing = 1;
+	status = hawser__free_correct(walk, walk->next, walk->t, correction, failed, walk->report);
+	walk->half.guessing = 0;
+	return status;
 }
 
 static enum hawser_status finish(void *owner, double ds, double *angle)

@@ -19,8 +19,8 @@
 
 static const char where[] = "backbone";
 
-#define FIRST_STEPS_A_PERIOD 8 /* per period of the fastest coordinate, and least number of steps;
-                                * chosen */
+#define FIRST_STEPS_A_PERIOD 6 /* per period of the fastest coordinate: its frequency is off by 9e-8,
+                                * in which others' resonances with it are; chosen */
 #define MOST_STEPS 20000 /* enough for a coordinate 2500 times as fast as the motion */
 
 static struct hawser__half *of(struct hawser__orbit *orbit)
@@ -187,6 +187,11 @@ static void solve(struct hawser__orbit *orbit, double *dy, int homogeneous, doub
 	dy[n] *= orbit->W;
 }
 
+static int guess(struct hawser__orbit *orbit, const double *y, const double *row)
+{
+	return of(orbit)->guessing && hawser__orbit_guess(orbit, y, row);
+}
+
 double hawser__half_determinant(const struct hawser__half *half, double *sign)
 {
 	int size = half->base.n + 1;
@@ -255,6 +260,7 @@ enum hawser_status hawser__half_other(const struct hawser__half *half, double *s
 
 static const struct hawser__orbit_ops ops = {
 	.metric = metric, .defects = defects, .factor = factor, .solve = solve,
+	.keep = hawser__orbit_keep, .guess = guess,
 };
 
 static enum hawser_status arrange(struct hawser__half *half, int steps, struct hawser_report *report)
@@ -313,13 +319,13 @@ enum hawser_status hawser__half_init(struct hawser__half *half, const struct haw
 	half->class_of = hawser__hold(&half->hold, n, sizeof(int));
 	half->y = hawser__hold(&half->hold, size, sizeof(double));
 	half->x = hawser__hold(&half->hold, m, sizeof(double));
-	half->A = hawser__hold(&half->hold, m*m, sizeof(double));
-	half->b = hawser__hold(&half->hold, m, sizeof(double));
+	half->A = hawser__hold(&half->hold, m*(m + 1), sizeof(double));
 	half->scale = hawser__hold(&half->hold, n, sizeof(double));
 	half->matrix = hawser__hold(&half->hold, size*size, sizeof(double));
 	half->pivot = hawser__hold(&half->hold, size, sizeof(int));
 	if (half->hold.short_of_memory)
 		return hawser__no_memory(report, where);
+	half->b = half->A + m*m;
 	skew_part(half->G, rom);
 	half->classes = 1;
 	for (size_t j = 0; j < n; j++)
@@ -332,6 +338,8 @@ enum hawser_status hawser__half_init(struct hawser__half *half, const struct haw
 	status = hawser__flow_init(&half->flow, &half->model, report);
 	if (!status)
 		status = hawser__orbit_init(&half->base, &half->model, (int)size, report);
+	if (!status && hawser__orbit_remember(&half->base, half->A, m*(m + 1)))
+		status = hawser__no_memory(report, where);
 	return status ? status : arrange(half, first_steps(rom), report);
 }
 

@@ -20,8 +20,11 @@ struct hawser__half {
 	double *y;                 /* [n + 1] of the last defects */
 	struct hawser__flow flow;
 	int steps;                 /* number of steps of the half period */
+	int guessing;              /* 1: Jacobians may be extrapolated; near branch points that finds orbits
+	                            * beside the curve */
 	int periods;               /* the motion repeats after so many periods of Omega; 1 */
-	double *x, *A, *b;         /* [m] end of the half period, its derivatives [m][m], [m] */
+	double *x, *A, *b;         /* [m] end of the half period, its derivatives [m][m], [m] behind
+	                            * each other */
 	double *scale;             /* [n] metric: sizes of the coordinates */
 	double *matrix;            /* [n + 1][n + 1] factors, column-major */
 	int *pivot;                /* [n + 1] */
@@ -36,10 +39,11 @@ void hawser__half_release(struct hawser__half *half);
 enum hawser_status hawser__half_refine(struct hawser__half *half, struct hawser_report *report);
 
 /* half_multipliers.c: multipliers outside the unit circle by more than their error, which follows
- * from the error of integration, without the two that are 1 in every free motion; at the last
- * derived defects, where the curve has the tangent t [n + 1]. */
+ * from the error of integration and the residual, relative, without the two that are 1 in every free
+ * motion; at the last derived defects, where the curve has the tangent t [n + 1]. */
 enum hawser_status hawser__half_unstable(const struct hawser__half *half, int *unstable,
-                                         const double *t, struct hawser_report *report);
+                                         const double *t, double residual,
+                                         struct hawser_report *report);
 
 /* Sign and logarithm of the determinant of the factors, scaled. */
 double hawser__half_determinant(const struct hawser__half *half, double *sign);

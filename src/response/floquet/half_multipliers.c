@@ -27,7 +27,8 @@
 
 static const char where[] = "backbone";
 
-/* Error of the derivatives of the half-period map over that of its orbit; an estimate. */
+/* Error of the derivatives of the half-period map over that of its orbit, by its steps and by what it
+ * does not return by; an estimate. */
 #define DERIVATIVES 10.0
 #define ROUND_OFF 1e-13 /* of the entries of the monodromy matrix */
 
@@ -121,9 +122,10 @@ static int count_outside(double *re, double *im, int count, double loss)
 }
 
 enum hawser_status hawser__half_unstable(const struct hawser__half *half, int *unstable,
-                                         const double *t, struct hawser_report *report)
+                                         const double *t, double residual,
+                                         struct hawser_report *report)
 {
-	double loss = DERIVATIVES*half->base.mesh/half->base.X + ROUND_OFF;
+	double loss = DERIVATIVES*(half->base.mesh/half->base.X + residual) + ROUND_OFF;
 	int m = 2*half->base.n, rest = m - 2, info;
 	size_t square = (size_t)m*(size_t)m;
 	double *whole = malloc((2*square + 4*(size_t)m)*sizeof *whole), *pair, *re, *im;

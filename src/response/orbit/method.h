@@ -97,6 +97,11 @@ struct hawser__orbit {
 	int unjudged;         /* not 0: no multipliers are wanted: each orbit counts as stable */
 	double rate;          /* factor by which a step with a guessed Jacobian reduces the defects */
 	double *step, *spare; /* [size] workspace of the corrector and of the metric */
+	double *derived;      /* [derivatives] of the last defects, for guess (shooting_guess.c): of a
+	                       * method that integrates, the transition matrices and what Omega changes */
+	size_t derivatives;
+	double *memory;       /* y and `derived` of past orbits, */
+	int kept;             /* how many so far */
 	void (*tick)(void *owner); /* called before each correction, for progress; or NULL */
 	void *owner;
 	struct hawser_orbit_cost cost;
@@ -154,9 +159,9 @@ struct hawser__orbit_ops {
 	/* Frees the orbit itself too. */
 	void (*clear)(struct hawser__orbit *orbit);
 
-	/* A method has both or none. keep: store the Jacobian of the corrected orbit y. guess:
-	 * extrapolate the Jacobian near y, with the plane's normal `row`, from stored ones; returns 0
-	 * if that is not possible. */
+	/* A method has both or none: those that integrate have the functions below. keep: store the
+	 * Jacobian of the corrected orbit y. guess: extrapolate the Jacobian near y, with the plane's
+	 * normal `row`, from stored ones; returns 0 if that is not possible. */
 	void (*keep)(struct hawser__orbit *orbit, const double *y);
 	int (*guess)(struct hawser__orbit *orbit, const double *y, const double *row);
 
@@ -172,6 +177,12 @@ struct hawser__orbit_ops {
 enum hawser_status hawser__orbit_init(struct hawser__orbit *orbit, const struct hawser_rom *rom,
                                       int size, struct hawser_report *report);
 void hawser__orbit_free(struct hawser__orbit *orbit);
+
+/* shooting_guess.c: `keep` and `guess` of a method whose Jacobian follows from orbit->derived
+ * [derivatives] alone. _remember gives them room, for the lifetime of the base; 1: no memory. */
+int hawser__orbit_remember(struct hawser__orbit *orbit, double *derived, size_t derivatives);
+void hawser__orbit_keep(struct hawser__orbit *orbit, const double *y);
+int hawser__orbit_guess(struct hawser__orbit *orbit, const double *y, const double *row);
 
 /* The scaled forcing frequency at the parameter p of the family; NaN if there is no model. */
 double hawser__orbit_frequency(const struct hawser__orbit *orbit, double p);

@@ -152,6 +152,7 @@ void hawser__orbit_free(struct hawser__orbit *orbit)
 	free(orbit->log_modulus);
 	free(orbit->argument);
 	free(orbit->kind);
+	free(orbit->memory);
 }
 
 /* Of the harmonics' D only those that are constant have a mean. */
@@ -224,11 +225,11 @@ static int chords(struct hawser__orbit *orbit, double *y, struct hawser__correct
 		if (i == 1)
 			correction->first = length;
 		correction->residual = orbit->ops->defects(orbit, y, sure);
+		rate = correction->residual/before;
+		if (i == 1 && !(sure && rate <= orbit->rate))
+			orbit->rate = rate;
 		if (sure)
 			return 0;
-		rate = correction->residual/before;
-		if (i == 1)
-			orbit->rate = rate;
 	}
 	return 1;
 }

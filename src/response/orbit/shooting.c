@@ -62,8 +62,7 @@ enum hawser_status hawser__shooting_init(struct hawser__shooting *shooting,
 	shooting->scale = hawser__hold(&shooting->hold, m, sizeof(double));
 	shooting->defect = hawser__hold(&shooting->hold, S*m, sizeof(double));
 	shooting->finer = hawser__hold(&shooting->hold, S*m, sizeof(double));
-	shooting->A = hawser__hold(&shooting->hold, S*m*m, sizeof(double));
-	shooting->b = hawser__hold(&shooting->hold, S*m, sizeof(double));
+	shooting->A = hawser__hold(&shooting->hold, S*m*(m + 1), sizeof(double));
 	shooting->matrix = hawser__hold(&shooting->hold, size*size, sizeof(double));
 	shooting->pivot = hawser__hold(&shooting->hold, size, sizeof(int));
 	shooting->estimate = hawser__hold(&shooting->hold, 4*size, sizeof(double));
@@ -80,7 +79,8 @@ enum hawser_status hawser__shooting_init(struct hawser__shooting *shooting,
 		status = hawser__flow_init(&shooting->flow, rom, report);
 	if (!status)
 		status = hawser__orbit_init(&shooting->base, rom, (int)size, report);
-	if (!status && hawser__shooting_guess_init(shooting))
+	shooting->b = shooting->A ? shooting->A + S*m*m : NULL;
+	if (!status && hawser__orbit_remember(&shooting->base, shooting->A, S*m*(m + 1)))
 		status = hawser__no_memory(report, "orbit");
 	if (!status)
 		status = hawser__shooting_remesh(shooting, steps, report);
@@ -94,7 +94,6 @@ void hawser__shooting_release(struct hawser__shooting *shooting)
 	hawser__flow_clear(&shooting->flow);
 	hawser__hold_clear(&shooting->hold);
 	free(shooting->base.samples);
-	free(shooting->memory);
 	hawser__orbit_free(&shooting->base);
 	memset(shooting, 0, sizeof *shooting);
 }
@@ -439,7 +438,7 @@ static const struct hawser__orbit_ops ops = {
 	metric, defects, factor, solve, error, multipliers, hawser__shooting_refine,
 	hawser__shooting_relax, hawser__shooting_enrich, hawser__shooting_sharpen,
 	hawser__shooting_add_wave, hawser__shooting_from_state, state, clear,
-	hawser__shooting_keep, hawser__shooting_guess, parts, shift,
+	hawser__orbit_keep, hawser__orbit_guess, parts, shift,
 };
 
 static enum hawser_status open_method(struct hawser__orbit **orbit, const struct hawser_rom *rom,

@@ -19,7 +19,6 @@
 #include "response/orbit/method.h"
 
 #define HAWSER_MAX_SEGMENTS 64 /* a segment may have five e-folds of damping: 320 per period */
-#define HAWSER_REMEMBERED 8 /* number of orbits whose transition matrices are stored */
 
 struct hawser__shooting {
 	struct hawser__orbit base;
@@ -32,7 +31,7 @@ struct hawser__shooting {
 	int coarse;                /* steps per segment while a finer mesh is compared with it;
 	                            * otherwise 0 */
 	double *finer;             /* [S m] workspace: ends of the segments in finer steps */
-	double *A, *b;             /* [S][m][m], [S][m] */
+	double *A, *b;             /* [S][m][m], [S][m], one behind the other: what orbits are kept of */
 	double *matrix;            /* [size][size] bordered matrix, column-major, or its LU */
 	int *pivot;                /* [size] */
 	double *schur, *floquet_work; /* scratch */
@@ -42,8 +41,6 @@ struct hawser__shooting {
 	double norm;               /* 1-norm of the bordered matrix */
 	double *estimate;          /* [4 size] and int [size]: workspace of the condition estimate */
 	int *estimate_int;
-	double *memory;            /* [HAWSER_REMEMBERED] y, A and b of orbits */
-	int kept;                  /* number of stored orbits */
 	struct hawser__hold hold;
 };
 
@@ -78,11 +75,7 @@ void hawser__shooting_border(struct hawser__shooting *shooting);
 /* In the right side dy [size] of a correction: turn it back to the anchor. */
 void hawser__shooting_hold(const struct hawser__shooting *shooting, double *dy);
 
-/* shooting_guess.c: see keep and guess in method.h. _init returns 1 when out of memory. */
-int hawser__shooting_guess_init(struct hawser__shooting *shooting);
-void hawser__shooting_keep(struct hawser__orbit *orbit, const double *y);
-int hawser__shooting_guess(struct hawser__orbit *orbit, const double *y, const double *row);
-/* The same file: add_wave and from_state of method.h. */
+/* shooting_guess.c: add_wave and from_state of method.h. */
 void hawser__shooting_add_wave(struct hawser__orbit *orbit, double *y, const double *pq, int k,
                                double omega);
 enum hawser_status hawser__shooting_from_state(struct hawser__orbit *orbit, double *y, const double *x,

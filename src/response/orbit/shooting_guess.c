@@ -12,6 +12,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <cblas.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -25,29 +26,28 @@
                               * chosen */
 #define LARGEST_WEIGHT 40.0  /* larger weights amplify the errors of the matrices too much; chosen */
 
-static size_t record_size(const struct hawser__shooting *shooting)
-{
-	size_t m = (size_t)shooting->base.m, S = (size_t)shooting->segments;
+enum { REMEMBERED = 8 }; /* orbits */
 
-	return S*m*(m + 1) + (size_t)shooting->base.size;
+static double *record_of(const struct hawser__orbit *orbit, int kept)
+{
+	return orbit->memory + (size_t)(kept%REMEMBERED)*(orbit->derivatives + (size_t)orbit->size);
 }
 
-int hawser__shooting_guess_init(struct hawser__shooting *shooting)
+int hawser__orbit_remember(struct hawser__orbit *orbit, double *derived, size_t derivatives)
 {
-	shooting->memory = calloc(HAWSER_REMEMBERED*record_size(shooting), sizeof(double));
-	return !shooting->memory;
+	orbit->derived = derived;
+	orbit->derivatives = derivatives;
+	orbit->memory = calloc(REMEMBERED*(derivatives + (size_t)orbit->size), sizeof(double));
+	return !orbit->memory;
 }
 
-void hawser__shooting_keep(struct hawser__orbit *orbit, const double *y)
+void hawser__orbit_keep(struct hawser__orbit *orbit, const double *y)
 {
-	struct hawser__shooting *shooting = (struct hawser__shooting *)orbit;
-	size_t m = (size_t)orbit->m, S = (size_t)shooting->segments, size = (size_t)orbit->size;
-	double *record = shooting->memory +
-	                 (size_t)(shooting->kept++%HAWSER_REMEMBERED)*record_size(shooting);
+	size_t size = (size_t)orbit->size;
+	double *record = record_of(orbit, orbit->kept++);
 
 	memcpy(record, y, size*sizeof *record);
-	memcpy(record + size, shooting->A, S*m*m*sizeof *record);
-	memcpy(record + size + S*m*m, shooting->b, S*m*sizeof *record);
+	memcpy(record + size, orbit->derived, orbit->derivatives*sizeof *record);
 }
 
 /* A stored orbit. */
@@ -74,17 +74,14 @@ static int insert(struct node *node, int count, struct node new)
 }
 
 /* The nearest orbits, latest first: of two that coincide the later one is used. */
-static int choose(struct node *node, const struct hawser__shooting *shooting, const double *y,
+static int choose(struct node *node, const struct hawser__orbit *orbit, const double *y,
                   const double *row)
 {
-	const struct hawser__metric metric = hawser__orbit_metric(&shooting->base);
-	int kept = shooting->kept < HAWSER_REMEMBERED ? shooting->kept : HAWSER_REMEMBERED;
-	int count = 0;
+	const struct hawser__metric metric = hawser__orbit_metric(orbit);
+	int kept = orbit->kept < REMEMBERED ? orbit->kept : REMEMBERED, count = 0;
 
 	for (int i = 1; i <= kept; i++) {
-		const double *record = shooting->memory +
-		                       (size_t)((shooting->kept - i)%HAWSER_REMEMBERED)*
-		                       record_size(shooting);
+		const double *record = record_of(orbit, orbit->kept - i);
 		double s = hawser__metric_dot(&metric, row, record) -
 		           hawser__metric_dot(&metric, row, y);
 		double distance2 = hawser__metric_distance2(&metric, record, y);
@@ -111,27 +108,19 @@ static double weigh(struct node *node, int count)
 	return sum;
 }
 
-int hawser__shooting_guess(struct hawser__orbit *orbit, const double *y, const double *row)
+int hawser__orbit_guess(struct hawser__orbit *orbit, const double *y, const double *row)
 {
-	struct hawser__shooting *shooting = (struct hawser__shooting *)orbit;
-	size_t m = (size_t)orbit->m, S = (size_t)shooting->segments, size = (size_t)orbit->size;
 	struct node node[NODES];
-	int count = choose(node, shooting, y, row);
+	int count = choose(node, orbit, y, row);
 
 	while (count > 1 && weigh(node, count) > LARGEST_WEIGHT)
 		count--;
 	if (count < 2)
 		return 0;
-	memset(shooting->A, 0, S*m*m*sizeof(double));
-	memset(shooting->b, 0, S*m*sizeof(double));
-	for (int k = 0; k < count; k++) {
-		const double *A = node[k].record + size, *b = A + S*m*m;
-
-		for (size_t i = 0; i < S*m*m; i++)
-			shooting->A[i] += node[k].weight*A[i];
-		for (size_t i = 0; i < S*m; i++)
-			shooting->b[i] += node[k].weight*b[i];
-	}
+	memset(orbit->derived, 0, orbit->derivatives*sizeof *orbit->derived);
+	for (int k = 0; k < count; k++)
+		cblas_daxpy((int)orbit->derivatives, node[k].weight, node[k].record + orbit->size, 1,
+		            orbit->derived, 1);
 	return 1;
 }
 
