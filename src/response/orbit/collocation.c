@@ -1,5 +1,5 @@
-/* response/orbit/collocation.c - the tables of collocation at Gauss nodes, made when an integration
- * begins.
+/* response/orbit/collocation.c - the tables of collocation at Gauss nodes, made once: a map opens
+ * thousands of orbits that take them.
  *
  * The nodes are computed by Newton's method on P_s from Tricomi's approximation, to the last bit or
  * two. The integrals of Legendre polynomials have closed forms.
@@ -8,6 +8,7 @@
 #include "config.h"
 
 #include <math.h>
+#include <pthread.h>
 
 #include "response/orbit/collocation.h"
 
@@ -107,14 +108,25 @@ static void make(struct hawser__collocation *table, double (*node)(double *, int
 	compose(table->end_twice, twice, table->transform);
 }
 
+static struct hawser__collocation gauss, radau_table;
+static pthread_once_t made = PTHREAD_ONCE_INIT;
+
+static void make_both(void)
+{
+	make(&gauss, gauss_node);
+	make(&radau_table, radau_node);
+}
+
 void hawser__collocation_make(struct hawser__collocation *table)
 {
-	make(table, gauss_node);
+	pthread_once(&made, make_both);
+	*table = gauss;
 }
 
 void hawser__collocation_make_radau(struct hawser__collocation *table)
 {
-	make(table, radau_node);
+	pthread_once(&made, make_both);
+	*table = radau_table;
 }
 
 void hawser__collocation_indirect(struct hawser__collocation *table)
