@@ -266,7 +266,7 @@ enum hawser_status hawser__about_way(struct hawser__way *way, const struct hawse
                                      struct hawser_report *report)
 {
 	struct hawser__raised raised = {.way = way, .guide = guide};
-	struct hawser__about about = {.room = 0};
+	struct hawser__about about = {.counts = 1}; /* a way behind a fold misleads no such response */
 	enum hawser_status status = find(&about, &raised, HAWSER__ON_THE_WAY, rom, omega, report);
 
 	hawser__about_clear(&about);
