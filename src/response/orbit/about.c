@@ -203,26 +203,28 @@ static enum hawser_status find(struct hawser__about *about, struct hawser__raise
 	enum hawser_status status;
 	int again;
 
-	about->unsure = 0;
-	raised->rough = raised->slow ? FINE : HAWSER__ON_THE_WAY;
+	raised->rough = raised->slow || (raised->guide && raised->guide->rough == FINE)
+	                ? FINE : HAWSER__ON_THE_WAY;
 	do {
 		struct hawser__correction correction = {.iterations = 0};
 		struct hawser__orbit *orbit;
 		double *y;
 		int behind = 0, lost;
 
-		if (raised->way)
+		if (raised->way) {
 			hawser__way_clear(raised->way);
+			raised->way->rough = raised->rough;
+		}
 		status = open_orbit(&orbit, &y, rom, omega, report);
 		if (!status)
 			status = respond(y, orbit, &correction, tolerance, raised, omega, report);
 		lost = status == HAWSER_ERR_CONVERGENCE && raised->load >= 0.0 && !raised->turned;
 		if (!status) {
-			about->error = orbit->ops->error(orbit, correction.residual);
 			hawser__balance_transform((struct hawser__balance *)orbit);
 			status = take(about, rom, (const struct hawser__balance *)orbit, omega, report);
 		}
-		if (!status && !raised->slow)
+		about->unsure = about->counts && !raised->slow;
+		if (!status && !raised->slow && !about->counts)
 			status = is_behind(&behind, about, omega, report);
 		close_orbit(orbit, y);
 		again = behind || (lost && raised->rough > FINE);
@@ -264,7 +266,7 @@ enum hawser_status hawser__about_way(struct hawser__way *way, const struct hawse
                                      struct hawser_report *report)
 {
 	struct hawser__raised raised = {.way = way, .guide = guide};
-	struct hawser__about about = {.room = 0};
+	struct hawser__about about = {.counts = 1}; /* a way behind a fold misleads no such response */
 	enum hawser_status status = find(&about, &raised, HAWSER__ON_THE_WAY, rom, omega, report);
 
 	hawser__about_clear(&about);

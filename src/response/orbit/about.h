@@ -15,13 +15,13 @@ struct hawser__about {
 	double *K;             /* [2 spread + 1][n][n] */
 	size_t room, room_h;   /* numbers allocated */
 	double tolerance;      /* of the orbit; 0: 1e-8 */
-	double error;          /* of the orbit, relative to its size */
 	struct hawser_linear *linear; /* workspace of linear_n coordinates, or NULL */
 	int linear_n;
 	struct hawser__hill_matrix matrix;
 	int unsure; /* 1: the response may lie behind a fold: where it has an odd number of real multipliers
 	             * above 1, it is to be found again with */
 	int slow;   /* 1: from rest, along fine orbits */
+	int counts; /* 1: the caller has the multipliers: each response that is not slow is unsure */
 	const struct hawser__way *guide; /* of the next response: the way of a model like it; or NULL */
 };
 

@@ -1,5 +1,5 @@
-/* response/orbit/collocation.c - the tables of collocation at Gauss nodes, made when an integration
- * begins.
+/* response/orbit/collocation.c - the tables of collocation at Gauss nodes, made once: a map opens
+ * thousands of orbits that take them.
  *
  * The nodes are computed by Newton's method on P_s from Tricomi's approximation, to the last bit or
  * two. The integrals of Legendre polynomials have closed forms.
@@ -8,6 +8,7 @@
 #include "config.h"
 
 #include <math.h>
+#include <pthread.h>
 
 #include "response/orbit/collocation.h"
 
@@ -108,14 +109,27 @@ static void make(struct hawser__collocation *table, double (*node)(double *, int
 	compose(table->end_twice, twice, table);
 }
 
+/* The tables of Gauss' rule and of Radau's with any number of nodes are made once. */
+static struct hawser__collocation gauss, radau_of[S + 1];
+static pthread_once_t made = PTHREAD_ONCE_INIT;
+
+static void make_all(void)
+{
+	make(&gauss, gauss_node, S);
+	for (int s = 1; s <= S; s++)
+		make(&radau_of[s], radau_node, s);
+}
+
 void hawser__collocation_make(struct hawser__collocation *table)
 {
-	make(table, gauss_node, S);
+	pthread_once(&made, make_all);
+	*table = gauss;
 }
 
 void hawser__collocation_make_radau(struct hawser__collocation *table, int nodes)
 {
-	make(table, radau_node, nodes);
+	pthread_once(&made, make_all);
+	*table = radau_of[nodes];
 }
 
 void hawser__collocation_indirect(struct hawser__collocation *table)

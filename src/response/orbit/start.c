@@ -226,7 +226,8 @@ static enum hawser_status raise_load(double *y, struct hawser__orbit *orbit, int
 	orbit->rom = &climb.weak.rom;
 	*failed = !raised->guide ? 0 : follow(&climb, y, orbit, correction, omega, tolerance, raised,
 	                                      report);
-	rounds = climb.load > 0.0;
+	/* at the whole load, an orbit before tells whether a fold is between */
+	rounds = climb.load > 0.0 && (climb.load < 1.0 || climb.last_load > 0.0);
 	while (*failed < 2 && !status && (climb.load < 1.0 || rounds)) {
 		double next = fmin(1.0, climb.load + climb.step);
 

@@ -13,6 +13,8 @@ struct hawser__way {
 		int length;
 	} *passed; /* [count] */
 	int count;
+	double rough; /* tolerance of the orbits below the whole load with which these were found; 0: as
+	               * rough as is tried first */
 };
 /* Add the orbit y [count] at this load; not 0: memory is short. */
 int hawser__way_add(struct hawser__way *way, double load, const double *y, int count);

@@ -127,10 +127,12 @@ enum hawser_status hawser__structure_prepare(void *context, const double *x, con
                                              int count, int threads, struct hawser_report *report);
 
 /* map_guide.c. _prepare: hawser_map_field.prepare. _guide: the orbits from which the response at a
- * point starts, which _prepare has computed; or NULL. _guided: 0: it has not. */
+ * point starts, of what _prepare has computed, or NULL; they may be in *own, which the caller clears.
+ * _guided: 0: it has not. */
 enum hawser_status hawser__map_prepare(void *context, const double *x, const double *y, int count,
                                        int threads, struct hawser_report *report);
-const struct hawser__way *hawser__map_guide(const struct hawser__map_cable *cable, double x, double y);
+enum hawser_status hawser__map_guide(const struct hawser__way **guide, struct hawser__way *own,
+                                     const struct hawser__map_cable *cable, double x, double y);
 int hawser__map_guided(const struct hawser__map_cable *cable, double x, double y);
 void hawser__map_guides_free(struct hawser__map_guides *guides);
 /* The number of coordinates of the model at this point, with or without a response. */

@@ -35,6 +35,7 @@ struct worker {
 	struct hawser__structure own; /* structure of the last point, if it is not stored */
 	struct hawser_rom built;      /* model of the last point, likewise */
 	struct hawser__about about;   /* of the last point */
+	struct hawser__way foretold;  /* likewise */
 	struct hawser_map_condensed condensed;
 };
 
@@ -83,6 +84,7 @@ void hawser__map_worker_close(void *context)
 	free(worker->harmonic);
 	free(worker->D);
 	hawser__about_clear(&worker->about);
+	hawser__way_clear(&worker->foretold);
 	free(worker);
 }
 
@@ -345,9 +347,13 @@ enum hawser_status hawser__map_worker_model(void *context, const struct hawser_r
 	struct worker *worker = context;
 	const double at[2] = {x, y};
 
+	enum hawser_status status = hawser__map_guide(&worker->about.guide, &worker->foretold,
+	                                              worker->cable, x, y);
+
 	worker->about.tolerance = 0.0;
-	worker->about.guide = hawser__map_guide(worker->cable, x, y);
-	return model_at(rom, omega, steady, worker, at, report);
+	worker->about.counts = 0;
+	return status ? hawser__no_memory(report, "map")
+	              : model_at(rom, omega, steady, worker, at, report);
 }
 
 enum hawser_status hawser__map_worker_coordinates(void *context, int *n, const double at[2],
@@ -437,8 +443,10 @@ enum hawser_status hawser__map_worker_point(void *context, struct hawser_map_sam
 	*sample = (struct hawser_map_sample){0.0, 0, HAWSER_MAP_OK};
 	for (int k = 0; marks && k < worker->cable->marks; k++)
 		marks[k] = 0.0;
-	worker->about.guide = hawser__map_guide(worker->cable, x, y);
+	if (hawser__map_guide(&worker->about.guide, &worker->foretold, worker->cable, x, y))
+		return hawser__no_memory(report, "map");
 	worker->about.tolerance = worker->room.finer ? 0.0 : asked > 0.0 ? asked : ORBIT;
+	worker->about.counts = 1;
 	for (worker->about.slow = 0; again; worker->about.slow = again) {
 		worker->about.unsure = 0;
 		status = model_at(&rom, &omega, &steady, worker, at, report);

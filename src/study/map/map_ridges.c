@@ -232,14 +232,16 @@ static enum hawser_status ends(struct hawser__ridge_edge *ends, int *complete, s
 
 	*ends = (struct hawser__ridge_edge){.n = mapper->field->exponents};
 	*complete = 1;
-	for (int k = 0; k < 2 && !status; k++) {
+	for (int k = 0; k < 2; k++) {
 		node[k] = mapper->node[(long)at[k][1]*mapper->nx + at[k][0]];
-		status = want_near(&near[k], &ends->step[k], mapper, at[k][0], at[k][1], along, report);
-		ends->step[k] /= list->length;
 		*complete &= hawser__map_sample(mapper, node[k])->code == HAWSER_MAP_OK;
 	}
+	for (int k = 0; k < 2 && !status && *complete; k++) {
+		status = want_near(&near[k], &ends->step[k], mapper, at[k][0], at[k][1], along, report);
+		ends->step[k] /= list->length;
+	}
 	/* marks move in memory while points are wanted */
-	for (int k = 0; k < 2 && !status && list->nears; k++) {
+	for (int k = 0; k < 2 && !status && *complete && list->nears; k++) {
 		ends->end[k] = hawser__map_marks(mapper, node[k]) + HAWSER__MARGINS;
 		if (hawser__map_sample(mapper, near[k])->code == HAWSER_MAP_OK)
 			ends->near[k] = hawser__map_marks(mapper, near[k]) + HAWSER__MARGINS;
