@@ -170,6 +170,12 @@ static void fill_sides(struct hawser__fold *fold)
 	kernel[P] = 1.0;
 }
 
+double hawser__fold_defect(struct hawser__fold *fold, const double *z, int derive)
+{
+	hawser__load_set(&fold->load, z[fold->size - 1]);
+	return fold->defect = fold->balance.base.ops->defects(&fold->balance.base, z, derive);
+}
+
 enum hawser_status hawser__fold_evaluate(struct hawser__fold *fold, double *residual,
                                          const double *z, struct hawser_report *report)
 {
@@ -180,8 +186,7 @@ enum hawser_status hawser__fold_evaluate(struct hawser__fold *fold, double *resi
 	if (status)
 		return status;
 	*residual = NAN;
-	hawser__load_set(&fold->load, z[fold->size - 1]);
-	fold->defect = balance->base.ops->defects(&balance->base, z, 1);
+	hawser__fold_defect(fold, z, 1);
 	balance->factored = 0; /* the scales are those of this orbit; the old factors are invalid */
 	hawser__balance_scale(balance);
 	hawser__balance_set_border(balance, fold->zero);

@@ -109,6 +109,12 @@ static enum hawser_status evaluate(void *owner, double *residual, double *z)
 	return hawser__fold_evaluate(walk->fold, residual, z, walk->report);
 }
 
+static enum hawser_status check_defect(void *owner, double *residual, const double *z)
+{
+	*residual = hawser__fold_defect(((struct hawser__fold_walk *)owner)->fold, z, 0);
+	return HAWSER_OK;
+}
+
 static int solve(void *owner, double *dz, const double *z, const double *row)
 {
 	(void)z;
@@ -130,8 +136,8 @@ enum hawser_status hawser__walk_correct(struct hawser__fold_walk *walk,
 {
 	struct hawser__orbit *orbit = hawser__fold_orbit(walk->fold);
 	const struct hawser__metric metric = hawser__fold_metric(walk->fold);
-	const struct hawser__newton newton = {walk, &metric, walk->options->tolerance, evaluate, solve,
-	                                      moved};
+	const struct hawser__newton newton = {walk, &metric, walk->options->tolerance, evaluate,
+	                                      check_defect, solve, moved};
 
 	for (;;) {
 		int again;

@@ -146,8 +146,8 @@ enum hawser_status hawser__locus_correct(struct hawser__locus_walk *walk,
 	for (;;) {
 		int order = (int)ceil(MORE*locus->order) + 1;
 		struct hawser__metric metric = metric_at(walk, station->z);
-		const struct hawser__newton newton = {walk, &metric, walk->options->tolerance, evaluate, solve,
-		                                      moved};
+		const struct hawser__newton newton = {walk, &metric, walk->options->tolerance, evaluate, NULL,
+		                                      solve, moved};
 		enum hawser_status status = hawser__newton_correct(&newton, station->z, walk->dz, row,
 		                                                   &station->correction, failed);
 
