@@ -7,6 +7,8 @@
 #include "continuation/newton.h"
 
 #define MAX_ITERATIONS 10     /* with the worst contraction, the step is halved before; chosen */
+#define NEAR 1e-5             /* a last step from which derivatives are good enough for tangents and
+                               * signs of test functions; chosen */
 #define WORST_CONTRACTION 0.7 /* largest ratio of successive steps; chosen */
 
 enum hawser_status hawser__newton_correct(const struct hawser__newton *newton, double *z, double *dz,
@@ -46,6 +48,13 @@ enum hawser_status hawser__newton_correct(const struct hawser__newton *newton, d
 			return HAWSER_OK;
 		done = length <= 0.1*tolerance || (i > 0 && ratio*length <= 0.1*tolerance);
 		previous = length;
+		if (!done || !newton->check || length > NEAR)
+			continue;
+		if ((status = newton->check(newton->owner, &did->residual, z)))
+			return status;
+		*failed = !(did->residual <= tolerance);
+		if (!*failed)
+			return HAWSER_OK;
 	}
 	return HAWSER_OK;
 }

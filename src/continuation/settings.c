@@ -8,8 +8,8 @@
  *   after_failure     .4: a failed corrector says nothing of the length that it can do
  *   after_refusal     .5
  *   slowest, fastest  .4 to 1.8: a good step alone is no reason to double the next
- *   distance_order    2 nodes - 1 of the predictor, and one: 6 for three points and tangents, 3 for the
- *                     parabola of two tangents, 2 for one tangent
+ *   distance_order    2 nodes - 1 of the predictor, and one: 6 for three points and tangents, 2 for one
+ *                     tangent
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -37,10 +37,11 @@ const struct hawser__step_settings hawser__known_steps = {
 	.goal_contraction = 0.05, .goal_angle = 0.7, .goal_distance = 1e-3, .distance_order = 6
 };
 
-/* A point costs five times that of a response, and its predictor is of lower order. */
+/* Of curves of folds and of loci. A point costs several times that of a response: from predictions that
+ * are 1e-3 off, two Newton steps are enough. */
 const struct hawser__step_settings hawser__folds_steps = {
 	.smallest = 1e-9, .after_failure = 0.5, .after_refusal = 0.5, .slowest = 0.4, .fastest = 1.8,
-	.goal_contraction = 0.05, .goal_angle = 0.15, .goal_distance = 1e-2, .distance_order = 3
+	.goal_contraction = 0.05, .goal_angle = 0.15, .goal_distance = 1e-3, .distance_order = 6
 };
 
 /* Backbones are smooth: the longest step, which a picture needs, is what limits them. */

@@ -116,6 +116,11 @@ void hawser__forecast_hear(struct hawser__forecast *forecast,
 		forecast->began = now - hawser__processor_seconds();
 	if (isnan(state->left))
 		return;
+	if (isinf(state->left)) { /* what was foreseen does not hold */
+		forecast->end = 0.0;
+		forecast->count = 0;
+		return;
+	}
 	forecast->end = now - forecast->began + state->left;
 	remember(forecast, now - forecast->began, forecast->end);
 }

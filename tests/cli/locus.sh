@@ -83,7 +83,7 @@ if [ -n "${HAWSER_LONG:-}" ]; then
 		import json
 		found = json.load(open("near.json"))
 		cusps = sorted(e["Omega"] for c in found["curves"] for e in c["events"] if e["kind"] == "cusp")
-		assert found["not_followed"] == 0 and len(found["curves"]) == 10 and len(cusps) == 2, cusps
+		assert found["not_followed"] == 0 and len(found["curves"]) == 11 and len(cusps) == 2, cusps
 		assert abs(cusps[0]/2.63381358 - 1) < 1e-7 and abs(cusps[1]/2.63983507 - 1) < 1e-7, cusps
 		END
 	done

@@ -146,6 +146,24 @@ static void explain(struct cli_model *model, const struct hawser_accuracy *bette
 		         : "no two bases agree");
 }
 
+/* What a search tells. */
+struct told {
+	struct hawser_progress progress; /* the caller's */
+	double began, bearable; /* s of processor time */
+};
+
+/* One that foresees more than can be borne, or half of it, may end before: how long the command takes
+ * is not known then. */
+static int tell(void *data, const struct hawser_progress_state *state)
+{
+	const struct told *told = data;
+	struct hawser_progress_state shown = *state;
+
+	if (cli_processor_seconds() - told->began > 0.5*told->bearable*shown.fraction)
+		shown.left = INFINITY;
+	return told->progress.function(told->progress.data, &shown);
+}
+
 /* Search for the model. result: NULL: for the model alone, whose range stays. points: of
  * `response`, that of the modes, or NULL; after: hawser_accuracy_options. Where their error is not
  * known, it may turn out to be small. */
@@ -159,6 +177,7 @@ static enum hawser_status search(struct hawser_accuracy *better, struct cli_mode
 	struct hawser_accuracy_options choice =
 		hawser_accuracy_instead(error->stated ? &error->fixed : NULL, has_accuracy(model), options);
 	struct hawser_report why = {.message = ""};
+	struct told told;
 	enum hawser_status status;
 
 	choice.expected = points;
@@ -170,6 +189,8 @@ static enum hawser_status search(struct hawser_accuracy *better, struct cli_mode
 		choice.bearable = HAWSER_INSTEAD_FOR_ERROR;
 	else if (after > 0.0)
 		choice.bearable = fmin(choice.bearable, CLI_BEARABLE);
+	told = (struct told){options->progress, cli_processor_seconds(), choice.bearable};
+	choice.frf.progress = (struct hawser_progress){tell, &told};
 	status = hawser_accuracy_exact(better, &model->statics, &model->scene, &choice, &why);
 	if (status == HAWSER_ERR_MEMORY) {
 		if (report)

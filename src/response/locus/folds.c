@@ -1,9 +1,7 @@
 /* response/locus/folds.c - fold curves: from the folds of responses to curves through all of them.
  *
- * The responses at the nominal load and at the largest load are searched for folds, each from both ends
- * of the range. A branch that is detached at the nominal load may have joined the main branch at the
- * largest one. Then follow responses at falling loads below the least load found (folds_levels.c). A
- * fold on a known curve starts no new one.
+ * The responses at the nominal load are searched for folds, from both ends of the range. Then follow
+ * responses at falling loads (folds_levels.c). A fold on a known curve starts no new one.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -28,7 +26,6 @@
                          * errors of located folds */
 /* Part of a search that is done, measured on shipped scenes (3 to 15 s): */
 #define NOMINAL 0.15 /* after the responses at the nominal load, with their curves; measured */
-#define LARGEST 0.3  /* after those at the largest one; measured */
 #define LEVELS HAWSER__FOLDS_LEVELS
 #define ISOLAS 0.7   /* after the detached curves; measured */
 #define SAME_LOAD 1e-9 /* relative difference of their loads, likewise */
@@ -423,16 +420,14 @@ static enum hawser_status none(const struct hawser__fold_search *search)
 static enum hawser_status search_responses(struct hawser__fold_search *search)
 {
 	struct hawser_folds *folds = search->folds;
-	struct hawser__fold_level level;
 	enum hawser_status status = nominal_load(search);
 
-	hawser__fold_part(search, NOMINAL, LARGEST);
-	if (!status && search->options->load_to > 1.0 && !hawser__fold_ended(search))
-		status = hawser__fold_level(search, search->options->load_to, 0, &level);
 	if (!status && !folds->interrupted)
 		status = hawser__fold_levels(search);
 	hawser__fold_part(search, LEVELS, ISOLAS);
-	if (!status && !search->options->skip_isolas && !folds->interrupted)
+	if (!status && !folds->interrupted &&
+	    !hawser__fold_told_to_stop(search, "detached curves", "known", folds->isolas) &&
+	    !search->options->skip_isolas)
 		status = hawser__fold_isolas(search);
 	if (!status && !search->options->skip_isolas && !hawser__fold_ended(search))
 		status = hawser__fold_starts(search);

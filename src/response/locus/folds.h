@@ -36,6 +36,8 @@ struct hawser__fold {
 	                    * allocated */
 	double *A;         /* [P + 1][P + 1] by rows, or its LU */
 	int *pivot;        /* [P + 1] */
+	int sign;          /* of the determinant of A, */
+	int orientation;   /* and of the whole system with its last row, when it was solved last */
 	double *b, *c;     /* [size] borders in the scaled unknowns, at the positions of the
 	                    * coefficients */
 	double *x;         /* [4][P + 1] p_r, p_Omega, p_load, v, each with its last component */
@@ -67,6 +69,8 @@ static inline struct hawser__orbit *hawser__fold_orbit(struct hawser__fold *fold
 	return &fold->balance.base;
 }
 
+/* folds_system.c: the defect at z relative to the size of the orbit; derive: 1: with tangents. */
+double hawser__fold_defect(struct hawser__fold *fold, const double *z, int derive);
 /* folds_system.c: evaluate all of the above at z, with the borders b and c. *residual becomes the
  * defect relative to the size of the orbit; NAN if A is singular. HAWSER_ERR_MEMORY. */
 enum hawser_status hawser__fold_evaluate(struct hawser__fold *fold, double *residual,

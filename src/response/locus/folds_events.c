@@ -37,18 +37,20 @@ static int changes(const struct hawser__fold_station *a, const struct hawser__fo
 	return (a->test[k] < 0.0) != (b->test[k] < 0.0);
 }
 
-/* scratch = the point of the curve at fraction s from lo to hi. */
+/* scratch = the point of the curve at fraction s from lo to hi, with its own test functions. */
 static enum hawser_status place(struct hawser__fold_walk *walk, double s, int *failed)
 {
 	struct hawser__fold_station *at = &walk->scratch;
 	const struct hawser__node lo = hawser__fold_node(&walk->lo), hi = hawser__fold_node(&walk->hi);
 	const struct hawser__metric metric = hawser__fold_metric(walk->fold);
+	double residual;
 	enum hawser_status status;
 
 	hawser__curve_between(at->z, walk->plane, &lo, &hi, s, &metric);
 	hawser__walk_orient(walk, &walk->lo);
 	status = hawser__walk_correct(walk, at, walk->plane, failed);
-	if (status || *failed)
+	if (status || *failed || (status = hawser__fold_evaluate(walk->fold, &residual, at->z,
+	                                                         walk->report)))
 		return status;
 	hawser__walk_finish(walk, at, walk->plane);
 	at->arc = walk->lo.arc + s*(walk->hi.arc - walk->lo.arc);

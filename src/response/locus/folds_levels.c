@@ -4,10 +4,11 @@
  * a branch leaves the range at its upper end, its fold is outside, and the branch from the other
  * end has the second fold of the pair. Fold curves connect these folds with other loads. A fold
  * curve may, however, lie within the range at low loads only, so that the nominal response has none
- * of its folds. Therefore responses are traced at falling loads as well, in a window wider than the
- * range, and the curves through their folds are followed. One of these loads is just below the
- * least load on all curves, which verifies it. The search ends at a response that is nearly linear
- * and has no fold.
+ * of its folds. Therefore responses are traced at falling loads as well, from the largest one on, where
+ * a branch that is detached at the nominal load may have joined the main one, and the curves through
+ * their folds are followed. They are traced in a window wider than the range, but for those at the
+ * largest load where folds are known already. One of these loads is just below the least load on all
+ * curves, which verifies it. The search ends at a response that is nearly linear and has no fold.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -21,7 +22,7 @@
 #include "response/locus/folds_search.h"
 
 #define BELOW 0.97 /* first load examined below the least known load, relative to it; chosen */
-#define FIRST_PART 0.3 /* of the whole search, done before these loads; measured, see folds.c */
+#define FIRST_PART 0.15 /* of the whole search, done before these loads; measured, see folds.c */
 #define ASIDE 1e-8 /* error to which the folds of these responses are located: they are corrected as
                     * folds; chosen */
 #define RATIO 0.6  /* ratio of successive loads; chosen */
@@ -158,7 +159,9 @@ static enum hawser_status both(struct hawser__fold_search *search, const struct 
 	return status;
 }
 
-enum hawser_status hawser__fold_level(struct hawser__fold_search *search, double factor, int wide,
+/* Trace the curves through the folds at this load, within the range or, if `wide`, within its window.
+ * If a response cannot be traced in the window, it is traced within the range. */
+static enum hawser_status search_load(struct hawser__fold_search *search, double factor, int wide,
                                       struct hawser__fold_level *level)
 {
 	struct hawser__load load = {0};
@@ -216,18 +219,17 @@ enum hawser_status hawser__fold_levels(struct hawser__fold_search *search)
 {
 	struct hawser_folds *folds = search->folds;
 	double floor = search->options->load_from, load = search->options->load_to;
-	int done = load <= floor, cut = 0, first = 1;
+	int done = load <= floor, cut = 0, none = !isfinite(least(folds)), first = load > 1.0 || none;
 
 	while (!done && !hawser__fold_ended(search)) {
 		struct hawser__fold_level level;
 		enum hawser_status status;
 
-		/* no fold is known: the largest load, in the window */
-		if (!first || isfinite(least(folds)))
+		if (!first)
 			load = fmax(next_load(load, least(folds)), floor);
-		first = 0;
 		hawser__fold_part(search, part_at(search, load), part_at(search, RATIO*load));
-		status = hawser__fold_level(search, load, 1, &level);
+		status = search_load(search, load, none || !first, &level);
+		first = 0;
 		if (status)
 			return status;
 		/* loads above the least known one need no search */

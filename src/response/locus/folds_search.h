@@ -81,12 +81,8 @@ enum hawser_status hawser__fold_decay(struct hawser__fold_search *search);
 /* folds_linear.c: whether a response at this load is nearly linear. */
 int hawser__fold_linear(const struct hawser__fold_search *search, const struct hawser__load *load,
                         const struct hawser_frf *frf);
-/* folds_levels.c: trace the curves through the folds at this load, within the range or, if `wide`,
- * within its window. If a response cannot be traced in the window, it is traced within the range. */
-enum hawser_status hawser__fold_level(struct hawser__fold_search *search, double factor, int wide,
-                                      struct hawser__fold_level *level);
-/* folds_levels.c: the same for the response in reverse only, unless it is the same curve as the
- * first one. */
+/* folds_levels.c: trace the curves through the folds of the response in reverse, unless it is the same
+ * curve as the first one. */
 enum hawser_status hawser__fold_reverse(struct hawser__fold_search *search,
                                         const struct hawser_frf *first,
                                         const struct hawser__load *load, int wide,

@@ -127,7 +127,13 @@ static int factor(struct hawser__fold *fold)
 	fold->A[(size_t)P*row + P] = 0.0;
 	fold->solves++;
 	fold->balance.base.cost.dense += 2.0/3.0*pow(row, 3.0);
-	return LAPACKE_dgetrf_work(LAPACK_COL_MAJOR, row, row, fold->A, row, fold->pivot) != 0;
+	if (LAPACKE_dgetrf_work(LAPACK_COL_MAJOR, row, row, fold->A, row, fold->pivot) != 0)
+		return 1;
+	fold->sign = 1;
+	for (int i = 0; i < row; i++)
+		if ((fold->A[(size_t)i*(row + 1)] < 0.0) != (fold->pivot[i] != i + 1))
+			fold->sign = -fold->sign;
+	return 0;
 }
 
 /* x [sides][P + 1]: A x = x, or with A^T. */
@@ -164,6 +170,12 @@ static void fill_sides(struct hawser__fold *fold)
 	kernel[P] = 1.0;
 }
 
+double hawser__fold_defect(struct hawser__fold *fold, const double *z, int derive)
+{
+	hawser__load_set(&fold->load, z[fold->size - 1]);
+	return fold->defect = fold->balance.base.ops->defects(&fold->balance.base, z, derive);
+}
+
 enum hawser_status hawser__fold_evaluate(struct hawser__fold *fold, double *residual,
                                          const double *z, struct hawser_report *report)
 {
@@ -174,8 +186,7 @@ enum hawser_status hawser__fold_evaluate(struct hawser__fold *fold, double *resi
 	if (status)
 		return status;
 	*residual = NAN;
-	hawser__load_set(&fold->load, z[fold->size - 1]);
-	fold->defect = balance->base.ops->defects(&balance->base, z, 1);
+	hawser__fold_defect(fold, z, 1);
 	balance->factored = 0; /* the scales are those of this orbit; the old factors are invalid */
 	hawser__balance_scale(balance);
 	hawser__balance_set_border(balance, fold->zero);
@@ -195,9 +206,10 @@ enum hawser_status hawser__fold_evaluate(struct hawser__fold *fold, double *resi
 	return HAWSER_OK;
 }
 
-/* Solve the 3x3 system in place, with row pivoting. */
-static int solve_three(double m[3][4], double x[3])
+/* Solve the 3x3 system in place, with row pivoting. *sign is that of its determinant. */
+static int solve_three(double m[3][4], double x[3], int *sign)
 {
+	*sign = 1;
 	for (int k = 0; k < 3; k++) {
 		int best = k;
 
@@ -212,6 +224,8 @@ static int solve_three(double m[3][4], double x[3])
 		}
 		if (!(fabs(m[k][k]) > 0.0))
 			return 1;
+		if ((m[k][k] < 0.0) != (best != k))
+			*sign = -*sign;
 		for (int i = k + 1; i < 3; i++) {
 			double factor = m[i][k]/m[k][k];
 
@@ -262,8 +276,9 @@ int hawser__fold_solve(struct hawser__fold *fold, double *dz, const double *row,
 		 last - keep*on_row(fold, row, p)},
 	};
 
-	if (solve_three(m, x))
+	if (solve_three(m, x, &fold->orientation))
 		return 1;
+	fold->orientation *= fold->sign;
 	/* a prediction from points with other active pairs has nonzero values at inactive positions */
 	for (int i = 0; i < at_omega; i++)
 		dz[i] = keep*(balance->at[i] - balance->given[i]);

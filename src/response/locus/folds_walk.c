@@ -2,8 +2,9 @@
  * continuation/curve.h.
  *
  * The metric is that of the orbit (method.h) with the relative change of the load. A step is
- * predicted on the parabola through the last tangents and corrected by Newton's method, with new
- * derivatives in every iteration: they need only the factorisation of the iteration.
+ * predicted on the polynomial through the last points and tangents and corrected by Newton's method,
+ * with new derivatives in every iteration: they need only the factorisation of the iteration. A step
+ * that ends on another curve is told as in locus_walk.c, by the sign of the determinant.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -23,6 +24,10 @@
 #define WORST_DISTANCE 0.2 /* distance of the prediction from the curve, in steps; chosen */
 #define FIRST_STEP 0.02   /* first step, short since only one tangent is known; chosen */
 #define LARGEST_STEP 0.3 /* longest step, relative to the size of the orbit; chosen */
+#define MOST_GROWTH 2.0 /* of a step over the last one, for a prediction from both; above the largest
+                         * of hawser__folds_steps */
+#define SIMPLE 1e-4 /* steps at which another orientation is that of a curve through a branch point of
+                     * the equations, not of a neighbouring curve; chosen */
 #define SURE_STEP 1e-6 /* a shorter step is accepted in any case; chosen */
 #define SORTING_STEP 1e-6 /* in a shorter step, events are not separated further; chosen */
 
@@ -41,8 +46,8 @@ enum hawser_status hawser__walk_open(struct hawser__fold_walk *walk, struct haws
                                      const struct hawser_folds_options *options,
                                      struct hawser_report *report)
 {
-	struct hawser__fold_station *all[] = {&walk->start, &walk->prev, &walk->here, &walk->next,
-	                                      &walk->scratch, &walk->lo, &walk->hi};
+	struct hawser__fold_station *all[] = {&walk->start, &walk->before, &walk->prev, &walk->here,
+	                                      &walk->next, &walk->scratch, &walk->lo, &walk->hi};
 
 	*walk = (struct hawser__fold_walk){.span = {.began = hawser__wall_seconds()}, .fold = fold,
 		.options = options, .report = report,
@@ -104,6 +109,12 @@ static enum hawser_status evaluate(void *owner, double *residual, double *z)
 	return hawser__fold_evaluate(walk->fold, residual, z, walk->report);
 }
 
+static enum hawser_status check_defect(void *owner, double *residual, const double *z)
+{
+	*residual = hawser__fold_defect(((struct hawser__fold_walk *)owner)->fold, z, 0);
+	return HAWSER_OK;
+}
+
 static int solve(void *owner, double *dz, const double *z, const double *row)
 {
 	(void)z;
@@ -125,8 +136,8 @@ enum hawser_status hawser__walk_correct(struct hawser__fold_walk *walk,
 {
 	struct hawser__orbit *orbit = hawser__fold_orbit(walk->fold);
 	const struct hawser__metric metric = hawser__fold_metric(walk->fold);
-	const struct hawser__newton newton = {walk, &metric, walk->options->tolerance, evaluate, solve,
-	                                      moved};
+	const struct hawser__newton newton = {walk, &metric, walk->options->tolerance, evaluate,
+	                                      check_defect, solve, moved};
 
 	for (;;) {
 		int again;
@@ -156,6 +167,7 @@ void hawser__walk_finish(struct hawser__fold_walk *walk, struct hawser__fold_sta
 		t[i] /= length;
 	station->test[HAWSER_FOLD_CUSP] = fold->second;
 	station->test[HAWSER_FOLD_STATIONARY] = fold->F_omega;
+	station->orientation = fold->orientation;
 	station->F_load = fold->F_load;
 	station->mesh = fold->balance.base.mesh/fold->balance.base.X;
 	hawser__fold_update(fold);
@@ -230,11 +242,18 @@ static int interrupted(void *owner, int tries)
 static int predict(void *owner, double ds)
 {
 	struct hawser__fold_walk *walk = owner;
-	const struct hawser__fold_station *here = &walk->here, *prev = &walk->prev;
-	double bend = walk->known > 1 ? 0.5*ds*ds/(here->arc - prev->arc) : 0.0;
+	const struct hawser__metric metric = hawser__fold_metric(walk->fold);
+	const struct hawser__fold_station *at[3] = {&walk->before, &walk->prev, &walk->here};
+	struct hawser__node node[3];
+	int nodes = 1;
 
-	for (int i = 0; i < walk->fold->size; i++)
-		walk->next.z[i] = here->z[i] + ds*here->t[i] + bend*(here->t[i] - prev->t[i]);
+	/* where the curve leaves the range a step was cut */
+	for (double least = ds/MOST_GROWTH; nodes < walk->known && nodes < 3 &&
+	     at[3 - nodes]->arc - at[2 - nodes]->arc >= least; least /= MOST_GROWTH)
+		nodes++;
+	for (int k = 0; k < nodes; k++)
+		node[k] = hawser__fold_node(at[3 - nodes + k]);
+	hawser__curve_ahead(walk->next.z, node, nodes, ds, &metric);
 	return walk->next.z[walk->fold->size - 1] <= 0.0;
 }
 
@@ -267,11 +286,12 @@ static enum hawser_status finish(void *owner, double ds, double *angle)
 static enum hawser_status judge(void *owner, double ds, double angle, enum hawser__verdict *verdict)
 {
 	const struct hawser__fold_walk *walk = owner;
-	int changed = 0;
+	int changed = 0, elsewhere = walk->next.orientation != walk->here.orientation;
 
 	for (int k = 0; k < HAWSER_FOLD_TESTS; k++)
 		changed += (walk->here.test[k] < 0.0) != (walk->next.test[k] < 0.0);
-	*verdict = angle > WORST_ANGLE || walk->next.correction.first > WORST_DISTANCE*ds ||
+	*verdict = (elsewhere && ds > SIMPLE) || angle > WORST_ANGLE ||
+	           walk->next.correction.first > WORST_DISTANCE*ds ||
 	           (changed > 1 && ds > SORTING_STEP) ? HAWSER__SHORTEN : HAWSER__KEEP;
 	return HAWSER_OK;
 }
@@ -333,6 +353,7 @@ static enum hawser_status arrive(void *owner, enum hawser__arrival *arrival, dou
 	*arrival = again ? HAWSER__AGAIN : ended ? HAWSER__AT_END : HAWSER__GO_ON;
 	if (*arrival != HAWSER__GO_ON)
 		return HAWSER_OK;
+	hawser__fold_swap(&walk->before, &walk->prev);
 	hawser__fold_swap(&walk->prev, &walk->here);
 	hawser__fold_swap(&walk->here, &walk->next);
 	walk->known++;

@@ -34,6 +34,7 @@ struct hawser__fold_station {
 	double test[HAWSER_FOLD_TESTS];
 	double F_load;
 	double mesh;
+	int orientation; /* sign of the determinant with the tangent; constant along a curve */
 	struct hawser__correction correction;
 	double *memory;
 };
@@ -54,7 +55,7 @@ struct hawser__fold_walk {
 	struct hawser__fold *fold;
 	const struct hawser_folds_options *options;
 	struct hawser__amplitude *amplitude;
-	struct hawser__fold_station start, prev, here, next, scratch, lo, hi;
+	struct hawser__fold_station start, before, prev, here, next, scratch, lo, hi;
 	struct hawser__fold_list *list;
 	struct hawser__fold_store *passages; /* orbits at the nominal load of all curves */
 	double *direction, *plane; /* [size] */

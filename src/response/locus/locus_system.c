@@ -254,22 +254,41 @@ static double length_of(const double *x, int count)
 	return count > 0 ? cblas_dnrm2(count, x, 1) : 0.0;
 }
 
-enum hawser_status hawser__locus_evaluate(struct hawser__locus *locus, double *residual,
-                                          const double *z)
+/* F at z; 1: it cannot be computed. */
+static int forces_at(struct hawser__locus *locus, const double *z, int derive)
 {
-	int n = locus->n;
-	double most = 0.0;
-	enum hawser_status status;
-
-	*residual = INFINITY;
 	if (locus->kind == HAWSER_TORUS) /* for the others it is exact */
 		locus->kappa = z[LOCUS_KAPPA];
 	locus->size_y = fmax(length_of(z + LOCUS_FIRST, locus->coefficients), AT_REST);
 	if (!(locus->plane || z[LOCUS_OMEGA] > 0.0) || hawser__locus_place(locus, z[0], z[1]))
-		return HAWSER_OK;
+		return 1;
 	hawser__locus_orbit(locus, z);
-	hawser__locus_fields(locus, locus->F, z, 1);
-	if (!isfinite(length_of(locus->F, locus->coefficients)))
+	hawser__locus_fields(locus, locus->F, z, derive);
+	return !isfinite(length_of(locus->F, locus->coefficients));
+}
+
+/* The largest part of F, relative, with the tangents of the last evaluation. */
+static double defect(const struct hawser__locus *locus)
+{
+	int n = locus->n;
+	double most = 0.0;
+
+	for (int k = 0; k < locus->coefficients; k++) {
+		int h = (k/n + 1)/2;
+		double q = h*locus->omega, own = fabs(0.5*locus->T[(size_t)(k%n)*(n + 1)]);
+
+		most = fmax(most, fabs(locus->F[k])/(own + q*q + locus->omega*locus->omega));
+	}
+	return most/locus->size_y;
+}
+
+enum hawser_status hawser__locus_evaluate(struct hawser__locus *locus, double *residual,
+                                          const double *z)
+{
+	enum hawser_status status;
+
+	*residual = INFINITY;
+	if (forces_at(locus, z, 1))
 		return HAWSER_OK;
 	hawser__locus_series(locus);
 	hawser__locus_jacobian(locus);
@@ -278,15 +297,15 @@ enum hawser_status hawser__locus_evaluate(struct hawser__locus *locus, double *r
 	estimate_mesh(locus);
 	status = locus->kind == HAWSER_RESONANCE ? hawser__locus_quadrature(locus, z)
 	         : hawser__locus_differentiate(locus, z);
-	if (status)
-		return status;
-	for (int k = 0; k < locus->coefficients; k++) {
-		int h = (k/n + 1)/2;
-		double q = h*locus->omega, own = fabs(0.5*locus->T[(size_t)(k%n)*(n + 1)]);
+	if (!status)
+		*residual = fmax(defect(locus), cabs(locus->g));
+	return status;
+}
 
-		most = fmax(most, fabs(locus->F[k])/(own + q*q + locus->omega*locus->omega));
-	}
-	*residual = locus->defect = fmax(most/locus->size_y, cabs(locus->g));
+enum hawser_status hawser__locus_check(struct hawser__locus *locus, double *residual, const double *z)
+{
+	*residual = forces_at(locus, z, 0) ? INFINITY : defect(locus);
+	locus->closeness = 0.0; /* M has the derivatives that remain */
 	return HAWSER_OK;
 }
 

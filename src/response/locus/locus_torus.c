@@ -231,6 +231,7 @@ void hawser__locus_mirror(struct hawser__locus_walk *walk, double end)
 {
 	struct hawser__locus_station *next = &walk->next;
 
+	turn_back(&walk->before, end);
 	turn_back(&walk->prev, end);
 	turn_back(&walk->here, end);
 	turn_back(next, end);

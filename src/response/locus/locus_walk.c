@@ -46,8 +46,8 @@ enum hawser_status hawser__locus_walk_open(struct hawser__locus_walk *walk, stru
                                            const struct hawser_locus_options *options,
                                            struct hawser_report *report)
 {
-	struct hawser__locus_station *all[] = {&walk->start, &walk->prev, &walk->here, &walk->next,
-	                                       &walk->scratch};
+	struct hawser__locus_station *all[] = {&walk->start, &walk->before, &walk->prev, &walk->here,
+	                                       &walk->next, &walk->scratch};
 	int failed = 0, room = hawser__locus_size(locus, locus->most) + locus->n;
 
 	*walk = (struct hawser__locus_walk){.locus = locus, .options = options, .report = report,
@@ -66,8 +66,8 @@ enum hawser_status hawser__locus_walk_open(struct hawser__locus_walk *walk, stru
 
 void hawser__locus_walk_close(struct hawser__locus_walk *walk)
 {
-	struct hawser__locus_station *all[] = {&walk->start, &walk->prev, &walk->here, &walk->next,
-	                                       &walk->scratch};
+	struct hawser__locus_station *all[] = {&walk->start, &walk->before, &walk->prev, &walk->here,
+	                                       &walk->next, &walk->scratch};
 
 	for (size_t i = 0; i < sizeof all/sizeof *all; i++) {
 		free(all[i]->z);
@@ -123,6 +123,11 @@ static enum hawser_status evaluate(void *owner, double *residual, double *z)
 	return hawser__locus_evaluate(((struct hawser__locus_walk *)owner)->locus, residual, z);
 }
 
+static enum hawser_status check_forces(void *owner, double *residual, const double *z)
+{
+	return hawser__locus_check(((struct hawser__locus_walk *)owner)->locus, residual, z);
+}
+
 static int solve(void *owner, double *dz, const double *z, const double *row)
 {
 	return hawser__locus_solve(((struct hawser__locus_walk *)owner)->locus, dz, z, row, 0, 0.0);
@@ -146,8 +151,8 @@ enum hawser_status hawser__locus_correct(struct hawser__locus_walk *walk,
 	for (;;) {
 		int order = (int)ceil(MORE*locus->order) + 1;
 		struct hawser__metric metric = metric_at(walk, station->z);
-		const struct hawser__newton newton = {walk, &metric, walk->options->tolerance, evaluate, solve,
-		                                      moved};
+		const struct hawser__newton newton = {walk, &metric, walk->options->tolerance, evaluate,
+		                                      check_forces, solve, moved};
 		enum hawser_status status = hawser__newton_correct(&newton, station->z, walk->dz, row,
 		                                                   &station->correction, failed);
 
@@ -237,10 +242,11 @@ static int predict(void *owner, double ds)
 {
 	struct hawser__locus_walk *walk = owner;
 	struct hawser__metric metric = metric_at(walk, walk->here.z);
-	const struct hawser__node node[2] = {{walk->prev.z, walk->prev.t}, {walk->here.z, walk->here.t}};
-	int known = walk->known > 1 ? 2 : 1;
+	const struct hawser__node node[3] = {{walk->before.z, walk->before.t},
+	                                     {walk->prev.z, walk->prev.t}, {walk->here.z, walk->here.t}};
+	int known = walk->known < 3 ? walk->known : 3;
 
-	hawser__curve_ahead(walk->next.z, node + 2 - known, known, ds, &metric);
+	hawser__curve_ahead(walk->next.z, node + 3 - known, known, ds, &metric);
 	return !walk->locus->plane && !(walk->next.z[LOCUS_OMEGA] > 0.0);
 }
 
@@ -408,7 +414,8 @@ static enum hawser_status arrive(void *owner, enum hawser__arrival *arrival, dou
 	*arrival = HAWSER__GO_ON;
 	memcpy(locus->b, walk->next.b, (size_t)locus->wide*sizeof *locus->b);
 	memcpy(locus->c, walk->next.c, (size_t)locus->wide*sizeof *locus->c);
-	keep = walk->prev;
+	keep = walk->before;
+	walk->before = walk->prev;
 	walk->prev = walk->here;
 	walk->here = walk->next;
 	walk->next = keep;

@@ -37,7 +37,7 @@ struct hawser__locus_walk {
 	struct hawser__locus *locus;
 	const struct hawser_locus_options *options;
 	struct hawser_report *report;
-	struct hawser__locus_station start, prev, here, next, scratch;
+	struct hawser__locus_station start, before, prev, here, next, scratch;
 	double *weight, *row, *dz, *spare; /* [room] */
 	double complex *kept;        /* [2 room] borders of `here` */
 	int room;
