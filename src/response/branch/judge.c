@@ -191,6 +191,8 @@ static int hides(const struct hawser__trace *trace, const struct hawser__station
 		return 1;
 	if (a->circle.undecided || b->circle.undecided || c->circle.undecided)
 		followed = 0;
+	else if (b->circle.unstable != c->circle.unstable) /* one event may hide others */
+		followed &= HAWSER__ALONE;
 	for (int centre = -1; centre <= 1; centre += 2)
 		if (hides_excursion(a, b, c, m, centre, followed & HAWSER__ALONE ? few : m,
 		                    product_near) ||
