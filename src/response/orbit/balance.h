@@ -30,8 +30,9 @@
 #include "response/orbit/method.h"
 #include "response/floquet/monodromy.h"
 
-#define HAWSER__PART 1e-5 /* smallest pair taken from another model, or with exact energy, by the roots of
-                           * their energies: small motions along the cable stretch it; chosen */
+#define HAWSER__PART 1e-5 /* smallest pair taken from another model, or with exact energy, by the
+                           * roots of their energies: small motions along the cable stretch it;
+                           * chosen */
 #define HAWSER__KRYLOV 72 /* largest number of iterations of GMRES */
 #define HAWSER__LEARNED 24 /* number of vectors that correct old factors; chosen */
 

@@ -46,7 +46,8 @@
 #define LOCATING 0.2    /* of what can be borne, for the peaks of a draft; chosen */
 #define AT_LEAST 0.5    /* of what can be borne, for the response whatever the drafts took; chosen */
 #define OF_BASIS 0.3    /* of the distance of a response from a draft, by the basis of that; chosen */
-#define CHECKING 0.1    /* of what can be borne, for the marks in a larger basis, for such a range; chosen */
+#define CHECKING 0.1    /* of what can be borne, for the marks in a larger basis, where the range may
+                         * be shortened; chosen */
 #define OF_A_PART 0.5   /* of what can be borne, for a range that may be shortened; chosen */
 #define PART 0.1        /* of the accuracy: error of a basis, and */
 #define EACH 6          /* fewest functions between attachments, where the error of a response is
@@ -140,7 +141,8 @@ static enum hawser_status compare_condensed(struct condensed *condensed,
 	                            HAWSER__LOCATED*enough_of(condensed, a), report);
 	if (!status)
 		status = hawser__marks_distance(&condensed->off, condensed->marks, &found, report);
-	condensed->off = (condensed->lent ? HAWSER__MARGIN : 1.0)*condensed->off + hawser__marks_located(&found);
+	condensed->off = (condensed->lent ? HAWSER__MARGIN : 1.0)*condensed->off +
+	                 hawser__marks_located(&found);
 	hawser__marks_clear(&found);
 	return status;
 }
@@ -172,6 +174,27 @@ static int is_partial(const struct hawser_accuracy_options *options,
 	return options->partial && traced->functions &&
 	       work + next + last + hawser__draft_follows(options, n, traced->curve.points, next) >
 	       OF_A_PART*options->bearable;
+}
+
+/* A draft of the chosen basis, which has none: a response through the orbits of its draft is traced in
+ * less than half the time. */
+static enum hawser_status guide(struct hawser__draft *chosen, struct hawser__traced *traced,
+                                struct hawser_accuracy *a,
+                                const struct hawser_accuracy_options *options,
+                                struct hawser_frf_options *frf, double *work,
+                                struct hawser_report *report)
+{
+	struct hawser__draft none = {.functions = 0};
+	double moved;
+	enum hawser_status status;
+
+	if (hawser__accuracy_cut(a) || options->after > 0.0 || is_costly(a, chosen, options, *work))
+		return HAWSER_OK;
+	status = hawser__draft_draw(chosen, &moved, traced, &none, a, options, frf, *work, report);
+	*work += chosen->work;
+	if (isfinite(a->until))
+		frf->to = a->until;
+	return status == HAWSER_ERR_CONVERGENCE ? HAWSER_OK : status;
 }
 
 /* The first bases of which two agree: *chosen is the smaller one, *moved the distance of the two,
@@ -258,19 +281,8 @@ static enum hawser_status choose(struct hawser__draft *chosen, double *moved, do
 		if (ends_search(a, chosen, options, *work)) /* and so is any larger basis */
 			break;
 	}
-	/* the response is traced through the orbits of its draft, in less than half the time */
-	if (!status && !hawser__accuracy_cut(a) && options->after == 0.0 && chosen->functions &&
-	    chosen->functions != traced.functions && !is_costly(a, chosen, options, *work)) {
-		double far;
-
-		status = hawser__draft_draw(chosen, &far, &traced, &(struct hawser__draft){.functions = 0}, a,
-		                            options, frf, *work, report);
-		*work += chosen->work;
-		if (status == HAWSER_ERR_CONVERGENCE) /* without them, then */
-			status = HAWSER_OK;
-		if (isfinite(a->until))
-			frf->to = a->until;
-	}
+	if (!status && chosen->functions && chosen->functions != traced.functions)
+		status = guide(chosen, &traced, a, options, frf, work, report);
 	hawser__traced_give(&traced, chosen);
 	hawser__traced_clear(&traced);
 	return status;

@@ -23,12 +23,12 @@
 #include "rom/terms/terms.h"
 
 #define FAR 0.1    /* largest distance from an orbit to its counterpart, relative; chosen */
-#define SETTLED 2  /* times that its fast coordinates are balanced before: one makes their defects 1e-5 of
-                    * what they were, or less */
-#define KEPT 1e-7   /* smallest pair that is kept then, by the roots of their energies, as those along the
-                    * cable that balance a motion of high order; chosen */
-#define PATIENCE 3.0 /* contraction that is borne: what was at rest counts most in the metric of an orbit,
-                      * and the first steps may grow; FAR decides; chosen */
+#define SETTLED 2  /* times that its fast coordinates are balanced before: one makes their defects
+                    * 1e-5 of what they were, or less */
+#define KEPT 1e-7  /* smallest pair that is kept then, by the roots of their energies, as those along
+                    * the cable that balance a motion of high order; chosen */
+#define PATIENCE 3.0 /* contraction that is borne: what was at rest counts most in the metric of an
+                      * orbit, and the first steps may grow; FAR decides; chosen */
 
 /* y [size] of the second model; its other harmonics are 0. */
 static void take(const struct hawser__balance *balance, double *y, const double *from, int order,

@@ -89,9 +89,9 @@ enum hawser_status hawser__draft_carry(struct hawser__draft *draft, double *away
                                        const struct hawser_frf_options *settled, double most,
                                        struct hawser_report *report);
 
-/* draft_marks.c: error [2] of a basis whose marks are moved by the next one: that, and with the factor of
- * safety by what the one after it moves them further where they are moved farthest, if there is one. The
- * second one is that of the displacements with the largest peaks. */
+/* draft_marks.c: error [2] of a basis whose marks are moved by the next one: that, and with the factor
+ * of safety by what the one after it moves them further where they are moved farthest, if there is
+ * one. The second one is that of the displacements with the largest peaks. */
 enum hawser_status hawser__marks_error(double *error, struct hawser_accuracy *a,
                                        const struct hawser__traced *traced,
                                        const struct hawser__drawn_curve *chosen,

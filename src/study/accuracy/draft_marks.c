@@ -1,7 +1,5 @@
 /* study/accuracy/draft_marks.c - what the next bases move the marks of a draft by: see accuracy_full.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "study/accuracy/draft.h"
