@@ -46,7 +46,7 @@
 #define LOCATING 0.2    /* of what can be borne, for the peaks of a draft; chosen */
 #define AT_LEAST 0.5    /* of what can be borne, for the response whatever the drafts took; chosen */
 #define OF_BASIS 0.3    /* of the distance of a response from a draft, by the basis of that; chosen */
-#define CHECKING 0.1    /* of what can be borne, for the marks in a larger basis, where the range may
+#define CHECKING 0.2    /* of what can be borne, for the marks in a larger basis, where the range may
                          * be shortened; chosen */
 #define OF_A_PART 0.5   /* of what can be borne, for a range that may be shortened; chosen */
 #define PART 0.1        /* of the accuracy: error of a basis, and */
@@ -281,7 +281,8 @@ static enum hawser_status choose(struct hawser__draft *chosen, double *moved, do
 		if (ends_search(a, chosen, options, *work)) /* and so is any larger basis */
 			break;
 	}
-	if (!status && chosen->functions && chosen->functions != traced.functions)
+	if (!status && chosen->functions && chosen->functions != traced.functions &&
+	    chosen->orbits.count == 0)
 		status = guide(chosen, &traced, a, options, frf, work, report);
 	hawser__traced_give(&traced, chosen);
 	hawser__traced_clear(&traced);

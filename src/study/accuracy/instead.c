@@ -24,7 +24,7 @@ enum { FUNCTIONS = 24 };
 /* Seconds of processor time, as counted (hawser_orbit_work), that nobody has to ask for: where
  * no number of modes is good enough, and where more of them, or model.modes: auto, may be;
  * chosen. */
-static const double bearable = 30.0, bearable_else = 20.0;
+static const double bearable = 15.0, bearable_else = 20.0;
 
 int hawser_accuracy_truncated(double truncation)
 {
