@@ -62,7 +62,8 @@ static void words(struct hawser__writer *to, const char *key, char *const *word,
 	hawser__write_end(to);
 }
 
-static void entries(struct hawser__writer *to, const char *key, const void *list, int indices, int count)
+static void entries(struct hawser__writer *to, const char *key, const void *list, int indices,
+                    int count)
 {
 	hawser__write_key(to, key);
 	hawser__write_begin(to, '[', count > 0);
