@@ -1,13 +1,12 @@
 /* bench/estimates-tally.c - random numbers, and statistics of the ratio of true to stated error
  * (estimates.h).
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "bench/estimates.h"
+#include "core/order.h"
 
 /* splitmix64: any state is a good seed. */
 static uint64_t next(struct chance *chance)
@@ -98,20 +97,13 @@ void tally_scene(struct tally *tally, int refused)
 	tally->here = -1.0;
 }
 
-static int ascending(const void *a, const void *b)
-{
-	double x = *(const double *)a, y = *(const double *)b;
-
-	return (x > y) - (x < y);
-}
-
 double tally_quantile(struct ratios *ratios, double part)
 {
 	int at = (int)(part*ratios->count);
 
 	if (ratios->count == 0)
 		return NAN;
-	qsort(ratios->ratio, (size_t)ratios->count, sizeof *ratios->ratio, ascending);
+	qsort(ratios->ratio, (size_t)ratios->count, sizeof *ratios->ratio, hawser__ascending);
 	return ratios->ratio[at < ratios->count ? at : ratios->count - 1];
 }
 

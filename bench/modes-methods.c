@@ -8,25 +8,17 @@
  * than required: this gives a lower bound of the factor at equal accuracy, without extrapolation.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <lapacke.h>
 #include <math.h>
 #include <string.h>
 
 #include "bench/clock.h"
+#include "core/order.h"
 #include "tests/modes-scene.h"
 #include "tests/modes-span.h"
 
 enum { MODES = 10, DENSE_MOST = 300 };
 static const double wanted = 1e-6, factor_wanted = 100.0;
-
-static int ascending(const void *a, const void *b)
-{
-	double x = *(const double *)a, y = *(const double *)b;
-
-	return (x > y) - (x < y);
-}
 
 static double worst_error(const double *omega, const struct hawser_modes *right)
 {
@@ -108,7 +100,7 @@ static double dense(double *secs, const struct hawser_modes *right, int N)
 	for (int i = 0; i < n; i++)
 		if (re[i] > 0.0)
 			re[found++] = sqrt(re[i]);
-	qsort(re, (size_t)found, sizeof *re, ascending);
+	qsort(re, (size_t)found, sizeof *re, hawser__ascending);
 	error = found < MODES ? NAN : worst_error(re, right);
 	free(A);
 	free(re);

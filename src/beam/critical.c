@@ -15,8 +15,6 @@
  *     beyond that speed the boundary conditions at the two supports admit no motion.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -24,6 +22,7 @@
 #include <lapacke.h>
 
 #include "beam/sample.h"
+#include "core/order.h"
 #include "core/report.h"
 
 enum {
@@ -45,13 +44,6 @@ static void symmetric(double *A, double *P, const struct hawser_beam_integrals *
 		       beam->weight*is->xs1s1[x];
 		P[x] = mass ? is->ss[x] + beam->rotary*is->s1s1[x] : is->s1s1[x] + beam->rotary*is->s2s2[x];
 	}
-}
-
-static int compare(const void *left, const void *right)
-{
-	double d = *(const double *)left - *(const double *)right;
-
-	return (d > 0.0) - (d < 0.0);
 }
 
 /* The eigenvalues of A x = value P x, ascending, in value [n]. */
@@ -82,7 +74,7 @@ static enum hawser_status symmetric_eigenvalues(double *value,
 		                    "the static speeds of %d unknowns were not found (LAPACK %d): theta %g, "
 		                    "tension %g or weight %g is too large for double precision", is->n, info,
 		                    beam->theta, beam->tension, beam->weight);
-	qsort(value, n, sizeof *value, compare);
+	qsort(value, n, sizeof *value, hawser__ascending);
 	return HAWSER_OK;
 }
 

@@ -23,12 +23,11 @@
  * |A Phi - mu Phi| of mu (Weinstein), and A is exact up to quadrature.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/order.h"
 #include "core/report.h"
 #include "modes/analytic.h"
 #include "modes/label.h"
@@ -243,13 +242,6 @@ static enum hawser_status check_bounds(const struct hawser_modes *modes,
 	                       "method spectral", worst, options->n, options->tolerance);
 }
 
-static int ascending(const void *a, const void *b)
-{
-	double x = ((const struct hawser__wave *)a)->omega, y = ((const struct hawser__wave *)b)->omega;
-
-	return (x > y) - (x < y);
-}
-
 /* The n lowest modes, on the grid of the cable, which becomes that of the modes. */
 static enum hawser_status sample_all(struct hawser_modes *modes,
                                      const struct hawser__closed_forms *forms,
@@ -293,7 +285,7 @@ enum hawser_status hawser__closed_forms_solve(struct hawser_modes *modes,
 	if (!wave)
 		return hawser__no_memory(report, "modes");
 	forms->find(wave, statics, n);
-	qsort(wave, HAWSER__WAVE_KINDS*(size_t)n, sizeof *wave, ascending);
+	qsort(wave, HAWSER__WAVE_KINDS*(size_t)n, sizeof *wave, hawser__ascending);
 	status = hawser__cable_init(&cable, statics, elements, p, report);
 	if (!status)
 		status = sample_all(modes, forms, &cable, wave, n, report);

@@ -2,14 +2,13 @@
  * single modes, static and dynamic, against independently computed ones; choices for spans with a
  * known answer.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 
 #include <hawser/choose.h>
 
 #include "tests/modes-third.h"
+#include "tests/rom-entries.h"
 #include "tests/tap.h"
 
 static struct hawser_report report;
@@ -25,14 +24,6 @@ static int solve(struct hawser_statics *st, struct hawser_modes *modes,
 }
 
 /* --- subsets --- */
-
-static double cubic_of(const struct hawser_rom *rom, int j, int k, int l, int m)
-{
-	for (int i = 0; i < rom->cubics; i++)
-		if (rom->C[i].j == j && rom->C[i].k == k && rom->C[i].l == l && rom->C[i].m == m)
-			return rom->C[i].value;
-	return 0.0;
-}
 
 /* The subset's C is that of all modes, less the effect of the omitted modes. */
 static double off(const struct hawser_rom *sub, const struct hawser_rom *all,

@@ -2,8 +2,7 @@
  * ones, intervals that hold at their level, and what frequencies of a pinned cable do not show.
  * HAWSER_LONG=1: 1000 runs.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
+#include "tests/identify-levels.h"
 #include "tests/tap.h"
 #include "tests/unit/scene-text.h"
 
@@ -50,18 +49,6 @@ static int measure(struct hawser_measured *measured, const struct hawser_scene *
 	return failed || at < count;
 }
 
-static void normal(double pair[2], unsigned long long *seed)
-{
-	double u[2];
-
-	for (int k = 0; k < 2; k++) {
-		*seed = *seed*6364136223846793005ull + 1442695040888963407ull;
-		u[k] = ((double)(*seed >> 11) + 0.5)/9007199254740992.0;
-	}
-	pair[0] = sqrt(-2.0*log(u[0]))*cos(2.0*M_PI*u[1]);
-	pair[1] = sqrt(-2.0*log(u[0]))*sin(2.0*M_PI*u[1]);
-}
-
 static void without_noise(void)
 {
 	struct hawser_identify_options options = {.key = both, .keys = 2};
@@ -87,42 +74,12 @@ static void without_noise(void)
 
 static void levels(int runs, double confidence)
 {
-	struct hawser_identify_options options = {.key = both, .keys = 2, .confidence = confidence};
-	struct hawser_measured exact[MOST], measured[MOST];
-	const double noise = 4e-4;
-	double expected = runs*confidence, spread = sqrt(runs*confidence*(1.0 - confidence));
-	unsigned long long seed = 61;
+	struct hawser_measured exact[MOST];
 	struct hawser_scene scene;
-	int within[2] = {0}, failed = 0;
 
 	open_scene(&scene, NULL, NULL, clamped);
 	ok(!measure(exact, &scene, COUNT), "modes");
-	for (int run = 0; run < runs; run++) {
-		struct hawser_identified found;
-
-		for (int i = 0; i < COUNT; i += 2) {
-			double pair[2];
-
-			normal(pair, &seed);
-			for (int k = 0; k < 2; k++) {
-				measured[i + k] = exact[i + k];
-				measured[i + k].omega *= 1.0 + noise*pair[k];
-				measured[i + k].deviation = noise*exact[i + k].omega;
-			}
-		}
-		if (hawser_identify(&found, &scene, measured, COUNT, &options, NULL)) {
-			failed++;
-			continue;
-		}
-		for (int k = 0; k < 2; k++)
-			within[k] += found.key[k].low <= truth[k] && truth[k] <= found.key[k].high;
-		hawser_identified_clear(&found);
-	}
-	ok(failed == 0, "%d runs with noise", runs);
-	for (int k = 0; k < 2; k++)
-		ok(fabs(within[k] - expected) <= 3.3*spread + 0.5,
-		   "%s: %d of %d intervals of level %g contain the true value", both[k], within[k], runs,
-		   confidence);
+	identify_levels(&scene, both, truth, exact, COUNT, runs, confidence, 1, 61);
 	hawser_scene_clear(&scene);
 }
 

@@ -1,8 +1,7 @@
 /* Parameters identified from synthetic frequencies: the right ones, intervals that hold at their level,
  * modes matched, what cannot be seen refused. HAWSER_LONG=1: 1000 runs for each level.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
+#include "tests/identify-levels.h"
 #include "tests/tap.h"
 #include "tests/unit/scene-text.h"
 
@@ -45,19 +44,6 @@ static int measure(struct hawser_measured *measured, const struct hawser_scene *
 	if (!failed)
 		hawser_modes_clear(&modes);
 	return failed;
-}
-
-/* Two independent standard normal numbers, by Box and Muller. */
-static void normal(double pair[2], unsigned long long *seed)
-{
-	double u[2];
-
-	for (int k = 0; k < 2; k++) {
-		*seed = *seed*6364136223846793005ull + 1442695040888963407ull;
-		u[k] = ((double)(*seed >> 11) + 0.5)/9007199254740992.0;
-	}
-	pair[0] = sqrt(-2.0*log(u[0]))*cos(2.0*M_PI*u[1]);
-	pair[1] = sqrt(-2.0*log(u[0]))*sin(2.0*M_PI*u[1]);
 }
 
 static void without_noise(void)
@@ -129,42 +115,13 @@ static void matched(void)
 static void levels(int runs, double confidence, int known)
 {
 	static const char *const key[] = {"tension.T0", "cable.EA"};
-	struct hawser_identify_options options = {.key = key, .keys = 2, .confidence = confidence};
-	struct hawser_measured exact[MOST], measured[MOST];
-	const double noise = 4e-4, truth[2] = {3.85e6, 1.37e9};
-	double expected = runs*confidence, spread = sqrt(runs*confidence*(1.0 - confidence));
-	unsigned long long seed = 2385 + (unsigned long long)known;
+	struct hawser_measured exact[MOST];
 	struct hawser_scene scene;
-	int within[2] = {0}, failed = 0;
 
 	open_scene(&scene, NULL, NULL);
 	ok(!measure(exact, &scene, 8, 2), "eight modes");
-	for (int run = 0; run < runs; run++) {
-		struct hawser_identified found;
-
-		for (int i = 0; i < 8; i += 2) {
-			double pair[2];
-
-			normal(pair, &seed);
-			for (int k = 0; k < 2; k++) {
-				measured[i + k] = exact[i + k];
-				measured[i + k].omega *= 1.0 + noise*pair[k];
-				measured[i + k].deviation = known ? noise*exact[i + k].omega : 0.0;
-			}
-		}
-		if (hawser_identify(&found, &scene, measured, 8, &options, NULL)) {
-			failed++;
-			continue;
-		}
-		for (int k = 0; k < 2; k++)
-			within[k] += found.key[k].low <= truth[k] && truth[k] <= found.key[k].high;
-		hawser_identified_clear(&found);
-	}
-	ok(failed == 0, "%d runs with noise", runs);
-	for (int k = 0; k < 2; k++)
-		ok(fabs(within[k] - expected) <= 3.3*spread + 0.5,
-		   "%s: %d of %d intervals of level %g contain the true value", key[k], within[k], runs,
-		   confidence);
+	identify_levels(&scene, key, (const double [2]){3.85e6, 1.37e9}, exact, 8, runs, confidence, known,
+	                2385 + (unsigned long long)known);
 	hawser_scene_clear(&scene);
 }
 

@@ -4,8 +4,6 @@
  * integration.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -14,26 +12,10 @@
 #include <hawser/line_rom.h>
 #include <hawser/scene.h>
 
+#include "tests/rom-entries.h"
 #include "tests/tap.h"
 
 /* --- one span --- */
-
-static double quad_of(const struct hawser_rom *rom, int j, int k, int l)
-{
-	for (int i = 0; i < rom->quads; i++)
-		if (rom->Q[i].j == j && rom->Q[i].k == k && rom->Q[i].l == l)
-			return rom->Q[i].value;
-	return 0.0;
-}
-
-static double cubic_of(const struct hawser_rom *rom, const struct hawser_cubic *at)
-{
-	for (int i = 0; i < rom->cubics; i++)
-		if (rom->C[i].j == at->j && rom->C[i].k == at->k && rom->C[i].l == at->l &&
-		    rom->C[i].m == at->m)
-			return rom->C[i].value;
-	return 0.0;
-}
 
 static void one_span(double EA, double h, double T, const char *what)
 {
@@ -73,7 +55,8 @@ static void one_span(double EA, double h, double T, const char *what)
 				worst[1] = fmax(worst[1], fabs(quad_of(&own, j, k, l) - want));
 			}
 	for (int i = 0; i < own.cubics; i++) {
-		double want = cubic_of(&reference, &own.C[i]);
+		const struct hawser_cubic *c = &own.C[i];
+		double want = cubic_of(&reference, c->j, c->k, c->l, c->m);
 
 		most[2] = fmax(most[2], fabs(want));
 		worst[2] = fmax(worst[2], fabs(own.C[i].value - want));

@@ -2,8 +2,6 @@
  * damping, expanded against exact forces with a cubic spring, its energy by the strokes, condensation
  * against elimination of the modes of a basis, static load, moved ends, names of strokes, refusals.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <complex.h>
 #include <lapacke.h>
 #include <stdlib.h>
@@ -15,6 +13,7 @@
 
 #include "rom/terms/ends.h"
 #include "tests/rom-eigenvalue.h"
+#include "tests/rom-entries.h"
 #include "tests/tap.h"
 
 static struct hawser_report report;
@@ -139,14 +138,6 @@ static void cubic(void)
 
 /* --- condensation --- */
 
-static double cubic_of(const struct hawser_rom *rom, int at)
-{
-	for (int i = 0; i < rom->cubics; i++)
-		if (rom->C[i].j == at && rom->C[i].k == at && rom->C[i].l == at && rom->C[i].m == at)
-			return rom->C[i].value;
-	return 0.0;
-}
-
 /* The cubic term of a mode with the others condensed, by elimination of the other modes of a basis,
  * C - sum of Q_0^0s Q_s^00 over their stiffness, absorbers among them. */
 static void condensation(int number, int basis)
@@ -156,7 +147,6 @@ static void condensation(int number, int basis)
 	struct hawser_attachment attach[3] = {several[0], several[1], several[2]};
 	struct hawser_modes first, modes, all;
 	struct hawser_rom one, many;
-	double C;
 
 	attach[0].absorber_damping = attach[1].absorber_damping = attach[2].damper[1] = 0.0;
 	if (!solve(&first, attach, 3, number + 1))
@@ -166,11 +156,8 @@ static void condensation(int number, int basis)
 	        !hawser_rom_build(&one, &modes, &condensed, &report) &&
 	        !hawser_rom_build(&many, &all, &raw, &report), "built: %s", report.message))
 		return;
-	C = cubic_of(&many, number);
-	for (int i = 0; i < many.quads; i++)
-		if (many.Q[i].j != number && many.Q[i].k == number && many.Q[i].l == number)
-			C -= 2.0*many.Q[i].value*many.Q[i].value/many.K[many.Q[i].j*(many.n + 1)];
-	close_to(cubic_of(&one, 0), C, 1e-6, "the condensed cubic term of a mode with strokes");
+	close_to(cubic_of(&one, 0, 0, 0, 0), condensed_cubic(&many, number), 1e-6,
+	         "the condensed cubic term of a mode with strokes");
 	hawser_rom_clear(&one);
 	hawser_rom_clear(&many);
 	hawser_modes_clear(&all);

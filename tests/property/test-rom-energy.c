@@ -3,14 +3,13 @@
  * plane, without truncation error (the radius is smaller than the distance to the nearest zero of
  * |q'|).
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <complex.h>
 #include <stdlib.h>
 
 #include "modes/grid.h"
 #include "rom/energy/project.h"
 #include "tests/modes-span.h"
+#include "tests/rom-entries.h"
 #include "tests/tap.h"
 
 enum { MAX = 12, CIRCLE = 64 };
@@ -321,22 +320,6 @@ static void string_modes(struct hawser_modes *modes, double epsilon)
 		}
 	}
 	modes->mode[2].omega = 2.0*M_PI/l/sqrt(epsilon);
-}
-
-static double quad_of(const struct hawser_rom *rom, int j, int k, int l)
-{
-	for (int i = 0; i < rom->quads; i++)
-		if (rom->Q[i].j == j && rom->Q[i].k == k && rom->Q[i].l == l)
-			return rom->Q[i].value;
-	return 0.0;
-}
-
-static double cubic_of(const struct hawser_rom *rom, int j, int k, int l, int m)
-{
-	for (int i = 0; i < rom->cubics; i++)
-		if (rom->C[i].j == j && rom->C[i].k == k && rom->C[i].l == l && rom->C[i].m == m)
-			return rom->C[i].value;
-	return 0.0;
 }
 
 /* With c_n = sqrt(2/l) (n pi/l) cos(n pi s/l): the integral of c_1^4 is 3 pi^4/(2 l^5), of

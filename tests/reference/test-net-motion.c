@@ -7,10 +7,9 @@
  * is 1e-7 m.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
+#include "core/order.h"
 #include "net/motion/motion.h"
 #include "tests/tap.h"
 
@@ -206,13 +205,6 @@ static void damped(void)
 		   at[i][0] - moordyn[i][1], at[i][1] - moordyn[i][2], moordyn[i][1], moordyn[i][2]);
 }
 
-static int ascending(const void *a, const void *b)
-{
-	double p = *(const double *)a, q = *(const double *)b;
-
-	return (p > q) - (p < q);
-}
-
 /* Without damping, errors of 1e-13 m/s decide: the medians of some runs are compared. */
 static void undamped(void)
 {
@@ -225,7 +217,7 @@ static void undamped(void)
 		for (int k = 0; k < 2; k++) {
 			for (int j = 0; j < RUNS; j++)
 				value[j] = at[j][i][k];
-			qsort(value, RUNS, sizeof *value, ascending);
+			qsort(value, RUNS, sizeof *value, hawser__ascending);
 			ok(fabs(value[RUNS/2] - moordyn[i][1 + k]) <= 3e-4, "median of %c at %.2f s is %+.2e m "
 			   "from %g, the runs from %+.2e to %+.2e m", "xy"[k], moordyn[i][0],
 			   value[RUNS/2] - moordyn[i][1 + k], moordyn[i][1 + k], value[0] - moordyn[i][1 + k],

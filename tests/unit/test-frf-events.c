@@ -2,13 +2,12 @@
  * determines the orbit, and oscillators at rest whose stiffness varies with the forcing. They are
  * not coupled, so that the events of the model are those of each oscillator alone.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include <hawser/frf.h>
 #include <hawser/rom.h>
 
+#include "core/order.h"
 #include "tests/tap.h"
 #include "tests/unit/scene-text.h"
 
@@ -50,13 +49,6 @@ static void parametric(struct hawser_rom *rom, const double *w, int count, doubl
 		rom->harmonic[1].K[at] = depth;
 	}
 	ok(!hawser_rom_compile(rom, NULL), "compiled");
-}
-
-static int by_size(const void *a, const void *b)
-{
-	double x = *(const double *)a, y = *(const double *)b;
-
-	return (x > y) - (x < y);
 }
 
 /* 1 if the events agree with the counts at the points. */
@@ -107,7 +99,7 @@ static void check_union(const char *name, const double *w, int count, double dam
 
 	for (int j = 0; j < count; j++)
 		alone(expected, &events, w[j], damping, depth, &options);
-	qsort(expected, (size_t)events, sizeof *expected, by_size);
+	qsort(expected, (size_t)events, sizeof *expected, hawser__ascending);
 	parametric(&rom, w, count, damping, depth);
 	if (ok(!hawser_frf_trace(&frf, &rom, &options, NULL), "%s, %s: traced", name, method)) {
 		ok(events == 2*count && frf.events == events, "%s, %s: %d events as alone (%d)", name,

@@ -1,8 +1,6 @@
 /* rom/file/entries.c - the entries of Q and C that a file or a program gives: they are checked, sorted
  * with k <= l (<= m), repeated entries are added, and zeros removed.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -22,18 +20,49 @@ static int compare_ints(const int *a, const int *b, int count)
 	return 0;
 }
 
+/* --- entries of either list --- */
+
+static size_t size_of(int indices)
+{
+	return indices == 3 ? sizeof(struct hawser_quad) : sizeof(struct hawser_cubic);
+}
+
+void *hawser__entries_room(int indices, size_t count)
+{
+	return malloc((count + 1)*size_of(indices));
+}
+
+struct hawser__entry hawser__entry(const void *list, int indices, int at)
+{
+	const struct hawser_quad *q = list;
+	const struct hawser_cubic *c = list;
+
+	return indices == 3 ? (struct hawser__entry){{q[at].j, q[at].k, q[at].l, 0}, q[at].value}
+	                    : (struct hawser__entry){{c[at].j, c[at].k, c[at].l, c[at].m}, c[at].value};
+}
+
+void hawser__entry_put(void *list, int indices, int at, struct hawser__entry entry)
+{
+	const int *x = entry.index;
+
+	if (indices == 3)
+		((struct hawser_quad *)list)[at] = (struct hawser_quad){x[0], x[1], x[2], entry.value};
+	else
+		((struct hawser_cubic *)list)[at] = (struct hawser_cubic){x[0], x[1], x[2], x[3], entry.value};
+}
+
 static int by_quad(const void *left, const void *right)
 {
-	const struct hawser_quad *a = left, *b = right;
+	struct hawser__entry a = hawser__entry(left, 3, 0), b = hawser__entry(right, 3, 0);
 
-	return compare_ints((int[]){a->j, a->k, a->l}, (int[]){b->j, b->k, b->l}, 3);
+	return compare_ints(a.index, b.index, 3);
 }
 
 static int by_cubic(const void *left, const void *right)
 {
-	const struct hawser_cubic *a = left, *b = right;
+	struct hawser__entry a = hawser__entry(left, 4, 0), b = hawser__entry(right, 4, 0);
 
-	return compare_ints((int[]){a->j, a->k, a->l, a->m}, (int[]){b->j, b->k, b->l, b->m}, 4);
+	return compare_ints(a.index, b.index, 4);
 }
 
 static void swap_if(int *a, int *b)
@@ -58,50 +87,36 @@ static int in_order(const void *entry, int count, size_t size,
 	return 1;
 }
 
-static int merge_quads(struct hawser_quad *q, int count)
+/* Returns how many are left. */
+static int merge(void *list, int indices, int count)
 {
-	int kept = 0;
-
-	for (int i = 0; i < count; i++)
-		swap_if(&q[i].k, &q[i].l);
-	if (!in_order(q, count, sizeof *q, by_quad))
-		qsort(q, (size_t)count, sizeof *q, by_quad);
-	for (int i = 0; i < count; i++) {
-		if (kept && !by_quad(&q[kept - 1], &q[i]))
-			q[kept - 1].value += q[i].value;
-		else
-			q[kept++] = q[i];
-	}
-	count = kept;
-	kept = 0;
-	for (int i = 0; i < count; i++)
-		if (q[i].value != 0.0)
-			q[kept++] = q[i];
-	return kept;
-}
-
-static int merge_cubics(struct hawser_cubic *c, int count)
-{
+	int (*compare)(const void *, const void *) = indices == 3 ? by_quad : by_cubic;
+	struct hawser__entry last = {{0}, 0.0};
 	int kept = 0;
 
 	for (int i = 0; i < count; i++) {
-		swap_if(&c[i].k, &c[i].l);
-		swap_if(&c[i].l, &c[i].m);
-		swap_if(&c[i].k, &c[i].l);
+		struct hawser__entry entry = hawser__entry(list, indices, i);
+
+		swap_if(&entry.index[1], &entry.index[2]);
+		if (indices == 4) {
+			swap_if(&entry.index[2], &entry.index[3]);
+			swap_if(&entry.index[1], &entry.index[2]);
+		}
+		hawser__entry_put(list, indices, i, entry);
 	}
-	if (!in_order(c, count, sizeof *c, by_cubic))
-		qsort(c, (size_t)count, sizeof *c, by_cubic);
-	for (int i = 0; i < count; i++) {
-		if (kept && !by_cubic(&c[kept - 1], &c[i]))
-			c[kept - 1].value += c[i].value;
-		else
-			c[kept++] = c[i];
+	if (!in_order(list, count, size_of(indices), compare))
+		qsort(list, (size_t)count, size_of(indices), compare);
+	for (int i = 0; i <= count; i++) {
+		struct hawser__entry entry = i < count ? hawser__entry(list, indices, i) : last;
+
+		if (i > 0 && i < count && !compare_ints(entry.index, last.index, indices)) {
+			last.value += entry.value;
+			continue;
+		}
+		if (i > 0 && last.value != 0.0)
+			hawser__entry_put(list, indices, kept++, last);
+		last = entry;
 	}
-	count = kept;
-	kept = 0;
-	for (int i = 0; i < count; i++)
-		if (c[i].value != 0.0)
-			c[kept++] = c[i];
 	return kept;
 }
 
@@ -268,10 +283,10 @@ enum hawser_status hawser__entries_merge(struct hawser_rom *rom, struct hawser_r
 {
 	enum hawser_status status;
 
-	rom->quads = merge_quads(rom->Q, rom->quads);
-	rom->cubics = merge_cubics(rom->C, rom->cubics);
+	rom->quads = merge(rom->Q, 3, rom->quads);
+	rom->cubics = merge(rom->C, 4, rom->cubics);
 	for (int h = 0; h < rom->harmonics; h++)
-		rom->harmonic[h].quads = merge_quads(rom->harmonic[h].Q, rom->harmonic[h].quads);
+		rom->harmonic[h].quads = merge(rom->harmonic[h].Q, 3, rom->harmonic[h].quads);
 	if ((status = check_sums(rom->Q, rom->quads, report)))
 		return status;
 	for (int h = 0; h < rom->harmonics; h++)

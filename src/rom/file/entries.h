@@ -5,6 +5,16 @@
 
 #include <hawser/rom.h>
 
+/* An entry of a list Q (struct hawser_quad, 3 indices) or C (struct hawser_cubic, 4): j, k, l, m. */
+struct hawser__entry {
+	int index[4];
+	double value;
+};
+struct hawser__entry hawser__entry(const void *list, int indices, int at);
+void hawser__entry_put(void *list, int indices, int at, struct hawser__entry entry);
+/* Room for `count` entries; release with free(). */
+void *hawser__entries_room(int indices, size_t count);
+
 /* Check that every number is finite, and every index and harmonic in its range; HAWSER_ERR_ARGUMENT
  * names the entry. */
 enum hawser_status hawser__entries_check(const struct hawser_rom *rom,

@@ -164,74 +164,45 @@ static void spread(const struct change *change, double *dense, int j, const int 
 	}
 }
 
-static enum hawser_status turn_quads(const struct change *change, struct hawser_quad **Q, int *quads,
-                                     struct hawser_report *report)
+/* A list in place of Q or C, of *count entries with so many indices; NULL if memory is short. */
+static void *turn_entries(const struct change *change, void *list, int *count, int indices)
 {
-	size_t n = (size_t)change->n, all = n*n*n;
-	double *dense = *quads ? calloc(all, sizeof *dense) : NULL, least;
-	struct hawser_quad *turned = *quads ? malloc(all*sizeof *turned) : NULL;
-	int count = 0;
+	size_t n = (size_t)change->n, all = indices == 3 ? n*n*n : n*n*n*n;
+	double *dense = calloc(all, sizeof *dense), least;
+	void *turned = dense ? hawser__entries_room(indices, all) : NULL;
+	int kept = 0;
 
-	if (!*quads)
-		return HAWSER_OK;
-	if (!dense || !turned) {
-		free(dense);
-		free(turned);
-		return hawser__no_memory(report, "rom");
+	for (int i = 0; turned && i < *count; i++) {
+		struct hawser__entry entry = hawser__entry(list, indices, i);
+
+		spread(change, dense, entry.index[0], entry.index + 1, indices - 1, entry.value);
 	}
-	for (int i = 0; i < *quads; i++)
-		spread(change, dense, (*Q)[i].j, (int[]){(*Q)[i].k, (*Q)[i].l}, 2, (*Q)[i].value);
-	least = small*largest(dense, all);
-	for (size_t i = 0; i < all; i++)
+	least = turned ? small*largest(dense, all) : 0.0;
+	for (size_t i = 0; turned && i < all; i++) {
+		struct hawser__entry entry = {.value = dense[i]};
+		size_t at = i;
+
+		for (int k = indices - 1; k >= 0; k--, at /= n)
+			entry.index[k] = (int)(at%n);
 		if (fabs(dense[i]) > least)
-			turned[count++] = (struct hawser_quad){(int)(i/(n*n)), (int)(i/n%n), (int)(i%n), dense[i]};
-	free(dense);
-	free(*Q);
-	*Q = turned;
-	*quads = count;
-	return HAWSER_OK;
-}
-
-static enum hawser_status turn_cubics(const struct change *change, struct hawser_rom *rom,
-                                      struct hawser_report *report)
-{
-	size_t n = (size_t)change->n, all = n*n*n*n;
-	double *dense = rom->cubics ? calloc(all, sizeof *dense) : NULL, least;
-	struct hawser_cubic *turned = rom->cubics ? malloc(all*sizeof *turned) : NULL;
-	int count = 0;
-
-	if (!rom->cubics)
-		return HAWSER_OK;
-	if (!dense || !turned) {
-		free(dense);
-		free(turned);
-		return hawser__no_memory(report, "rom");
+			hawser__entry_put(turned, indices, kept++, entry);
 	}
-	for (int i = 0; i < rom->cubics; i++) {
-		const struct hawser_cubic *c = &rom->C[i];
-
-		spread(change, dense, c->j, (int[]){c->k, c->l, c->m}, 3, c->value);
-	}
-	least = small*largest(dense, all);
-	for (size_t i = 0; i < all; i++)
-		if (fabs(dense[i]) > least)
-			turned[count++] = (struct hawser_cubic){(int)(i/(n*n*n)), (int)(i/(n*n)%n), (int)(i/n%n),
-				(int)(i%n), dense[i]};
 	free(dense);
-	free(rom->C);
-	rom->C = turned;
-	rom->cubics = count;
-	return HAWSER_OK;
+	free(list);
+	*count = kept;
+	return turned;
 }
 
 static enum hawser_status turn(const struct change *change, struct hawser_rom *rom,
                                const double *value, struct hawser_report *report)
 {
 	int n = change->n;
-	enum hawser_status status = turn_quads(change, &rom->Q, &rom->quads, report);
+	enum hawser_status status = HAWSER_OK;
 
-	if (!status)
-		status = turn_cubics(change, rom, report);
+	if (rom->quads && !(rom->Q = turn_entries(change, rom->Q, &rom->quads, 3)))
+		status = hawser__no_memory(report, "rom");
+	if (rom->cubics && !(rom->C = turn_entries(change, rom->C, &rom->cubics, 4)))
+		status = hawser__no_memory(report, "rom");
 	turn_matrix(change, rom->D);
 	for (int i = 0; i < n*n; i++)
 		rom->K[i] = i%(n + 1) ? 0.0 : value[i/(n + 1)];
@@ -241,7 +212,9 @@ static enum hawser_status turn(const struct change *change, struct hawser_rom *r
 		turn_force(change, harmonic->f);
 		turn_matrix(change, harmonic->D);
 		turn_matrix(change, harmonic->K);
-		status = turn_quads(change, &harmonic->Q, &harmonic->quads, report);
+		if (harmonic->quads &&
+		    !(harmonic->Q = turn_entries(change, harmonic->Q, &harmonic->quads, 3)))
+			status = hawser__no_memory(report, "rom");
 	}
 	free(rom->mass);
 	rom->mass = NULL;

@@ -2,8 +2,6 @@
  * shape, an index out of range, or a value that is not a finite number is an error, whose message
  * states its place in the file and what is expected there.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -13,6 +11,7 @@
 #include "core/append.h"
 #include "core/report.h"
 #include "core/spelling.h"
+#include "rom/file/entries.h"
 #include "rom/energy/kernel.h"
 #include "rom/build/model.h"
 #include "rom/file/read.h"
@@ -219,48 +218,25 @@ static enum hawser_status read_entry(const struct hawser__parser *reader, int *i
 	return hawser__read_number(reader, value, json_array_get(entry, (size_t)count), place);
 }
 
-static enum hawser_status read_quads(const struct hawser__parser *reader, struct hawser_quad **Q,
-                                     int *quads, int n, const json_t *list, const char *name)
+/* entries: room for a list Q or C with so many indices, NULL if memory is short; *count: its length. */
+static enum hawser_status read_entries(const struct hawser__parser *reader, void *entries, int *count,
+                                       int indices, int n, const json_t *list, const char *name)
 {
 	enum hawser_status status = HAWSER_OK;
-	size_t count = json_array_size(list);
+	size_t all = json_array_size(list);
 
 	if (!json_is_array(list))
 		return unwanted(reader, name, list, "a list of entries");
-	*Q = malloc((count + 1)*sizeof **Q);
-	if (!*Q)
+	if (!entries)
 		return hawser__no_memory(reader->report, "rom");
-	for (size_t i = 0; !status && i < count; i++) {
-		int index[3] = {0};
-		double value = 0.0;
+	for (size_t i = 0; !status && i < all; i++) {
+		struct hawser__entry entry = {{0}, 0.0};
 		char where[48];
 
 		snprintf(where, sizeof where, "%s[%zu]", name, i);
-		status = read_entry(reader, index, &value, 3, n, json_array_get(list, i), where);
-		(*Q)[(*quads)++] = (struct hawser_quad){index[0], index[1], index[2], value};
-	}
-	return status;
-}
-
-static enum hawser_status read_cubics(const struct hawser__parser *reader, struct hawser_cubic **C,
-                                      int *cubics, int n, const json_t *list, const char *name)
-{
-	enum hawser_status status = HAWSER_OK;
-	size_t count = json_array_size(list);
-
-	if (!json_is_array(list))
-		return unwanted(reader, name, list, "a list of entries");
-	*C = malloc((count + 1)*sizeof **C);
-	if (!*C)
-		return hawser__no_memory(reader->report, "rom");
-	for (size_t i = 0; !status && i < count; i++) {
-		int index[4] = {0};
-		double value = 0.0;
-		char where[48];
-
-		snprintf(where, sizeof where, "%s[%zu]", name, i);
-		status = read_entry(reader, index, &value, 4, n, json_array_get(list, i), where);
-		(*C)[(*cubics)++] = (struct hawser_cubic){index[0], index[1], index[2], index[3], value};
+		status = read_entry(reader, entry.index, &entry.value, indices, n, json_array_get(list, i),
+		                    where);
+		hawser__entry_put(entries, indices, (*count)++, entry);
 	}
 	return status;
 }
@@ -314,7 +290,8 @@ static enum hawser_status read_harmonic_terms(const struct hawser__parser *reade
 
 	snprintf(place, sizeof place, "%s.C", where);
 	if (C)
-		status = read_cubics(reader, &list, &cubics, n, C, place);
+		status = read_entries(reader, list = hawser__entries_room(4, json_array_size(C)), &cubics, 4,
+		                      n, C, place);
 	if (!status && cubics > 0)
 		status = hawser__cubics_to_terms(h, list, cubics, reader->report);
 	free(list);
@@ -356,7 +333,8 @@ static enum hawser_status read_harmonic(const struct hawser__parser *reader,
 		status = read_term(reader, &h->f, &h->D, &h->K, n, object, where);
 	snprintf(place, sizeof place, "%s.Q", where);
 	if (!status && Q)
-		status = read_quads(reader, &h->Q, &h->quads, n, Q, place);
+		status = read_entries(reader, h->Q = hawser__entries_room(3, json_array_size(Q)), &h->quads, 3,
+		                      n, Q, place);
 	return status ? status : read_harmonic_terms(reader, h, n, object, where);
 }
 
@@ -460,9 +438,11 @@ enum hawser_status hawser__read_model(const struct hawser__parser *reader, struc
 	if (!status && D)
 		status = read_matrix(reader, &rom->D, rom->n, D, "D");
 	if (!status && Q)
-		status = read_quads(reader, &rom->Q, &rom->quads, rom->n, Q, "Q");
+		status = read_entries(reader, rom->Q = hawser__entries_room(3, json_array_size(Q)),
+		                      &rom->quads, 3, rom->n, Q, "Q");
 	if (!status && C)
-		status = read_cubics(reader, &rom->C, &rom->cubics, rom->n, C, "C");
+		status = read_entries(reader, rom->C = hawser__entries_room(4, json_array_size(C)),
+		                      &rom->cubics, 4, rom->n, C, "C");
 	if (!status && list)
 		status = read_harmonics(reader, rom, list);
 	if (!status && ramp)

@@ -5,13 +5,12 @@
  * of them would take ten times the memory of the model.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdio.h>
 #include <stdlib.h>
 
 #include "core/file.h"
 #include "core/report.h"
+#include "rom/file/entries.h"
 #include "rom/terms/drag.h"
 #include "rom/terms/ends.h"
 #include "rom/energy/law.h"
@@ -63,26 +62,15 @@ static void words(struct hawser__writer *to, const char *key, char *const *word,
 	hawser__write_end(to);
 }
 
-static void quads(struct hawser__writer *to, const struct hawser_quad *Q, int count)
+static void entries(struct hawser__writer *to, const char *key, const void *list, int indices,
+                    int count)
 {
-	hawser__write_key(to, "Q");
+	hawser__write_key(to, key);
 	hawser__write_begin(to, '[', count > 0);
 	for (int i = 0; i < count; i++) {
-		const struct hawser_quad *q = &Q[i];
+		struct hawser__entry entry = hawser__entry(list, indices, i);
 
-		hawser__write_entry(to, (int[]){q->j, q->k, q->l}, 3, q->value);
-	}
-	hawser__write_end(to);
-}
-
-static void cubics(struct hawser__writer *to, const struct hawser_rom *rom)
-{
-	hawser__write_key(to, "C");
-	hawser__write_begin(to, '[', rom->cubics > 0);
-	for (int i = 0; i < rom->cubics; i++) {
-		const struct hawser_cubic *c = &rom->C[i];
-
-		hawser__write_entry(to, (int[]){c->j, c->k, c->l, c->m}, 4, c->value);
+		hawser__write_entry(to, entry.index, indices, entry.value);
 	}
 	hawser__write_end(to);
 }
@@ -133,7 +121,7 @@ static void harmonic(struct hawser__writer *to, const struct hawser_harmonic *h,
 		integer(to, "load_power", h->load_power);
 	term(to, h->f, h->D, h->K, n);
 	if (h->quads > 0)
-		quads(to, h->Q, h->quads);
+		entries(to, "Q", h->Q, 3, h->quads);
 	products(to, h->term, h->terms);
 	if (h->answer)
 		block(to, "answer", h->answer, (size_t[]){2, (size_t)points, 4});
@@ -292,8 +280,8 @@ static void members(struct hawser__writer *to, const struct hawser_rom *rom)
 	integer(to, "n", rom->n);
 	matrix(to, "D", rom->D, rom->n, rom->n);
 	matrix(to, "K", rom->K, rom->n, rom->n);
-	quads(to, rom->Q, rom->quads);
-	cubics(to, rom);
+	entries(to, "Q", rom->Q, 3, rom->quads);
+	entries(to, "C", rom->C, 4, rom->cubics);
 	products(to, rom->term, rom->terms);
 	if (rom->periods > 1)
 		integer(to, "periods", rom->periods);
