@@ -5,8 +5,8 @@
  *
  * A point of a branch needs two or three Jacobians: at the prediction, sometimes at an iterate, and
  * at the accepted point, for its tangent. They differ little. The factors are therefore kept, and
- * the systems are solved by GMRES with the old factors as preconditioner; tangents are solved to a
- * smaller residual than Newton steps. Along the branch the number of iterations increases. The
+ * the systems are solved by GMRES with the old factors as preconditioner, which the vectors of the last
+ * solutions correct. Along the branch the number of iterations increases. The
  * matrix is factorised again as soon as the solutions with one Jacobian cost more than the mean
  * cost per Jacobian since the last factorisation, including the factorisation: the rule of least
  * mean cost.
