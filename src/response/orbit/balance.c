@@ -145,6 +145,7 @@ void hawser__balance_release(struct hawser__balance *balance)
 	free(balance->rest);
 	free(balance->free);
 	free(balance->top_block);
+	free(balance->top_factors);
 	free(balance->top_pivot);
 	hawser__blocks_release(&balance->blocks);
 	hawser__monodromy_release(&balance->monodromy);

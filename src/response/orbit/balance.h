@@ -79,7 +79,8 @@ struct hawser__balance {
 	double *direction, *image; /* [size], [2 reach + 1][n] vector and image of a product with the
 	                            * Jacobian */
 	double *moved;           /* [2][R][n] the same at the samples */
-	double *top_block;       /* [top_count][top_count] factors of M's last harmonics */
+	double *top_block;       /* [top_count][top_count] M's last harmonics */
+	float *top_factors;      /* [top_count + 1][top_count] their factors, and a right side */
 	int top_from, top_count; /* the first of these harmonics, number of their unknowns */
 	int *top_pivot;          /* [top_count] */
 	double *row;             /* [size] the row of which the border is made */

@@ -143,17 +143,19 @@ static int terms_room(struct hawser__balance *balance, size_t rows, size_t n)
 static int make_room(struct hawser__balance *balance, int unknowns)
 {
 	size_t n = (size_t)balance->base.n, rows = (size_t)balance->base.rows;
-	size_t square = (size_t)unknowns + 1, wide = (2*(size_t)balance->reach + 1)*n;
+	size_t square = (size_t)unknowns + 1, wide = (2*(size_t)balance->reach + 1)*n, top;
 
 	free(balance->pivot);
 	balance->pivot = malloc(square*sizeof(int));
 	if (balance->blockwise) {
 		balance->top_from = balance->order > TOP ? balance->order - TOP + 1 : 0;
 		balance->top_count = hawser__balance_top(balance, NULL, balance->top_from);
+		top = (size_t)balance->top_count;
 		free(balance->top_pivot);
+		free(balance->top_factors);
 		balance->top_pivot = malloc(square*sizeof(int));
-		if (room(&balance->top_block, (size_t)balance->top_count*balance->top_count) |
-		    !balance->top_pivot)
+		balance->top_factors = malloc((top + 1)*top*sizeof(float));
+		if (room(&balance->top_block, top*top) | !balance->top_pivot | !balance->top_factors)
 			return 1;
 	}
 	return room(&balance->basis, rows*(2*(size_t)balance->width + 1)) |

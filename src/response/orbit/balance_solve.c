@@ -5,8 +5,8 @@
  *
  * A point of a branch needs two or three Jacobians: at the prediction, sometimes at an iterate, and
  * at the accepted point, for its tangent. They differ little. The factors are therefore kept, and
- * the systems are solved by GMRES with the old factors as preconditioner; tangents are solved to a
- * smaller residual than Newton steps. Along the branch the number of iterations increases. The
+ * the systems are solved by GMRES with the old factors as preconditioner, which the vectors of the last
+ * solutions correct. Along the branch the number of iterations increases. The
  * matrix is factorised again as soon as the solutions with one Jacobian cost more than the mean
  * cost per Jacobian since the last factorisation, including the factorisation: the rule of least
  * mean cost.
@@ -118,7 +118,9 @@ static int factor_top(struct hawser__balance *balance)
 {
 	int top = hawser__balance_top(balance, balance->top_block, balance->top_from);
 
-	return LAPACKE_dgetrf_work(LAPACK_COL_MAJOR, top, top, balance->top_block, top,
+	for (size_t i = 0; i < (size_t)top*top; i++)
+		balance->top_factors[i] = (float)balance->top_block[i];
+	return LAPACKE_sgetrf_work(LAPACK_COL_MAJOR, top, top, balance->top_factors, top,
 	                           balance->top_pivot) != 0;
 }
 
@@ -212,11 +214,15 @@ static void precondition_by_blocks(struct hawser__balance *balance, double *x)
 {
 	int count = balance->unknowns + 1, top = balance->top_count, at = count - 1 - top;
 	double *first = balance->rest, *image = first + count, part;
+	float *narrow = balance->top_factors + (size_t)top*top;
 
 	memset(first, 0, (size_t)count*sizeof *first);
-	memcpy(first + at, x + at, (size_t)top*sizeof *first);
-	LAPACKE_dgetrs_work(LAPACK_COL_MAJOR, 'T', top, 1, balance->top_block, top, balance->top_pivot,
-	                    first + at, top);
+	for (int i = 0; i < top; i++)
+		narrow[i] = (float)x[at + i];
+	LAPACKE_sgetrs_work(LAPACK_COL_MAJOR, 'T', top, 1, balance->top_factors, top,
+	                    balance->top_pivot, narrow, top);
+	for (int i = 0; i < top; i++)
+		first[at + i] = narrow[i];
 	hawser__balance_product(balance, image, first, balance->top_from);
 	cblas_daxpy(count, -1.0, image, 1, x, 1);
 	part = x[count - 1];
