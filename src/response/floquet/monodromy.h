@@ -298,9 +298,10 @@ enum hawser_status hawser__monodromy_room(struct hawser__monodromy *monodromy, s
 /* basis [rows][2 order + 1]: 1/2, cos, sin, ... at equidistant phases. */
 void hawser__monodromy_phases(double *basis, int rows, int order);
 /* Sets system->order, monodromy->fastest from the stiffness with which slow motions move, and
- * reduced. HAWSER_ERR_MEMORY. */
+ * reduced. *noise: error of this stiffness, relative, that harmonics left out may have; then what is
+ * left out, relative to two frequencies. HAWSER_ERR_MEMORY. */
 enum hawser_status hawser__monodromy_resonances(struct hawser__monodromy *monodromy,
-                                                struct hawser__variational *system,
+                                                struct hawser__variational *system, double *noise,
                                                 struct hawser_report *report);
 
 /* --- monodromy_fast.c --- */

@@ -381,6 +381,30 @@ static enum hawser_status descend(struct hawser__condensation *work,
 	return status;
 }
 
+/* Factor from harmonics of K that are left out, relative to two frequencies, to the error of N,
+ * relative to the squared frequency `top`. */
+static double reach_of(const struct hawser__condensation *work,
+                       const struct hawser__monodromy *monodromy)
+{
+	double most = 0.0;
+
+	for (int row = 0; row < work->rows; row++)
+		for (int b = 0; b < work->blocks; b++) {
+			const struct hawser__block *block = &work->block[b];
+			const double *F = work->F + (size_t)row*work->wide_F + block->F;
+
+			for (int s = 0; s < block->ns; s++) {
+				double sum = monodromy->frequency[monodromy->slow[block->s + s]];
+
+				for (int f = 0; f < block->nf; f++)
+					sum += fabs(F[2*(size_t)f*block->ns + s])*
+					       monodromy->frequency[monodromy->fast[block->f + f]];
+				most = fmax(most, sum/monodromy->top);
+			}
+		}
+	return most*most;
+}
+
 /* The highest frequency of a coordinate that vibrates: an overdamped one has none to be resolved. */
 static double fastest_of(const struct hawser__monodromy *monodromy,
                          const struct hawser__variational *system)
@@ -397,8 +421,8 @@ enum hawser_status hawser__monodromy_condense(struct hawser__monodromy *monodrom
                                             struct hawser__variational *system, int *kept,
                                             struct hawser_report *report)
 {
-	int n = system->n;
-	double top = 0.0, slowest = INFINITY;
+	int n = system->n, order = system->order;
+	double top = 0.0, slowest = INFINITY, noise = monodromy->sharper ? 0.0 : SLIGHT*settled(monodromy);
 	double limit = monodromy->rough ? HAWSER__ROUGHER
 	               : monodromy->rest && monodromy->sharper ? HAWSER__SHARPER
 	               : monodromy->haste ? HAWSER__HASTE : HAWSER__NEGLECTED;
@@ -422,7 +446,7 @@ enum hawser_status hawser__monodromy_condense(struct hawser__monodromy *monodrom
 		return HAWSER_OK;
 	if (!monodromy->rest)
 		hawser__fast_find_range(monodromy, system);
-	else if ((status = hawser__monodromy_resonances(monodromy, system, report)))
+	else if ((status = hawser__monodromy_resonances(monodromy, system, &noise, report)))
 		return status;
 	if (monodromy->finer) /* if Omega is far below all coordinates, the slowest are integrated */
 		monodromy->fastest = fmax(monodromy->fastest, slowest);
@@ -436,12 +460,15 @@ enum hawser_status hawser__monodromy_condense(struct hawser__monodromy *monodrom
 		return status;
 	if (monodromy->left_out > (monodromy->rest && !monodromy->sharper ? BEARABLE : most)) {
 		monodromy->top = fastest_of(monodromy, system);
+		system->order = monodromy->rest ? order : system->order;
 		if (!work.singular || monodromy->finer)
 			return HAWSER_OK;
 		return hawser__fail(report, HAWSER_ERR_CONVERGENCE, "floquet",
 		                    "the stiffness of the fast coordinates is singular at some phase of "
 		                    "the motion at Omega %g: keep fewer modes", system->omega);
 	}
+	if (monodromy->rest && !monodromy->sharper)
+		monodromy->left_out += noise*reach_of(&work, monodromy);
 	*system = (struct hawser__variational){.n = work.ns, .K = work.result[0], .D = work.result[1],
 		.omega = system->omega};
 	most = SLIGHT*(monodromy->sharper ? HAWSER__SHARPER : settled(monodromy));

@@ -27,7 +27,7 @@
 #include "response/floquet/monodromy.h"
 #include "response/time/planner.h"
 
-#define NOISE 1e-10     /* harmonics of K, relative to two frequencies, that are left out in all;
+#define NOISE 1e-10     /* harmonics of K, relative to two frequencies, that are left out in any case;
                          * chosen, above round-off and far below the errors that are admitted */
 #define BEYOND 2.0      /* frequency of b relative to that of the highest harmonic; chosen */
 
@@ -46,16 +46,21 @@ static double size_of(const struct hawser__monodromy *monodromy,
 	return top;
 }
 
-/* The highest harmonic of K that is more than round-off. */
+/* The highest harmonic of K that counts, where the reduced stiffness may be off by *noise; what is left
+ * out becomes *noise. The fast coordinates of a motion add up to sqrt(K_ss), at most about. */
 static int highest(const struct hawser__monodromy *monodromy,
-                   const struct hawser__variational *system)
+                   const struct hawser__variational *system, double *noise)
 {
-	double sum = 0.0;
+	double most = 1.0, left = 0.0;
+	int k = system->order;
 
-	for (int k = system->order; k > 0; k--)
-		if ((sum += size_of(monodromy, system, k)) > NOISE)
-			return k;
-	return 0;
+	for (int i = 0; i < system->n; i++)
+		most = fmax(most, sqrt(0.5*fabs(system->K[(size_t)i*(system->n + 1)]))/
+		                  monodromy->frequency[i]);
+	most = fmax(NOISE, *noise/((1.0 + most)*(1.0 + most)));
+	for (*noise = 0.0; k > 0 && (left += size_of(monodromy, system, k)) <= most; k--)
+		*noise = left;
+	return k;
 }
 
 /* S at one phase, in the place of K_aa; returns 1 if K_bb is not positive. Only the lower triangles
@@ -119,10 +124,10 @@ static enum hawser_status make_reduced(struct hawser__monodromy *monodromy, size
 
 /* If K_bb is not positive at a phase, the resonances are those of K. */
 enum hawser_status hawser__monodromy_resonances(struct hawser__monodromy *monodromy,
-                                                struct hawser__variational *system,
+                                                struct hawser__variational *system, double *noise,
                                                 struct hawser_report *report)
 {
-	int n = system->n, order = highest(monodromy, system);
+	int n = system->n, order = highest(monodromy, system, noise);
 	int na = hawser__fast_gap(monodromy, n, BEYOND*(order + 1)*system->omega);
 	int rows = hawser__planner_rows(4*order + 1), columns = 2*order + 1;
 	size_t table = (size_t)rows*columns, samples = (size_t)rows*n*n;

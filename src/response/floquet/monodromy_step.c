@@ -74,43 +74,43 @@ double hawser__component_damping(struct hawser__component *c, const struct hawse
 	return apart;
 }
 
-/* K - a D/2 + a^2/4 and D - a, for z, at node i. */
-static double stiff_at(const struct hawser__monodromy *monodromy,
-                       const struct hawser__component *c, int i, int p, int q)
+/* Column q of K - a D/2 + a^2/4 and of D - a, for z, at node i. */
+static void columns_at(double *stiff, double *damp, const struct hawser__monodromy *monodromy,
+                       const struct hawser__component *c, int i, int q)
 {
-	size_t e = (size_t)i*c->n*c->n + (size_t)c->member[p]*c->n + c->member[q];
+	for (int p = 0; p < c->w; p++) {
+		size_t e = (size_t)i*c->n*c->n + (size_t)c->member[p]*c->n + c->member[q];
 
-	return monodromy->stiff[e] - 0.5*c->damping*monodromy->damp[e] +
-	       (p == q ? 0.25*c->damping*c->damping : 0.0);
-}
-
-static double damp_at(const struct hawser__monodromy *monodromy,
-                      const struct hawser__component *c, int i, int p, int q)
-{
-	return monodromy->damp[(size_t)i*c->n*c->n + (size_t)c->member[p]*c->n + c->member[q]] -
-	       (p == q ? c->damping : 0.0);
+		stiff[p] = monodromy->stiff[e] - 0.5*c->damping*monodromy->damp[e];
+		damp[p] = monodromy->damp[e];
+	}
+	stiff[q] += 0.25*c->damping*c->damping;
+	damp[q] -= c->damping;
 }
 
 static void fill_system(struct hawser__monodromy *monodromy, const struct hawser__component *c)
 {
 	int w = c->w, wide = S*w;
-	double h = c->h;
+	double h = c->h, *k = monodromy->product, *d = k + w;
 
 	for (int i = 0; i < S; i++)
-		for (int q = 0; q < w; q++)
-			for (int p = 0; p < w; p++) {
-				double k = stiff_at(monodromy, c, i, p, q);
-				double d = damp_at(monodromy, c, i, p, q);
-				double *at = monodromy->matrix + (size_t)q*wide + (size_t)i*w + p;
-				double *rhs = monodromy->rhs + (size_t)q*wide + (size_t)i*w + p;
+		for (int q = 0; q < w; q++) {
+			double *at = monodromy->matrix + (size_t)q*wide + (size_t)i*w;
+			double *rhs = monodromy->rhs + (size_t)q*wide + (size_t)i*w;
 
-				for (int j = 0; j < S; j++)
-					at[(size_t)j*w*wide] = h*h*c->table->twice[i][j]*k +
-					                       h*c->table->once[i][j]*d;
-				at[(size_t)i*w*wide] += p == q;
-				rhs[0] = -k/monodromy->scale[c->member[q]];
-				rhs[(size_t)w*wide] = -c->table->node[i]*h*k - d;
+			columns_at(k, d, monodromy, c, i, q);
+			for (int j = 0; j < S; j++) {
+				double twice = h*h*c->table->twice[i][j], once = h*c->table->once[i][j];
+
+				for (int p = 0; p < w; p++)
+					at[(size_t)j*w*wide + p] = twice*k[p] + once*d[p];
 			}
+			at[(size_t)i*w*wide + q] += 1.0;
+			for (int p = 0; p < w; p++) {
+				rhs[p] = -k[p]/monodromy->scale[c->member[q]];
+				rhs[(size_t)w*wide + p] = -c->table->node[i]*h*k[p] - d[p];
+			}
+		}
 }
 
 /* The transition matrix of the step [2w][2w] from the accelerations in rhs; returns the estimated
