@@ -106,8 +106,9 @@ static enum hawser_status record(struct hawser__free_walk *walk,
 	                           backbone->probe + (size_t)p*3*backbone->probes, half->base.samples,
 	                           half->base.rows, 0.0))
 		return hawser__no_memory(report, where);
-	backbone->points++;
-	return hawser__half_unstable(half, &point->unstable, walk->t, correction->residual, report);
+	status = hawser__half_unstable(half, &point->unstable, walk->t, correction->residual, report);
+	backbone->points += !status;
+	return status;
 }
 
 /* --- the curve --- */
