@@ -23,7 +23,8 @@ static const char where[] = "backbone";
 
 #define FIRST_STEP 0.1    /* first step relative to the longest; chosen */
 #define PLANE 0.02        /* share of the smaller coordinate in quadrature, at least; chosen */
-#define LAST_STEP 50.0    /* tolerances: reach of a correction; a fiftieth of it is its last step */
+#define LAST_STEP 50.0    /* tolerances: reach of a correction with an extrapolated Jacobian; a fiftieth of
+                           * it is its last step */
 #define WORST_ANGLE 0.45  /* largest angle between successive tangents, rad; chosen */
 
 void hawser_backbone_settle(struct hawser_backbone_options *options)
@@ -122,7 +123,7 @@ enum hawser_status hawser__free_correct(struct hawser__free_walk *walk, double *
 	struct hawser__orbit *orbit = &walk->half.base;
 	enum hawser_status status = HAWSER_OK;
 
-	orbit->reach = LAST_STEP*walk->options->tolerance;
+	orbit->reach = walk->half.guessing ? LAST_STEP*walk->options->tolerance : 0.0;
 	for (;;) {
 		*failed = hawser__orbit_correct(orbit, y, correction, row, walk->options->tolerance);
 		if (*failed || orbit->mesh <= walk->options->tolerance*orbit->X)
