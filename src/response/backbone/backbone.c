@@ -23,8 +23,8 @@ static const char where[] = "backbone";
 
 #define FIRST_STEP 0.1    /* first step relative to the longest; chosen */
 #define PLANE 0.02        /* share of the smaller coordinate in quadrature, at least; chosen */
-#define LAST_STEP 50.0    /* tolerances: reach of a correction with an extrapolated Jacobian; a fiftieth of
-                           * it is its last step */
+#define LAST_STEP 50.0    /* reach of a correction with an extrapolated Jacobian, in tolerances: a
+                           * fiftieth of it is the last step */
 #define WORST_ANGLE 0.45  /* largest angle between successive tangents, rad; chosen */
 
 void hawser_backbone_settle(struct hawser_backbone_options *options)
