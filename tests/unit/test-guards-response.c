@@ -65,7 +65,7 @@ static void refused_backbone(struct hawser_rom *rom, struct hawser_backbone_opti
 
 static void backbones(void)
 {
-	double D[4] = {0.0}, K[4] = {1.0}, K2[4] = {1.0, 0.0, 0.0, 2e8}, K3[4] = {1.0, 0.0, 0.0, -1e3};
+	double D[4] = {0.0}, K[4] = {1.0}, K2[4] = {1.0, 0.0, 0.0, 2e8}, K3[4] = {1.0, 0.0, 0.0, -1e5};
 	struct hawser_cubic C = {0, 0, 0, 0, -1.0};
 	struct hawser_quad Q[2] = {{0, 0, 1, 1e4}, {1, 0, 0, 5e3}};
 	struct hawser_rom soft = bare(1, D, K), fast = bare(2, D, K2), falling = bare(2, D, K3);

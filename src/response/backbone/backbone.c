@@ -23,7 +23,8 @@ static const char where[] = "backbone";
 
 #define FIRST_STEP 0.1    /* first step relative to the longest; chosen */
 #define PLANE 0.02        /* share of the smaller coordinate in quadrature, at least; chosen */
-#define LAST_STEP 50.0    /* tolerances: reach of a correction; a fiftieth of it is its last step */
+#define LAST_STEP 50.0    /* reach of a correction with an extrapolated Jacobian, in tolerances: a
+                           * fiftieth of it is the last step */
 #define WORST_ANGLE 0.45  /* largest angle between successive tangents, rad; chosen */
 
 void hawser_backbone_settle(struct hawser_backbone_options *options)
@@ -106,8 +107,9 @@ static enum hawser_status record(struct hawser__free_walk *walk,
 	                           backbone->probe + (size_t)p*3*backbone->probes, half->base.samples,
 	                           half->base.rows, 0.0))
 		return hawser__no_memory(report, where);
-	backbone->points++;
-	return hawser__half_unstable(half, &point->unstable, walk->t, correction->residual, report);
+	status = hawser__half_unstable(half, &point->unstable, walk->t, correction->residual, report);
+	backbone->points += !status;
+	return status;
 }
 
 /* --- the curve --- */
@@ -121,7 +123,7 @@ enum hawser_status hawser__free_correct(struct hawser__free_walk *walk, double *
 	struct hawser__orbit *orbit = &walk->half.base;
 	enum hawser_status status = HAWSER_OK;
 
-	orbit->reach = LAST_STEP*walk->options->tolerance;
+	orbit->reach = walk->half.guessing ? LAST_STEP*walk->options->tolerance : 0.0;
 	for (;;) {
 		*failed = hawser__orbit_correct(orbit, y, correction, row, walk->options->tolerance);
 		if (*failed || orbit->mesh <= walk->options->tolerance*orbit->X)

@@ -110,7 +110,9 @@ static int split(double *whole, double *pair, double *tau, int m)
 	            : LAPACKE_dormqr(LAPACK_COL_MAJOR, 'L', 'T', m, m, 2, pair, m, tau, whole, m);
 }
 
-static int count_outside(double *re, double *im, int count, double loss)
+/* size: of the entries of the matrix, whose round-off may be more than the multipliers on the circle:
+ * then those that are larger are counted. */
+static int count_outside(double *re, double *im, int count, double loss, double size)
 {
 	for (int i = 0; i < count; i++) {
 		double angle = atan2(im[i], re[i]);
@@ -118,14 +120,14 @@ static int count_outside(double *re, double *im, int count, double loss)
 		re[i] = log(hypot(re[i], im[i]));
 		im[i] = angle;
 	}
-	return hawser__circle_count(NULL, re, im, count, loss, 0.0).unstable;
+	return hawser__circle_count(NULL, re, im, count, loss, log1p(ROUND_OFF*size)).unstable;
 }
 
 enum hawser_status hawser__half_unstable(const struct hawser__half *half, int *unstable,
                                          const double *t, double residual,
                                          struct hawser_report *report)
 {
-	double loss = DERIVATIVES*(half->base.mesh/half->base.X + residual) + ROUND_OFF;
+	double loss = DERIVATIVES*(half->base.mesh/half->base.X + residual) + ROUND_OFF, size = 0.0;
 	int m = 2*half->base.n, rest = m - 2, info;
 	size_t square = (size_t)m*(size_t)m;
 	double *whole = malloc((2*square + 4*(size_t)m)*sizeof *whole), *pair, *re, *im;
@@ -145,13 +147,14 @@ enum hawser_status hawser__half_unstable(const struct hawser__half *half, int *u
 		info = trivial(half, pair, whole + square, pivot, t);
 	if (!info) {
 		equalise(half, whole, pair);
+		size = fabs(whole[cblas_idamax((int)square, whole, 1)]);
 		info = split(whole, pair, re, m);
 	}
 	if (!info && rest > 0)
 		info = LAPACKE_dgeev(LAPACK_COL_MAJOR, 'N', 'N', rest, whole + 2*(size_t)m + 2, m, re, im,
 		                     NULL, rest, NULL, rest);
 	if (!info)
-		*unstable = count_outside(re, im, rest, loss);
+		*unstable = count_outside(re, im, rest, loss, size);
 	free(whole);
 	free(pivot);
 	if (hawser__lapack_starved(info))

@@ -30,7 +30,8 @@
 #define TOLERANCE 1e-8 /* of the orbit: well below the 1e-10 of multipliers; chosen */
 #define FINE 1e-5      /* of the orbits on the way where rough ones lose it; chosen */
 #define NOTHING 1e-13   /* harmonics of T below this times Omega^2 change no exponent by more than the
-                         * error of the orbit; chosen */
+                         * error of the orbit, and */
+#define LITTLE 1e-8     /* below this no sign of a determinant that is not within that error; chosen */
 
 void hawser__about_clear(struct hawser__about *about)
 {
@@ -60,14 +61,12 @@ static double largest(const double *x, size_t count)
 	return most;
 }
 
-/* The highest harmonic of T that counts. */
-static int highest(const struct hawser__balance *balance, double omega)
+/* The highest harmonic of T, up to `order`, that is above `least`. */
+static int highest(const double *T, int order, int n, double least)
 {
-	size_t n2 = (size_t)balance->base.n*(size_t)balance->base.n;
-	int order = balance->spread;
+	size_t n2 = (size_t)n*(size_t)n;
 
-	while (order > 0 &&
-	       largest(balance->T + (2*(size_t)order - 1)*n2, 2*n2) <= NOTHING*omega*omega)
+	while (order > 0 && largest(T + (2*(size_t)order - 1)*n2, 2*n2) <= least)
 		order--;
 	return order;
 }
@@ -92,7 +91,7 @@ static enum hawser_status take(struct hawser__about *about, const struct hawser_
                                const struct hawser__balance *balance, double omega,
                                struct hawser_report *report)
 {
-	int order = highest(balance, omega), count = 0;
+	int order = highest(balance->T, balance->spread, rom->n, NOTHING*omega*omega), count = 0;
 	size_t n2 = (size_t)rom->n*(size_t)rom->n, numbers = (2*(size_t)order + 1)*n2;
 
 	if (!make_room(about, numbers, 2*(size_t)order + (size_t)rom->harmonics + 1))
@@ -185,6 +184,10 @@ static enum hawser_status is_behind(int *behind, struct hawser__about *about, do
 		status = hawser__linear_series(about->linear, &system, &about->rom, omega, report);
 	if (!status)
 		harmonics = hawser__hill_harmonics(&system, zero);
+	if (harmonics > 0) {
+		system.order = highest(system.K, system.order, system.n, LITTLE*omega*omega);
+		harmonics = hawser__hill_harmonics(&system, zero);
+	}
 	if (harmonics > 0)
 		status = hawser__hill_determinant(value, &exponent, &about->matrix, &system, zero, harmonics,
 		                                  report);
