@@ -31,6 +31,7 @@
                          * where it turns sharply, however short the step is */
 #define SAME 0.9        /* if half the step is off its prediction by this part of what the whole step
                          * was, or more, the two orbits have different harmonics; chosen */
+enum { MOST_STEPS = 500 }; /* a closed curve, to which a guide may lead, has no end; chosen */
 #define DIP 0.06        /* a fold after which the load falls by less is passed, relative to the load */
 
 int hawser__way_add(struct hawser__way *way, double load, const double *y, int count)
@@ -249,11 +250,11 @@ static int follow_arc(double *y, struct hawser__climb *climb, struct hawser__orb
 		memcpy(y, climb->good, (size_t)count*sizeof *y);
 		return 0;
 	}
-	while (!failed && step > least && !hawser__climb_turned(climb)) {
+	for (int i = 0; i < MOST_STEPS && !failed && step > least && !hawser__climb_turned(climb); i++) {
 		double off, before = climb->load;
 
-		for (int i = 0; i <= count; i++)
-			y[i] = climb->guess[i] = climb->good[i] + step*climb->t[i];
+		for (int k = 0; k <= count; k++)
+			y[k] = climb->guess[k] = climb->good[k] + step*climb->t[k];
 		failed = correct_arc(y, climb, orbit, correction, omega, raised->rough, report);
 		off = failed ? INFINITY : hawser__orbit_distance(y, climb->guess, count)/step;
 		if (failed > 1)
@@ -275,8 +276,8 @@ static int follow_arc(double *y, struct hawser__climb *climb, struct hawser__orb
 		if (y[count] >= 1.0) {
 			double part = (1.0 - before)/(y[count] - before);
 
-			for (int i = 0; i < count; i++)
-				y[i] = climb->good[i] + (y[i] - climb->good[i])*part;
+			for (int k = 0; k < count; k++)
+				y[k] = climb->good[k] + (y[k] - climb->good[k])*part;
 			return 0;
 		}
 		memcpy(climb->t, climb->guess, (size_t)orbit->size*sizeof *y);
