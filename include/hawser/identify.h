@@ -74,10 +74,8 @@ struct hawser_identified {
 	                     * NAN if there are none */
 	double chi2;        /* sum of squares of the weighted residuals; NAN without deviations */
 	double probability; /* of a larger chi2 if scene and deviations are right; NAN */
-	/* The combination of parameters that is known worst: parameters whose change belongs to it, and
-	 * its standard deviation (relative). */
-	double weakest[HAWSER_IDENTIFY_KEYS]; /* [keys] unit vector of relative changes */
-	double weakness;
+	double weakness;    /* standard deviation (relative) of the combination of parameters that is known
+	                     * worst */
 	int skipped;        /* modes below the highest measured one to which no measurement belongs */
 	double margin;      /* by which the next best assignment of modes is worse, in chi2, to which
 	                     * HAWSER_IDENTIFY_SKIP is added for each mode skipped; INFINITY: there is

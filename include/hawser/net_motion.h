@@ -114,7 +114,6 @@ struct hawser_net_motion {
 	int still[3];        /* 1: nothing moves the net along this axis,
 	so that the model has no motion there */
 	double reached;      /* s: less than options.until if interrupted, perhaps after the last row */
-	double start_kinetic; /* J, of the state at the beginning */
 	const char *scheme;
 	long steps, iterations, splits, rejected, switches; /* switches: of elements, slack to taut and
 	                                                     * back; splits: steps made in halves since

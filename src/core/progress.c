@@ -62,18 +62,25 @@ int hawser__told_to_stop(const struct hawser_progress *progress,
 
 void hawser__span_stage(struct hawser__span *span, double from, double to)
 {
-	span->from = from;
+	span->from = span->at = from;
 	span->to = to;
+}
+
+void hawser__span_ahead(struct hawser__span *span, double stage, double after)
+{
+	double done = hawser__wall_seconds() - span->began, all = done + stage + after;
+
+	hawser__span_stage(span, done/all, (done + stage)/all);
 }
 
 void hawser__span_foretell(struct hawser__span *span, struct hawser_progress_state *state)
 {
 	double inside = isnan(state->fraction) ? 0.0 : state->fraction;
 
-	span->reached = fmax(span->reached, span->from + inside*(span->to - span->from));
+	span->at = fmax(span->at, span->from + inside*(span->to - span->from));
+	span->reached = fmax(span->reached, span->at);
 	state->fraction = span->reached;
-	state->left = span->reached > WORTH ? (hawser__wall_seconds() - span->began)*
-	                                      (1.0/span->reached - 1.0) : NAN;
+	state->left = span->at > WORTH ? (hawser__wall_seconds() - span->began)*(1.0/span->at - 1.0) : NAN;
 }
 
 /* Remember a forecast; when there is no room, every second one goes. */

@@ -20,9 +20,12 @@ struct hawser__span {
 	double began;      /* s, hawser__wall_seconds */
 	double from, to;
 	double reached;
+	double at;         /* the same by the present stage, which may be expected earlier or later */
 };
 
 void hawser__span_stage(struct hawser__span *span, double from, double to);
+/* The stage that begins now takes `stage` s, and what follows it `after` s. */
+void hawser__span_ahead(struct hawser__span *span, double stage, double after);
 /* state->fraction, that of the stage (NAN: unknown), becomes that of the whole, and `left` the time
  * left. */
 void hawser__span_foretell(struct hawser__span *span, struct hawser_progress_state *state);

@@ -401,7 +401,6 @@ static enum hawser_status rows(struct hawser_net_motion *to, struct run *run,
 	                                     (size_t)run->options->probes, report);
 
 	to->probes = run->options->probes;
-	to->start_kinetic = run->motion.energy.kinetic;
 	to->unbalanced = !run->settled && !run->state;
 	if (status)
 		return status;

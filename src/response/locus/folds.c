@@ -24,10 +24,8 @@
 
 #define SAME_ORBIT 1e-5 /* relative distance below which two orbits are the same; chosen, above the
                          * errors of located folds */
-/* Part of a search that is done, measured on shipped scenes (3 to 15 s): */
-#define NOMINAL 0.15 /* after the responses at the nominal load, with their curves; measured */
-#define LEVELS HAWSER__FOLDS_LEVELS
-#define ISOLAS 0.7   /* after the detached curves; measured */
+#define NOMINAL 0.15 /* part of a search that is done after the responses at the nominal load, with
+                      * their curves, as of shipped scenes (1 to 6 s); measured */
 #define SAME_LOAD 1e-9 /* relative difference of their loads, likewise */
 
 void hawser_folds_settle(struct hawser_folds_options *options)
@@ -78,11 +76,11 @@ static enum hawser_status check(const struct hawser_rom *rom,
 	return HAWSER_OK;
 }
 
-void hawser__fold_part(struct hawser__fold_search *search, double from, double to)
+void hawser__fold_ahead(struct hawser__fold_search *search, double stage, double after)
 {
-	search->part[0] = from;
-	search->part[1] = to;
-	hawser__span_stage(&search->walk.span, from, to);
+	hawser__span_ahead(&search->walk.span, stage, after);
+	search->part[0] = search->walk.span.from;
+	search->part[1] = search->walk.span.to;
 }
 
 int hawser__fold_told_to_stop(struct hawser__fold_search *search, const char *stage, const char *unit,
@@ -424,10 +422,7 @@ static enum hawser_status search_responses(struct hawser__fold_search *search)
 
 	if (!status && !folds->interrupted)
 		status = hawser__fold_levels(search);
-	hawser__fold_part(search, LEVELS, ISOLAS);
-	if (!status && !folds->interrupted &&
-	    !hawser__fold_told_to_stop(search, "detached curves", "known", folds->isolas) &&
-	    !search->options->skip_isolas)
+	if (!status && !search->options->skip_isolas && !folds->interrupted)
 		status = hawser__fold_isolas(search);
 	if (!status && !search->options->skip_isolas && !hawser__fold_ended(search))
 		status = hawser__fold_starts(search);
@@ -439,7 +434,8 @@ static enum hawser_status search_curves(struct hawser__fold_search *search)
 	struct hawser_folds *folds = search->folds;
 	enum hawser_status status;
 
-	hawser__fold_part(search, 0.0, search->options->first ? 1.0 : NOMINAL);
+	search->part[1] = search->options->first ? 1.0 : NOMINAL;
+	hawser__span_stage(&search->walk.span, 0.0, search->part[1]);
 	status = search->options->first ? given_response(search) : search_responses(search);
 	folds->costly = search->walk.costly;
 	if (status || folds->interrupted)

@@ -21,6 +21,9 @@
 #include "core/report.h"
 #include "response/locus/folds_search.h"
 
+/* For the time left alone, as of shipped scenes; measured: */
+#define ISOLAS 0.15 /* time of the detached curves over that before, */
+#define STARTS 0.3  /* and of those from pseudo-random motions */
 #define SAME_FOLD 1e-6 /* relative difference of Omega below which two folds are the same; chosen */
 
 static int has_fold(const struct hawser_frf *frf, double omega)
@@ -154,9 +157,21 @@ static enum hawser_status trace(struct hawser__fold_search *search, double fold_
 	return status == HAWSER_ERR_MEMORY ? hawser__no_memory(search->report, "folds") : HAWSER_OK;
 }
 
+double hawser__fold_detached(const struct hawser__fold_search *search, double before)
+{
+	const struct hawser_folds_options *options = search->options;
+
+	return options->skip_isolas ? 0.0 : before*(ISOLAS + (options->starts > 0 ? STARTS : 0.0));
+}
+
 enum hawser_status hawser__fold_isolas(struct hawser__fold_search *search)
 {
 	struct hawser_folds *folds = search->folds;
+	double done = hawser__wall_seconds() - search->walk.span.began;
+
+	hawser__fold_ahead(search, ISOLAS*done, hawser__fold_detached(search, done) - ISOLAS*done);
+	if (hawser__fold_told_to_stop(search, "detached curves", "known", folds->isolas))
+		return HAWSER_OK;
 	/* the list of events grows in this loop */
 	for (int e = 0; e < folds->events; e++) {
 		double omega = folds->event[e].omega;

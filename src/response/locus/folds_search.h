@@ -7,9 +7,6 @@
 #include "response/locus/folds_known.h"
 #include "response/locus/folds_walk.h"
 
-/* Part of a search that is done after the responses at all loads; see folds.c. */
-#define HAWSER__FOLDS_LEVELS 0.6
-
 struct hawser__fold_search {
 	struct hawser_folds *folds;
 	const struct hawser_rom *rom;
@@ -47,8 +44,11 @@ struct hawser__fold_level {
 	int linear; /* 1: both are the same curve, from end to end, and nearly linear */
 	int failed; /* 1: one could not be traced to its end */
 };
-/* folds.c: the responses at the next load are this part of the whole search. */
-void hawser__fold_part(struct hawser__fold_search *search, double from, double to);
+/* folds.c: what begins now takes `stage` s, and what follows `after` s. */
+void hawser__fold_ahead(struct hawser__fold_search *search, double stage, double after);
+/* folds_isola.c: the time that detached curves take, s, after the search for others has taken
+ * `before`. */
+double hawser__fold_detached(const struct hawser__fold_search *search, double before);
 /* folds.c: tell progress between traces; 1: the search is to end. */
 int hawser__fold_told_to_stop(struct hawser__fold_search *search, const char *stage, const char *unit,
                               long done);

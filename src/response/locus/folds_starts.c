@@ -43,7 +43,7 @@
 #define ALIKE 1e-4    /* largest relative difference of amplitudes of the same orbit; chosen, above the
                        * errors of orbits and below their distances */
 #define SAME_POINT 1e-6 /* relative difference of Omega of two branch points that are one; chosen */
-#define STARTS_PART 0.7 /* of the whole search, done before; measured, see folds.c */
+#define STARTS_TIME 0.2 /* of all of them over the search before, for the time left alone; measured */
 #define MOST_NEW 8    /* curves after which the search ends: each may take as long as a response */
 
 struct hunt {
@@ -236,6 +236,9 @@ static void settle(struct hunt *hunt, double omega)
 	for (int p = 1; p <= PERIODS && moving > 0; p++) {
 		memcpy(hunt->before, now, AT_EACH*(size_t)m*sizeof *now);
 		hawser__flow_map(&hunt->flow, now, NULL, &period, omega);
+		if (p % TRY == 0 && hawser__fold_told_to_stop(hunt->search, "detached curves", "frequencies",
+		                                              hunt->search->folds->starts.frequencies))
+			return;
 		for (int i = 0; i < AT_EACH; i++) {
 			double *x = now + i*m;
 
@@ -356,6 +359,7 @@ enum hawser_status hawser__fold_starts(struct hawser__fold_search *search)
 	struct hawser_folds *folds = search->folds;
 	struct hunt hunt = {.search = search};
 	int n = folds->n, grid = 0;
+	double began = 0.0;
 	enum hawser_status status = hawser__flow_init(&hunt.flow, search->rom, search->report);
 
 	hunt.s = calloc((size_t)n, (3 + 3*2*AT_EACH)*sizeof *hunt.s);
@@ -370,8 +374,11 @@ enum hawser_status hawser__fold_starts(struct hawser__fold_search *search)
 		grid = frequencies(&hunt);
 	}
 	for (int g = 0; !status && g < grid && !ended(&hunt); g++) {
-		hawser__fold_part(search, STARTS_PART + (1.0 - STARTS_PART)*g/grid,
-		                  STARTS_PART + (1.0 - STARTS_PART)*(g + 1)/grid);
+		double now = hawser__wall_seconds() - search->walk.span.began;
+		double each = g > 0 ? (now - began)/g : STARTS_TIME*now/grid;
+
+		began = g > 0 ? began : now;
+		hawser__fold_ahead(search, each, each*(grid - g - 1));
 		if (hawser__fold_told_to_stop(search, "detached curves", "frequencies", g))
 			break;
 		status = at_frequency(&hunt, frequency(&hunt, g, grid));

@@ -122,7 +122,6 @@ static enum hawser_status intervals(struct hawser_identified *identified, struct
 		ends(&identified->key[a], fit, a, best->x[a], wide*sqrt(C[a][a]));
 		for (int b = 0; b < n; b++)
 			identified->correlation[a][b] = C[a][b]/sqrt(C[a][a]*C[b][b]);
-		identified->weakest[a] = V[a*n + n - 1];
 	}
 	identified->weakness = unit/s[n - 1];
 	return HAWSER_OK;
