@@ -9,6 +9,7 @@
 #define MAX_ITERATIONS 10     /* with the worst contraction, the step is halved before; chosen */
 #define NEAR 1e-5             /* a last step from which derivatives are good enough for tangents and
                                * signs of test functions; chosen */
+#define NEARER 1e-6           /* the same of a first step: several of them follow each other; chosen */
 #define WORST_CONTRACTION 0.7 /* largest ratio of successive steps; chosen */
 
 enum hawser_status hawser__newton_correct(const struct hawser__newton *newton, double *z, double *dz,
@@ -21,7 +22,7 @@ enum hawser_status hawser__newton_correct(const struct hawser__newton *newton, d
 	*failed = 1;
 	did->contraction = 0.0;
 	for (int i = 0; i <= MAX_ITERATIONS; i++) {
-		double length, ratio;
+		double length, ratio, before;
 		enum hawser_status status = newton->evaluate(newton->owner, &did->residual, z);
 
 		if (status || !isfinite(did->residual))
@@ -48,11 +49,13 @@ enum hawser_status hawser__newton_correct(const struct hawser__newton *newton, d
 			return HAWSER_OK;
 		done = length <= 0.1*tolerance || (i > 0 && ratio*length <= 0.1*tolerance);
 		previous = length;
-		if (!done || !newton->check || length > NEAR)
+		before = did->residual;
+		if (!newton->check || length > (done ? NEAR : NEARER))
 			continue;
 		if ((status = newton->check(newton->owner, &did->residual, z)))
 			return status;
-		*failed = !(did->residual <= tolerance);
+		done |= length*did->residual <= 0.1*tolerance*before;
+		*failed = !(done && did->residual <= tolerance);
 		if (!*failed)
 			return HAWSER_OK;
 	}

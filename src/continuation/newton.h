@@ -22,8 +22,9 @@ struct hawser__newton {
 
 /* Corrects z [size]; dz [size] is work space. *failed is 0 where it converges: the residual is within
  * the tolerance, and by the ratio of the last two steps the next would be shorter than a tenth of it.
- * The derivatives are then those of z or, with `check`, of a point within 1e-5 of it. It is given up
- * when steps shrink by less than 0.7, grow beyond 1, or are too many. */
+ * With `check` the ratio may be that of the residuals before and after a step below 1e-6, and the
+ * derivatives may be those before the last step, if that is below 1e-5. It is given up when steps
+ * shrink by less than 0.7, grow beyond 1, or are too many. */
 enum hawser_status hawser__newton_correct(const struct hawser__newton *newton, double *z, double *dz,
                                           const double *row, struct hawser__correction *did,
                                           int *failed) HAWSER_MUST_CHECK;
