@@ -14,8 +14,6 @@
  * below are used, from notebooks-data/scenes.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -6,8 +6,6 @@
  * near an end of the range; amplitudes at resonance are up to a tenth of the sag.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include "bench/clock.h"

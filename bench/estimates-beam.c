@@ -1,8 +1,6 @@
 /* bench/estimates-beam.c - hawser beam: the error of any discretisation (estimates.h), against
  * twice as many functions of the default one.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <complex.h>
 #include <stdlib.h>
 

@@ -1,8 +1,6 @@
 /* bench/estimates-campbell.c - modes of a travelling cable by hawser campbell and modes, against
  * shooting in extended precision (estimates.h).
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include "bench/estimates.h"
 #include "tests/gyroscopic-shooting.h"
 

@@ -7,8 +7,6 @@
  * series after halving of the argument, with + - * / only.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include "bench/estimates.h"
 #include "tests/modes-shooting.h" /* quad, quad_sqrt */
 #include "tests/statics-draw.h"

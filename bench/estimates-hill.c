@@ -6,8 +6,6 @@
  * reference has eight times as many steps; their error decreases with the 16th power of the number.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <complex.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,8 +1,6 @@
 /* bench/estimates-integrate.c - hawser integrate against extrapolation (Gragg, Bulirsch and Stoer) in
  * extended precision (estimates.h).
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 

@@ -2,8 +2,6 @@
  * Omega and size (estimates.h), against the same branch by shooting with a tolerance of 1e-12 in
  * shorter steps, with every peak refined again.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include "bench/estimates.h"

@@ -5,8 +5,6 @@
  * from 1e-4 to 0.3; for strong loads from 0.05 to 0.5 with little damping, so that there are folds.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include "bench/estimates.h"

@@ -1,7 +1,5 @@
 /* bench/estimates-modes.c - hawser modes and irvine against shooting (estimates.h).
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include "bench/estimates.h"

@@ -3,8 +3,6 @@
  * are of first order, and by chance a coarse mesh may be closer than a fine one; the doubt about the
  * reference is twice its distance from a mesh of half its elements, and is no error of the coarse one.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include "bench/estimates.h"
 #include "tests/net-random.h"
 

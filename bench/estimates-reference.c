@@ -12,8 +12,6 @@
  * of d, or until the sum of d and `move` is below half the stated error.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include "bench/estimates.h"
 #include "study/compare/distance.h"
 

@@ -7,8 +7,6 @@
  * stated.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include "bench/estimates.h"
 
 enum { LOWEST = 5, MASSES = 3, FEW = 3, FEW_MORE = 6 };

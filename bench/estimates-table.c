@@ -1,8 +1,6 @@
 /* bench/estimates-table.c - the stated errors of each command, and the functions that compute the
  * true ones (estimates.h).
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include "bench/estimates.h"
 
 const struct estimate estimates[] = {

@@ -10,8 +10,6 @@
  * beyond 10 times the stated one.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <stdlib.h>
 #include <string.h>

@@ -12,8 +12,6 @@
  * and for each that is unexplained.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>

@@ -2,8 +2,6 @@
  * over the number of contacts, cold and warm, errors beside it; times of Siconos; how many random
  * problems are not solved.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

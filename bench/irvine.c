@@ -3,8 +3,6 @@
  * symmetry, a branch of an inclined span crosses another, or a diagram takes more than a second of
  * processor time.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <hawser/irvine.h>
 #include <math.h>
 #include <stdio.h>

@@ -28,8 +28,6 @@
  * springs. SHOW: laws that are off by more than this part of the force are listed.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,8 +1,6 @@
 /* bench/kernel-cable.c - forces and tangents of cables from tensors and from functions
  * (rom/energy/quartic.h): measured times, and the estimates by which rom/energy/effort.c chooses
  * between the two. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>

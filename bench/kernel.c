@@ -9,8 +9,6 @@
  * the library's list of monomials, so that an error in one does not cancel in the other.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>

@@ -6,8 +6,6 @@
  * at 99 % of the points; one thread and all threads give the same bits.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <math.h>
 #include <stdio.h>

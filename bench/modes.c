@@ -2,8 +2,6 @@
  * choice of unknowns. True errors are against shooting in quadruple precision. Verifies before it
  * times: status 1 if the default misses its tolerance or states less than its error.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <lapacke.h>
 #include <stdio.h>
 #include <stdlib.h>

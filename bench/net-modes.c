@@ -8,8 +8,6 @@
  * is then 1. Times include the statics and the search for the symmetry.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -3,8 +3,6 @@
  * of three (KLU), and of a cable that is dragged over a floor with friction; the error of the energy
  * beside it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

@@ -1,8 +1,6 @@
 /* bench/net-plan - times that a plan of a net estimates, over measured ones: statics and modes from one
  * factorization, the motion from its beginning; for three nets. The test of the program compares too.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

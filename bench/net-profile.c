@@ -10,8 +10,6 @@
  * methods, number of iterations, percent of the cables. The status is 1 if a result is wrong.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

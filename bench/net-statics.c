@@ -11,8 +11,6 @@
  * Times are processor times, best of several for short ones. The status is 1 if a result is wrong.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

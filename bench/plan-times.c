@@ -11,8 +11,6 @@
  * alone. Status 1 if fewer than nine of ten ratios are within a factor of 3.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <sys/resource.h>

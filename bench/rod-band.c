@@ -1,8 +1,6 @@
 /* bench/rod-band - elimination in the band of a rod: processor time of factors and of a solution with
  * src/rod/band.c and with LAPACK's dgbtrf and dgbtrs on the same storage, after a comparison of both
  * solutions. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -2,8 +2,6 @@
  * and by their error, of D 5.1.2 (damped cantilever), 5.1.3 (free) and 5.1.4 (rotor); beside it the
  * energy that the scheme takes. The momentum of the free one and the turns of the rotor are known.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

@@ -8,8 +8,6 @@
  * itself. The status is 1 if a tilt is wrong.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 

@@ -3,8 +3,6 @@
  * square of the velocity of all places, processor time of one evaluation.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 

@@ -19,8 +19,6 @@
  *   # ...                 a comment
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <dirent.h>
 #include <fcntl.h>
 #include <regex.h>

@@ -8,8 +8,6 @@
  * Siconos is loaded when it is asked for: linked, it would make each start of a program some 20 ms
  * longer.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -18,8 +18,6 @@
  * A test is a case of a program (tests/cases.c) or a script. Each runs in a process of its own, and
  * prints the Test Anything Protocol.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>

@@ -1,7 +1,5 @@
 /* tests/run_list.c - which tests tests/run runs: cases of programs, and scripts.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <errno.h>
 #include <fnmatch.h>
 #include <stdio.h>

@@ -7,8 +7,6 @@
  * files in, out, err and env, the environment as `export -p` prints it. The answer is a line with the
  * status as a shell has it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <fcntl.h>
 #include <signal.h>
 #include <stdio.h>

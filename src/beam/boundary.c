@@ -10,8 +10,6 @@
  * and the parameter of the end is computed with v = 0.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,8 +1,6 @@
 /* beam/boundary_follow.c - one piece of a stability boundary, by the operations of
  * continuation/curve.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

@@ -18,8 +18,6 @@
  * and are paired differently).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "beam/sample.h"

@@ -5,8 +5,6 @@
  * x at most. Their degree is at most 7, so four Gauss points integrate them exactly.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stddef.h>
 

@@ -1,7 +1,5 @@
 /* beam/integrals.c - the table of discretisations, and the memory of their integrals.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 

@@ -16,8 +16,6 @@
  * SIAM J. Sci. Comput. 15 (1994) 1489.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stddef.h>
 

@@ -11,8 +11,6 @@
  * ends have no flux.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stddef.h>
 
 #include <hawser/beam.h>

@@ -11,8 +11,6 @@
  * square root of the round-off, which is the error of two eigenvalues that nearly coincide.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <complex.h>
 #include <float.h>
 #include <math.h>

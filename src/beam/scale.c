@@ -10,8 +10,6 @@
  *           drag = drag L/sqrt(rhoA T), rotary = (gyration/L)^2, speed = speed sqrt(rhoA/T)
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include <hawser/beam.h>

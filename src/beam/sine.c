@@ -6,8 +6,6 @@
  * of them vanish.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stddef.h>
 

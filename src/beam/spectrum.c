@@ -1,7 +1,5 @@
 /* beam/spectrum.c - the eigenvalues of a travelling beam.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 

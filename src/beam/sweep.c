@@ -12,8 +12,6 @@
  * Changes of the number of growing modes are bracketed between neighbouring samples (sample.h).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -5,8 +5,6 @@
  * four in space.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stddef.h>
 

@@ -6,8 +6,6 @@
  * small and acts on the step alone, keeps them where they are, and does not change the solution.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

@@ -12,8 +12,6 @@
  * zone moves by one node an iteration.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

@@ -5,8 +5,6 @@
  * matrix with pivots of KLU's choice.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 

@@ -7,8 +7,6 @@
  * iterations for any number of nodes; from a point of the path the steps with sigma = 0 finish.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

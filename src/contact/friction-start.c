@@ -1,7 +1,5 @@
 /* contact/friction-start.c - the velocities without contact, and the scales of the contacts; round-off.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

@@ -1,7 +1,5 @@
 /* contact/friction-state.c - where the iteration is: velocities, impulses and what the laws lack there.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stddef.h>
 

@@ -1,7 +1,5 @@
 /* contact/friction.c - the solver's work space, checks before and after a solution.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

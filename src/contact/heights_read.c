@@ -9,8 +9,6 @@
  * is no point, nor is an empty one.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <errno.h>
 #include <math.h>
 #include <stdarg.h>

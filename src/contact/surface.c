@@ -9,8 +9,6 @@
  * jumps behind the segment; hawser_surface_clear_of brings points to the free side first.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

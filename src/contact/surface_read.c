@@ -1,7 +1,5 @@
 /* contact/surface_read.c - read the section `obstacles`.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdio.h>
 
 #include "contact/heights.h"

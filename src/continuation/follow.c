@@ -1,7 +1,5 @@
 /* continuation/follow.c - a curve from its current point to its end.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include "continuation/curve.h"
 
 enum hawser_status hawser__curve_follow(struct hawser__curve *curve, enum hawser__outcome *outcome)

@@ -1,7 +1,5 @@
 /* continuation/metric.c - see metric.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

@@ -1,7 +1,5 @@
 /* continuation/newton.c - see newton.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "continuation/newton.h"

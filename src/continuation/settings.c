@@ -12,8 +12,6 @@
  *                     tangent
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include "continuation/curve.h"
 
 const struct hawser__step_settings hawser__frf_steps = {

@@ -6,8 +6,6 @@
  * the distance with the power that the predictor's order gives.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "continuation/curve.h"

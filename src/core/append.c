@@ -1,6 +1,4 @@
 /* core/append.c - texts that are put together from parts. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>

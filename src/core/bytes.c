@@ -4,8 +4,6 @@
  * kind (src/core/ranks.c checks that).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 

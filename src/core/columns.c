@@ -1,6 +1,4 @@
 /* core/columns.c - see columns.h. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 

@@ -11,8 +11,6 @@
  * computes with all digits of the exact decimal expansion.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

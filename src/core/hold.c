@@ -1,7 +1,5 @@
 /* core/hold.c - see hold.h. Each array is an allocation of its own, behind a link to the one before it,
  * so that tools find accesses beyond its end. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdint.h>
 
 #include "core/hold.h"

@@ -1,7 +1,5 @@
 /* core/paths.c - see paths.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include "core/paths.h"
 
 /* Links at each node, at most 2: touch [nodes][2]; 0 if a node has more. */

@@ -1,7 +1,5 @@
 /* core/progress.c - see progress.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>

@@ -9,8 +9,6 @@
  * do sleeps, first briefly, then longer.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <pthread.h>
 #include <stdlib.h>
 #include <string.h>

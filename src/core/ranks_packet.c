@@ -1,7 +1,5 @@
 /* core/ranks_packet.c - packets of tasks and their answers as messages.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include "core/progress.h"

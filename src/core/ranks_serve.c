@@ -3,8 +3,6 @@
  * Nobody waits inside MPI, which would keep a processor busy: who has nothing to do sleeps.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <time.h>
 

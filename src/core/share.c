@@ -9,8 +9,6 @@
  * All signals are blocked in these threads, so that they are delivered to a thread of the caller.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <limits.h>
 #include <sched.h>
 #include <signal.h>

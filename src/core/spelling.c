@@ -1,8 +1,6 @@
 /* core/spelling.c - edit distance of two names. Reference: Damerau, Commun. ACM 7 (1964) 171;
  * the restricted form (no edit between swapped letters) suffices for short names.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <ctype.h>
 #include <string.h>
 

@@ -1,7 +1,5 @@
 /* core/status.c - statuses, their names and exit codes, and the report.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdarg.h>
 #include <stdio.h>
 

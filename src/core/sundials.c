@@ -6,8 +6,6 @@
  * SUNDIALS uses the logger without checking that there is one, and keeps it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdio.h>
 
 #include <cvode/cvode.h>

@@ -18,8 +18,6 @@
  * that mass and stiffness are diagonal and the modes span the same space as the polynomials.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <lapacke.h>
 #include <math.h>

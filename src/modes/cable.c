@@ -11,8 +11,6 @@
  * (doc/theory-modes.md, "Elements").
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 

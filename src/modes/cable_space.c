@@ -17,8 +17,6 @@
  * kinks couple the components.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "modes/cable.h"

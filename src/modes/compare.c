@@ -18,8 +18,6 @@
  * integral of conj(Phi) . Psi, whose modulus is the correlation of the shapes.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <lapacke.h>
 #include <math.h>
 #include <string.h>

@@ -20,8 +20,6 @@
  * The refinement is in compliance_refine.c.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <float.h>
 #include <lapacke.h>

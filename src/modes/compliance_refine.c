@@ -8,8 +8,6 @@
  * exact operator removes most of the error of a shape. A second step is cheap.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <math.h>
 #include <stdlib.h>

@@ -13,8 +13,6 @@
  * lump, so that the strain of spring j is s_j = -<phi_j, F>. Both are A z = -<phi, F_inertia>.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <lapacke.h>
 #include <math.h>
 #include <string.h>

@@ -19,8 +19,6 @@
  * Reference: E. L. Wilson, M.-W. Yuan and J. M. Dickens, Earthq. Eng. Struct. Dyn. 10 (1982) 813.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <lapacke.h>
 #include <math.h>

@@ -12,8 +12,6 @@
  * is about u*N^2/epsilon, where u is the unit round-off.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <lapacke.h>
 #include <math.h>
 #include <stdlib.h>

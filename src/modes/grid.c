@@ -9,8 +9,6 @@
  * Barycentric weights of Gauss nodes: J.-P. Berrut, L. N. Trefethen, SIAM Rev. 46 (2004) 501.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <math.h>
 #include <stdlib.h>

@@ -22,8 +22,6 @@
  * and the error estimate of every mode is set to 1. Out-of-plane modes have no such error.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 

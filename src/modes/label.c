@@ -9,8 +9,6 @@
  *            rho*L. The sum over all modes is 1 (Parseval: the squared norm of the constant e_i is l)
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 

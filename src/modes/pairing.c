@@ -1,6 +1,4 @@
 /* modes/pairing.c - see pairing.h. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "core/report.h"

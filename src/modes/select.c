@@ -1,7 +1,5 @@
 /* modes/select.c - a subset of the modes as a result.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <string.h>
 
 #include "core/report.h"

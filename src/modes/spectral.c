@@ -7,8 +7,6 @@
  * cable.c has the grid and the fields; compliance.c explains why the unknowns are strains.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 

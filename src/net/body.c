@@ -5,8 +5,6 @@
  *        mu_k: J_x = 2 a^2 (mu_y + mu_z) and so on, 2 (mu_x + mu_y + mu_z) = m
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

@@ -6,8 +6,6 @@
  * falls at first, and the way ends where it would rise again.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <float.h>
 #include <math.h>
 #include <string.h>

@@ -1,7 +1,5 @@
 /* net/names.c - nodes and cables by name: an index in order of the names, and binary search in it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,7 +1,5 @@
 /* net/net.c - a net as the scene has it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,7 +1,5 @@
 /* rod/balance.c - loads, internal forces and the tangent of a mesh (mesh.h).
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <string.h>
 
 #include "rod/mesh.h"

@@ -3,8 +3,6 @@
  * and dgbtrs, which take 1.6 to 2.7 times as long, since they call the BLAS for a dozen numbers at a
  * time (bench/rod-band).
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

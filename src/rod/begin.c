@@ -1,7 +1,5 @@
 /* rod/begin.c - the beginning of a motion: mass, moving ends, the state at t = 0.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdio.h>
 #include <string.h>
 

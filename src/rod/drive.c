@@ -3,8 +3,6 @@
  * The spin grows as that of Simo and Vu-Quoc's rotor (1988): the acceleration is 1 - cos(2 pi t/T), so
  * that angle, speed and acceleration are continuous at both ends of the rise.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

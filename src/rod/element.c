@@ -11,8 +11,6 @@
  * there is no locking, and the error is of order h^2. m1 and m2 are in the sections' own axes, so
  * that K is symmetric only at an equilibrium with conservative loads.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "rod/mesh.h"

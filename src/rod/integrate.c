@@ -4,8 +4,6 @@
  * elements. Both errors are of order 2, so that 4/3 of the largest difference of places is the error
  * of the motion itself. Where loads jump or have a kink, steps end, and rates begin anew.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>

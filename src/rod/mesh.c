@@ -2,8 +2,6 @@
  * rest. The nodes at rest are on the curve of constant curvature and twist itself, and w0 is that of
  * these nodes, so that the rest is without strain.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,5 @@
 /* rod/motion.c - steps of a rod in motion: their memory, beginning, length and failures (motion.h); a
  * step itself is in motion_newton.c. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

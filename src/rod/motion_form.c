@@ -6,8 +6,6 @@
  *   moment  (J + Jb) w' + w x (J + Jb) w + M l x (R'v' + c)
  * The lumped chain is an ordinary differential equation in (x, q, v, w), and its error is of order
  * h^2, as that of the element. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

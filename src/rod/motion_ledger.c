@@ -4,8 +4,6 @@
  * force times its length. These are of order 2, as the steps are. What is left of the energy is what
  * the scheme takes (rho_inf below 1), and the error of these sums.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

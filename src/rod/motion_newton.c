@@ -13,8 +13,6 @@
  * Unknowns of Newton's method are moves and turns of the state: d_turn changes by Ji(d_turn) times
  * the turn, so that only the blocks of inertia get Ji, and the matrix of the elements none.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

@@ -4,8 +4,6 @@
  * check sum of the lengths and stiffnesses of the elements: another rod with as many nodes is not taken
  * for this one.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 

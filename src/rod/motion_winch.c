@@ -17,8 +17,6 @@
  * gyration over the length of a wave: nodes have J w' + w x J w with the J of their length. Material
  * comes in with the spin that there is.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

@@ -3,8 +3,6 @@
  * The force and the moment in a section at a node are those of the element before it, less the loads on
  * that element's half; they balance loads and supports to round-off, and their error is of order h^2.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,5 @@
 /* rod/read.c - read a scene of kind `rod`: its segments and ends.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

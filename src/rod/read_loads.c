@@ -1,7 +1,5 @@
 /* rod/read_loads.c - read the loads of a scene of kind `rod`.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>

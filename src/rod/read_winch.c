@@ -1,7 +1,5 @@
 /* rod/read_winch.c - read the winch of a scene of kind `rod` or `tow`.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdio.h>
 #include <stdlib.h>
 

@@ -1,7 +1,5 @@
 /* rod/rod_rows.c - the keys of scenes of kind `rod`. See scene/tree_rows.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <hawser/rod.h>
 #include "scene/tree_rows.h"
 

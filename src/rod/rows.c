@@ -1,7 +1,5 @@
 /* rod/rows.c - the rows of a motion: places, forces, energies, momenta at one time.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -7,8 +7,6 @@
  * Most elements and steps turn by less than a tenth of a radian, for which six terms are enough: these
  * series take much of the time of a motion.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "rod/so3.h"

@@ -15,8 +15,6 @@
  * definite: each step then lowers the energy, and the motion ends at a stable equilibrium, where
  * Newton's method ends at any. So it is tried too where Newton's method has found an unstable one.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>

@@ -1,7 +1,5 @@
 /* rod/statics.c - hawser_rod_solve: the equilibrium of a rod, and its mesh error.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

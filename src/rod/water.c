@@ -5,8 +5,6 @@
  * those of the state; of the flow the derivatives by the place are not in the matrix, which Newton's
  * method makes up for in its iterations.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <string.h>
 
 #include "rod/motion.h"

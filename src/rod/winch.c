@@ -3,8 +3,6 @@
  * Between rows of speeds the acceleration is that of spins (drive.c), (v1 - v0)/T (1 - cos(2 pi t/T)),
  * so that l, l' and l'' are continuous. Lengths have the cubic spline whose speed is 0 at both ends.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,5 @@
 /* scene/check.c - rules over several keys of a span, after the file and all overrides are read.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

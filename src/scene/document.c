@@ -6,8 +6,6 @@
  * parser, which also finds them in a damaged file.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>

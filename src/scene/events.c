@@ -3,8 +3,6 @@
  * exponentially. The code reads libyaml's events and not its document tree: each event has a line
  * and a column.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>

@@ -1,7 +1,5 @@
 /* scene/keys.c - values of a scene by the rows of their keys. See keys.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>

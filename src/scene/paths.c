@@ -1,7 +1,5 @@
 /* scene/paths.c - parts of the path of a key, such as "damping.rayleigh.mass".
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 

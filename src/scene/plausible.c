@@ -5,8 +5,6 @@
  * thousand and more.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stddef.h>
 
 #include <hawser/plausible.h>

@@ -1,7 +1,5 @@
 /* scene/scene.c - open a scene, and access its values by key.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,8 +1,6 @@
 /* scene/span_read.c - read a span of cable, or a beam. The table of keys (span_rows.c) says most; here
  * are lists, and what is required of which scene. Rules over several keys are in check.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

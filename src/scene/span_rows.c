@@ -5,8 +5,6 @@
  * (hawser/scene.h), and into rows as other kinds have them, whose first ones these are.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include "scene/keys.h"
 #include "scene/tree_rows.h"
 

@@ -1,7 +1,5 @@
 /* scene/state_file.c - see state_file.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>

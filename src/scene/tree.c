@@ -1,8 +1,6 @@
 /* scene/tree.c - see scene/tree.h. The depth is bounded, the events are those of scene/events.c (no
  * anchors, aliases, tags), and duplicate names of a mapping are found when it is complete.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -4,8 +4,6 @@
  * The row whose form fits is taken.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <ctype.h>
 #include <math.h>
 #include <stdint.h>

@@ -1,7 +1,5 @@
 /* scene/tree_keys.c - the tables of keys of all kinds; which keys a mapping may have.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <ctype.h>
 #include <stdio.h>
 #include <string.h>

@@ -1,7 +1,5 @@
 /* scene/tree_value.c - values of a tree: numbers with units, vectors, names, words.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <ctype.h>
 #include <math.h>
 #include <string.h>

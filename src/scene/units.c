@@ -11,8 +11,6 @@
  * rejected.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <ctype.h>
 #include <math.h>
 #include <pthread.h>

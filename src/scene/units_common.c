@@ -4,8 +4,6 @@
  * of the program. These units need it not. A test compares each with udunits2, to the last bit.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <string.h>
 
 #include "scene/reader.h"

@@ -1,7 +1,5 @@
 /* scene/units_explain.c - what is wrong with a number that has a unit, in a sentence.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdio.h>
 #include <string.h>
 #include <ctype.h>

@@ -5,8 +5,6 @@
  * of names may stand above them: angles are in degrees if there is "deg" in it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>

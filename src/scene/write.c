@@ -1,7 +1,5 @@
 /* scene/write.c - write a scene as YAML in SI, with the defaults in use.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <errno.h>
 #include <math.h>
 #include <stdlib.h>

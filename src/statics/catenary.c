@@ -22,8 +22,6 @@
  * limits by cancellation.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <float.h>
 #include <math.h>
 

@@ -16,8 +16,6 @@
  * on springs have moved (yield.c), and c is the chord between where they are then.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

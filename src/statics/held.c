@@ -1,8 +1,6 @@
 /* statics/held.c - elastic supports of a solved span, whose ends are where they are in equilibrium
  * (yield.c): the preload of the springs is the static force of the cable.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "core/report.h"

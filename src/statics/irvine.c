@@ -18,8 +18,6 @@
  * with the integral of cos^3 in the numerator; both are delta^2/eps for a level taut cable.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "statics/catenary.h"

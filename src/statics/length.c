@@ -16,8 +16,6 @@
  * inside a bracket.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <float.h>
 #include <math.h>
 

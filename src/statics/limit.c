@@ -13,8 +13,6 @@
  * F(p) diverges.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <float.h>
 #include <math.h>
 

@@ -11,8 +11,6 @@
  * m of struct hawser_motion, and the total force remains: force per length of it is (1 - m) f.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -16,8 +16,6 @@
  * with tanh q - tanh p = sinh(t)/(cosh p*cosh q). x, y and the length are sums without cancellation.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "statics/catenary.h"

@@ -1,8 +1,6 @@
 /* statics/models.c - the table of static models, and their errors. A new model is a function of the
  * type in the table, and a row here.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <float.h>
 #include <math.h>
 

@@ -15,8 +15,6 @@
  * a minimum, W/sqrt(c2). (T1: the same with -h*.)
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <float.h>
 #include <math.h>
 

@@ -4,8 +4,6 @@
  * computed from the nearer end, so that the profile ends exactly at both ends.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

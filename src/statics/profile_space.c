@@ -4,8 +4,6 @@
  *   h, u      hypot(X, Z), constant on a piece, and the slope V/h in the plane of the piece
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "statics/catenary.h"

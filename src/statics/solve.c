@@ -18,8 +18,6 @@
  * without cancellation.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <float.h>
 #include <math.h>
 #include <stddef.h>

@@ -25,8 +25,6 @@
  * loaded_solve.c.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <float.h>
 #include <math.h>
 

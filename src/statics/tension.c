@@ -14,8 +14,6 @@
  * minimum is computed only if the search ends there. H <= T is an upper bound.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <float.h>
 #include <math.h>
 

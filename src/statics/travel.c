@@ -13,8 +13,6 @@
  * sin(Omega t) the mean of the squared speed takes the place of v^2.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <float.h>
 #include <math.h>
 

@@ -16,8 +16,6 @@
  * both sides. Outside its range a table keeps its end values.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

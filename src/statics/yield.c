@@ -20,8 +20,6 @@
  * forces leave of the balance of the springs (`imbalance`) certifies both solutions.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

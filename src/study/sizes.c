@@ -1,8 +1,6 @@
 /* study/sizes.c - see hawser/sizes.h. The table has every structure of the public headers;
  * tests/checks/bindings.sh compares.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <string.h>
 
 #include <hawser/accuracy.h>

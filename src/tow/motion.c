@@ -4,8 +4,6 @@
  * a function of loads (motion_loads.c), and the towing point moves the first node (motion_start.c).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>

@@ -6,8 +6,6 @@
  * rho/A times I, I = EI/E and A = EA/E: rho EI/EA, twice that about the tangent.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

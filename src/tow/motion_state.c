@@ -1,7 +1,5 @@
 /* tow/motion_state.c - the state of a towed body in a file (scene/state_file.h): that of the rod, then
  * the phase of vortex shedding of each element. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 

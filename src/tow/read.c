@@ -1,7 +1,5 @@
 /* tow/read.c - read the scene of a towed body: its sections.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

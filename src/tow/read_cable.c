@@ -1,8 +1,6 @@
 /* tow/read_cable.c - read the sections of a towed body besides its path: cable, air, body.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdio.h>
 #include <string.h>
 

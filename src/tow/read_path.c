@@ -1,7 +1,5 @@
 /* tow/read_path.c - read the section `tow`: waypoints, file, speed or orbit, and what goes with
  * each. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdio.h>
 #include <string.h>
 

@@ -17,8 +17,6 @@
  * pendulum that turns fast is not stable. One that only hangs is preferred to one that is only stable.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <float.h>
 #include <math.h>
 #include <string.h>

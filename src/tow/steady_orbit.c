@@ -11,8 +11,6 @@
  * which the state at rest leads when the speed is raised.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

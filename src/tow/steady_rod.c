@@ -15,8 +15,6 @@
  * towing point leaves bending free and holds the twist, which nothing else holds.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -4,8 +4,6 @@
  *   f        drag f(u, d) per length, half of it on each node of the element
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <string.h>
 
 #include "tow/steady.h"

@@ -11,8 +11,6 @@
  * that direction itself (for a cable in straight flight all of it is, at the critical angle).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

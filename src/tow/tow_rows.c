@@ -1,7 +1,5 @@
 /* tow/tow_rows.c - the keys of scenes of towed bodies. See scene/tree_rows.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include "scene/tree_rows.h"
 #include "tow/read.h"
 

@@ -1,7 +1,5 @@
 /* tow/trajectory_file.c - waypoints from a text file: a line t x y z each.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>

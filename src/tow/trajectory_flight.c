@@ -7,8 +7,6 @@
  * limit, with a factor of exp(-36) = 2e-16, and at x = 0 itself 0 is taken.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

@@ -4,8 +4,6 @@
  * the best. Jumps are at ends of pieces, which are samples on both sides.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

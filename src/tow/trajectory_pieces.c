@@ -4,8 +4,6 @@
  * at most 13, and one small dense system in tau gives the coefficients of all three axes.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include <lapacke.h>

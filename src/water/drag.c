@@ -1,7 +1,5 @@
 /* water/drag.c - drag of a line and of a ring.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

@@ -8,8 +8,6 @@
  * it. Where the mean is many times the rest J is smooth, and Gauss's rule for x takes over.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

@@ -8,8 +8,6 @@
  * with the flow at the end and the direction of the element.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <float.h>
 #include <math.h>
 #include <string.h>

@@ -13,8 +13,6 @@
  * component, place and iteration of a step (`bench/waves` has the times).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <complex.h>
 #include <limits.h>
 #include <math.h>

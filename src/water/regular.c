@@ -11,8 +11,6 @@
  *   C_k = y S - h cosh(k y)/sinh(k h)^2,   S_k = y C - h sinh(k y)/sinh(k h)^2.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "water/near.h"

@@ -1,8 +1,6 @@
 /* water/sea.c - spectra, and the waves of a sea (hawser/waves.h).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>

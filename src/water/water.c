@@ -1,7 +1,5 @@
 /* water/water.c - the flow of the water around cables.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 

@@ -4,8 +4,6 @@
  * functions of k h overflow in deep water. So infinite depth is no other case.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include <hawser/waves.h>

@@ -8,8 +8,6 @@
  * integrals are exact.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "water/water.h"

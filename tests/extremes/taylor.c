@@ -7,8 +7,6 @@
  * The step is the one at which the last two terms fall below the round-off (Jorba and Zou 2005).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -12,8 +12,6 @@
  * error.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <complex.h>
 
 #include <hawser/beam.h>

@@ -1,8 +1,6 @@
 /* Travelling beams with extreme parameters: theta from 1e-8 to 1e4, hanging beams, strong drag, one
  * function and 400 functions; and every failure.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include <hawser/beam.h>

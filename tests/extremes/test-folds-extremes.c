@@ -1,8 +1,6 @@
 /* Fold curves in extreme cases: no fold, no damping, a range that cuts the curve, a limit of points, an
  * interruption; and every failure.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <hawser/folds.h>
 
 #include "response/locus/folds_search.h"

@@ -1,8 +1,6 @@
 /* Fold curves that need more memory than is available: the status must be HAWSER_ERR_MEMORY, without a
  * leak.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <sys/resource.h>
 
 #include <hawser/folds.h>

@@ -2,8 +2,6 @@
  * and with ill-conditioned segments, for every method. Each point has a check of its own, or must be
  * refused.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include <hawser/frf.h>

@@ -3,8 +3,6 @@
  * run from t = 0. The phases of Omega = 1.1 (the double), reduced by whole turns, are computed with 80
  * decimal digits.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <complex.h>
 #include <math.h>
 

@@ -1,8 +1,6 @@
 /* A run whose output rows need more memory than is available: the status must be HAWSER_ERR_MEMORY,
  * without a leak.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <sys/resource.h>
 
 #include "tests/integrate-models.h"

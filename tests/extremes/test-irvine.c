@@ -1,7 +1,5 @@
 /* tests/extremes/test-irvine.c - invalid sweeps of the tension, and difficult stations.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <hawser/irvine.h>
 
 #include "tests/tap.h"

@@ -1,8 +1,6 @@
 /* tests/extremes/test-modes-extremes.c - modes in extreme cases: nearly inextensible, nearly straight,
  * very slack, very steep, very soft; many modes and one mode.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include "tests/modes-shooting.h"

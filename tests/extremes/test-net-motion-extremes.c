@@ -2,8 +2,6 @@
  * too long, slack members at first, a support that stretches a cable by a half, runs that are
  * interrupted, 10^5 steps without damping; and motion in a plane, which the model leaves out of its
  * unknowns. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <unistd.h>
 

@@ -4,8 +4,6 @@
  * of Omega is divided by 0.05 Omega, as in the library. The result for a curve is its largest
  * ratio of true to stated error.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdint.h>
 
 #include <hawser/folds.h>

@@ -8,8 +8,6 @@
  * that the positions of the folds are compared relative to the cusp.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdint.h>
 
 #include <hawser/folds.h>

@@ -4,8 +4,6 @@
  * cubic term, and a small cable, are compared with the reference of taylor.h. The stated error is
  * the `error` of a point, relative to the state of the orbit.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <complex.h>
 #include <stdlib.h>
 

@@ -8,8 +8,6 @@
  * multipliers meet on the unit circle.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <complex.h>
 
 #include <hawser/hill.h>

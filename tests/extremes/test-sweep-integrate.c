@@ -4,8 +4,6 @@
  * The stated error is hawser_integrate_error of each row, from a second run with tighter tolerances.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <gsl/gsl_sf_elljac.h>
 
 #include "tests/extremes/sweep.h"

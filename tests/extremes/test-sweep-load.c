@@ -8,8 +8,6 @@
  * Orbits that cannot be computed must be refused.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include <hawser/frf.h>

@@ -8,8 +8,6 @@
  * the branch, because close to a fold an orbit at the same frequency may not exist.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <hawser/scales.h>
 
 #include "tests/extremes/sweep.h"

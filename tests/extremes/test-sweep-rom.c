@@ -8,8 +8,6 @@
  * relative to the elongations of order sqrt(epsilon) in the energy.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <hawser/rom.h>
 
 #include "tests/extremes/sweep.h"

@@ -7,8 +7,6 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #define SHOOT_LONG_DOUBLE
-#include "config.h"
-
 #include "tests/extremes/traces-judge.h"
 
 #define COUNT(a) ((int)(sizeof(a)/sizeof(a)[0]))

@@ -14,8 +14,6 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #define _GNU_SOURCE
-#include "config.h"
-
 #include <inttypes.h>
 #include <sys/mman.h>
 #include <unistd.h>

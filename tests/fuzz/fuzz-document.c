@@ -1,8 +1,6 @@
 /* tests/fuzz/fuzz-document.c - any bytes as a scene of any kind: the kind is found, and its reader
  * gives a scene, or a scene error with its place. The same document gives the same answer again.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <hawser/net.h>
 #include <hawser/obstacles.h>
 #include <hawser/rod.h>

@@ -1,8 +1,6 @@
 /* tests/fuzz/fuzz-model.c - any bytes as a reduced-model file. The result must be an error with
  * file and place, or a model that can be evaluated, written and read again.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include "rom/file/read.h"
 #include "tests/fuzz/fuzz.h"
 

@@ -2,8 +2,6 @@
  * or a valid scene that can be written and read again, and whose statics has a solution or a reason
  * why not.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <hawser/statics.h>
 
 #include "tests/fuzz/fuzz.h"

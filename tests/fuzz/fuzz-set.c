@@ -1,8 +1,6 @@
 /* tests/fuzz/fuzz-set.c - any lines as --set, one after another, for a valid scene. Each key is
  * also read, and each value also parsed as a frequency.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include "tests/fuzz/fuzz.h"
 
 enum { MOST = 16 };

@@ -2,8 +2,6 @@
  * eight coordinates (selected by the first byte). The result must be an error that names the file,
  * or a state of finite numbers that can be written and read again in each format.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include "cli/frame/cli.h"
 #include "tests/fuzz/fuzz.h"
 

@@ -2,8 +2,6 @@
  * scene with a unit would take most of the time of the fuzz targets. Linked with --wrap=ut_read_xml
  * and --wrap=ut_free_system.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <udunits2.h>
 
 ut_system *__real_ut_read_xml(const char *path);

@@ -3,8 +3,6 @@
  * eigenvalues are computed first, so that a kernel that the processor cannot run ends the program
  * by SIGILL.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <dlfcn.h>
 #include <lapacke.h>

@@ -5,8 +5,6 @@
  * digits, so that powers that two machines round differently give the same cable.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -16,8 +16,6 @@
  * loads and law are written again, in long double. Each term is a sum of squares: no cancellation.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

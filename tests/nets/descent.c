@@ -11,8 +11,6 @@
  * are held by lambda alone. For comparison.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

@@ -7,8 +7,6 @@
  * converge.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "tests/nets/comparison.h"

@@ -5,8 +5,6 @@
  * Some noise is added, since straight cables have no stiffness across.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

@@ -10,8 +10,6 @@
  * comparison.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "tests/nets/comparison.h"

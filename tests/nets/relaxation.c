@@ -11,8 +11,6 @@
  * method solves in 7 iterations. For comparison.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 

@@ -8,8 +8,6 @@
  * is indefinite there, so that its factors are those of LU with pivots. Not for use: for comparison.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

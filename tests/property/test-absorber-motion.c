@@ -2,8 +2,6 @@
  * against a chain of masses and springs in time, whose absorbers are masses of their own; conservation
  * of energy. The chain shares nothing with the library but the positions at rest from which it relaxes.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 

@@ -7,8 +7,6 @@
  *    mu   m phi^2/(phi's modal mass) = 2 m/(rho L): the ratio of masses in Den Hartog's formulas
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <complex.h>
 #include <math.h>
 #include <stdlib.h>

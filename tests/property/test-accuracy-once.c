@@ -1,8 +1,6 @@
 /* The error that is stated of one motion (hawser_accuracy_once) against the difference from a model of
  * many more modes, whose motion is computed by itself.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

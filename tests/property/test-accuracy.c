@@ -2,8 +2,6 @@
  * modes are kept if the requirement is lower, the full order is used if modes do not suffice, and
  * the reasons for the modes and the error estimates are right.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 

@@ -3,8 +3,6 @@
  * and terms of harmonics, with a power of Omega too; a chain that is large enough for the
  * factorisation by blocks; a closed form.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <unistd.h>
 

@@ -2,8 +2,6 @@
  * of a linear oscillator, of one with two wells and a symmetric excitation, and of a response of two
  * periods.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include <gsl/gsl_errno.h>

@@ -1,8 +1,6 @@
 /* Free motion of travelling beams: comparison with the matrix exponential; energies compared with
  * their rates.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include <hawser/beam_motion.h>

@@ -1,8 +1,6 @@
 /* Travelling beams by two routes: closed forms, shooting, three discretisations and their orders of
  * convergence, symmetries, boundaries against safe speeds at single parameters.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include <hawser/beam.h>

@@ -1,8 +1,6 @@
 /* Branches that begin at bifurcations: motions of two and four periods of a softening oscillator, and
  * the whirling of two equal oscillators. Their orbits are checked by integration in time.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>

@@ -2,8 +2,6 @@
  * from theory, branches that keep their identity through veerings, the end of the steady state,
  * failures.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <hawser/campbell.h>
 #include <math.h>
 #include <stdlib.h>

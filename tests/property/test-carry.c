@@ -1,8 +1,6 @@
 /* Orbits of one full-order model carried over to another: the coordinates move the cable alike, and
  * the counterparts of marks are on the curve that the other model has when it is traced by itself.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -8,8 +8,6 @@
  * twice as many rods in four times as many steps; what remains is not explained.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include <hawser/integrate.h>

@@ -1,8 +1,6 @@
 /* Condensation with bending stiffness against sums over all modes of a basis: the cubic terms, the
  * second-order displacement, the stiffness that a load varies and the response to it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include <hawser/rom.h>

@@ -1,8 +1,6 @@
 /* Complex modes of a clamped cable with bending stiffness and a damper, mass and spring at a point: by
  * the characteristic equation of a straight cable, and the loss of damping near a clamp.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <complex.h>
 #include <math.h>
 #include <stdlib.h>

@@ -1,8 +1,6 @@
 /* Damping from measurements: exact data give exact ratios; with noise the confidence interval
  * contains the true ratio with the stated probability.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <complex.h>
 
 #include <stdint.h>

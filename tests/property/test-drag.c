@@ -2,8 +2,6 @@
  * the dissipation, the resonance of one mode and of several against the describing function and against
  * the motion from rest after a long time; drag alone leaves out shapes that it does not damp; wind.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include <hawser/folds.h>

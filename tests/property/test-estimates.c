@@ -6,8 +6,6 @@
  * Also scenes for which an estimate was once too small.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 

@@ -8,8 +8,6 @@
  *                        error over several steps, the more of them, the smaller the steps are
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <complex.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -2,8 +2,6 @@
  * The true value is a closed form, the linear problem, or the same event with a tolerance 1e6 times
  * smaller.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 

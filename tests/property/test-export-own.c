@@ -2,8 +2,6 @@
  * Fortran has the right-hand side of the models within the range, of second order (a wake
  * oscillator, by 1/Ur^2) and of first, with derivatives that differences confirm, and starts at rest.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -2,8 +2,6 @@
  * one value of the parameter: the events of the curve are events of the response, and the amplitudes
  * at its end are those of the response.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 

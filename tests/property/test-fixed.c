@@ -7,8 +7,6 @@
  * whose folds and peaks agree with those of 14 functions to 2e-4.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

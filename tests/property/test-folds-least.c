@@ -13,8 +13,6 @@
  * loads of both folds at every Omega are known, and the least one within any range.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include <hawser/folds.h>

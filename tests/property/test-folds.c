@@ -1,8 +1,6 @@
 /* Fold curves by other routes: the folds of the response, models with another load, settled motion
  * on an isola, the range in the opposite direction.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include <hawser/folds.h>

@@ -3,8 +3,6 @@
  * state after a period of time integration, with the same amplitude. The two methods share only the
  * force of the model.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include <hawser/frf.h>

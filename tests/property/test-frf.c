@@ -1,8 +1,6 @@
 /* The response by other routes: closed form of a linear model, settled integration, undamped
  * motion, symmetry of a Duffing curve, a closed curve, and every failure. All with every method.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <complex.h>
 #include <stdlib.h>
 

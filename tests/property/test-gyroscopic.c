@@ -2,8 +2,6 @@
  * complex frequency, the cable at rest, reversal of the travel, orthogonality, resolutions, speeds
  * near the limit.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include "tests/gyroscopic-shooting.h"

@@ -3,8 +3,6 @@
  * by multipliers alone are the same curves. Damped models, gyroscopic ones with varying damping,
  * undamped ones, and a stiff beam of ten modes, whose fast coordinates no step must resolve.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <complex.h>
 #include <stdint.h>
 #include <stdlib.h>

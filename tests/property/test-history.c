@@ -2,8 +2,6 @@
  * table against the harmonic load by every integrator, parametric terms, a pulse after a long rest, and
  * what is refused.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include "rom/terms/history.h"
 #include "tests/integrate-models.h"
 

@@ -1,8 +1,6 @@
 /* Accuracy over long runs: the Duffing oscillator against Jacobi's elliptic functions, energy over
  * a thousand periods, energy loss against the work of the damping, time reversal, restart.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <gsl/gsl_sf_ellint.h>
 #include <gsl/gsl_sf_elljac.h>
 #include <stdlib.h>

@@ -2,8 +2,6 @@
  * hardly vibrates, and resolved if it does. Coordinates that are not modes begin in their steady
  * state.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include "response/orbit/rest.h"
 #include "tests/integrate-models.h"
 

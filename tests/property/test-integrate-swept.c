@@ -2,8 +2,6 @@
  * rule, all integrators against each other on a nonlinear model, from any beginning, and a backward
  * sweep; the slow sweep up and down a hardening resonance jumps where frequency responses have folds.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include "tests/integrate-models.h"
 
 /* Velocity and displacement at the end, from rest at `begin`. */

@@ -2,8 +2,6 @@
  * predicts them, branches that keep their identity, and the same branches from either end and with
  * any step.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <hawser/irvine.h>
 #include <stdlib.h>
 #include <time.h>

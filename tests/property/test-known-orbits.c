@@ -4,8 +4,6 @@
  * if the direction of its tangent were not known too; a curve that goes back is traced again, in
  * shorter steps.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 

@@ -3,8 +3,6 @@
  * phases; fast ones against models that keep more modes.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <complex.h>
 #include <stdlib.h>
 

@@ -7,8 +7,6 @@
  * where masses are points, but for all speeds alike: the ratio to carriers at rest is compared.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <lapacke.h>
 #include <math.h>
 #include <stdio.h>

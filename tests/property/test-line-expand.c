@@ -7,8 +7,6 @@
  * ... - lambda^2 u K u/2 + lambda^3 V3(u) + lambda^4 V4(u).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -2,8 +2,6 @@
  * as one with half the carriage, by the whole force of the model at finite motions; and two lanes that
  * nothing joins, of different weights, have the modes, tensors and loads of each alone.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include <hawser/line_rom.h>

@@ -2,8 +2,6 @@
  * model under a slow wave of load against the exact statics of a rope with a mass at many points, and
  * the same without the terms in which that response is a field of the energy.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <lapacke.h>
 #include <math.h>
 #include <stdlib.h>

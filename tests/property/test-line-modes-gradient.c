@@ -9,8 +9,6 @@
  * in a term of its own.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <lapacke.h>
 #include <stdio.h>
 #include <stdlib.h>

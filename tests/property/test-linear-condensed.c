@@ -2,8 +2,6 @@
  * all coordinates integrated. The models are beams whose frequencies grow with the square of the
  * mode number, under an axial load that varies in time and along the beam.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdint.h>
 #include <stdlib.h>
 

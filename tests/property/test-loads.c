@@ -2,8 +2,6 @@
  * and two halves against the section load; the taut string with a partial load, a force at a point and
  * a wave against closed forms; two multiples of the frequency; the condensed model against full order.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <complex.h>
 #include <stdlib.h>
 

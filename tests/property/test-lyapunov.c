@@ -3,8 +3,6 @@
  * value (Sprott, Chaos and Time-Series Analysis, 2003, table of driven systems: 0.1034); a free pair of
  * oscillators has a sum of 0; what is refused.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <hawser/lyapunov.h>
 
 #include "tests/integrate-models.h"

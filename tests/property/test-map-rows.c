@@ -2,8 +2,6 @@
  * balance that shares no code; the folds of a row are those of the response at that load; the same map
  * along the other axis; and the same bytes with other threads, or after an interruption.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <time.h>
 #include <unistd.h>

@@ -1,7 +1,5 @@
 /* A map does not depend on the number of threads, nor on interruptions, to the last bit.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <fcntl.h>
 #include <inttypes.h>
 #include <sys/wait.h>

@@ -11,8 +11,6 @@
  *
  * What this leaves out is of the next order: it falls with h and c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>

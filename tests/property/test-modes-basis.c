@@ -1,8 +1,6 @@
 /* All modes of a basis: orthonormal shapes and diagonal energy up to the highest mode, the lowest
  * frequencies close to and above those of the converged method, and error estimates that hold.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include <hawser/modes.h>

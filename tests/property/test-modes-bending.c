@@ -1,8 +1,6 @@
 /* test-modes-bending.c - modes of cables with bending stiffness against closed forms of a straight
  * tensioned beam, and against finite elements of this file for a sagging, inclined, clamped stay.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <hawser/irvine.h>
 #include <hawser/modes.h>
 #include <lapacke.h>

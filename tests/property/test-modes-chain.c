@@ -2,8 +2,6 @@
  * local frame and linearised strain, from the second derivative of the springs' energy about the
  * catenary in global axes. Second order in the spacing; Richardson extrapolation.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <lapacke.h>
 #include <stdlib.h>
 

@@ -1,8 +1,6 @@
 /* Comparison of modes with a reference: signs, groups, exchanged and missing modes, known
  * distances, and the order of the errors of a coarse basis.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include "tests/modes-span.h"

@@ -1,8 +1,6 @@
 /* Complex modes of a cable with dampers: a taut string by its characteristic equation, the optimum of
  * a damper near the end, strings with uniform damping, a chain of masses and links, sweeps, refusals.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <complex.h>
 #include <lapacke.h>
 #include <stdlib.h>

@@ -1,8 +1,6 @@
 /* tests/property/test-modes-estimate.c - the stated error against the true one, from shooting in
  * quadruple precision, over random spans: stiff and soft, shallow and deep, level and steep.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include "tests/modes-shooting.h"

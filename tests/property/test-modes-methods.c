@@ -2,8 +2,6 @@
  * example cables (B Table 4.1), level and at a slope of 1/3, over the tensions of the source's
  * figures.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include "tests/modes-scene.h"
 #include "tests/modes-span.h"
 #include "tests/tap.h"

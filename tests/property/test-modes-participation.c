@@ -1,8 +1,6 @@
 /* tests/property/test-modes-participation.c - shares of the kinetic energy, participation factors
  * and modal effective masses: closed forms for a straight string, and sums over all modes.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include "tests/modes-span.h"

@@ -2,8 +2,6 @@
  * against its two planes, a chain of masses and rods (tests/lumped-chain.h), limits, mirror images,
  * the modes of a basis, and refusals.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,8 +1,6 @@
 /* tests/property/test-modes.c - tests that every method of the table must pass: orthogonality,
  * Rayleigh quotients, equilibrium of the mode, mirror symmetry, convergence, and failures.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include "tests/modes-span.h"

@@ -2,8 +2,6 @@
  * order in its spacing; the instantaneous forces of all terms; a motion that is not harmonic against a
  * chain of rods; a slow one against statics; what is refused.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include <hawser/integrate.h>

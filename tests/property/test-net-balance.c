@@ -2,8 +2,6 @@
  * the solution with its factors, for a net with a tie that damps, masses, all kinds of damping, a
  * support that is held along one axis, and a support that moves.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

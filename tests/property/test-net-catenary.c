@@ -1,8 +1,6 @@
 /* Exact catenaries against quadrature and differences, against meshes, and against the statics of
  * spans; random nets, of which none may fail.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include <hawser/statics.h>

@@ -2,8 +2,6 @@
  * equations, but for the vectors of the elements. Newton's matrix against differences; the ledger;
  * order 2.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include <hawser/net_motion.h>

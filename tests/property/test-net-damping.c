@@ -10,8 +10,6 @@
  * |arg z|/h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <complex.h>
 #include <stdlib.h>
 

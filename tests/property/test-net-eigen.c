@@ -2,8 +2,6 @@
  * gradient of the energy, M by its own sum, both solved by LAPACK for all modes. Random nets, taut and
  * slack, with joints without mass; rows of equal cables, whose frequencies many modes share.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <lapacke.h>
 #include <math.h>
 #include <stdlib.h>

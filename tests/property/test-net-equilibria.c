@@ -2,8 +2,6 @@
  * polygon of a chain: there the only unknowns are the components H and V of the first force, once it is
  * chosen which bars are compressed. It shares no code with the search.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include <hawser/net_equilibria.h>

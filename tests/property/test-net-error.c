@@ -1,8 +1,6 @@
 /* The error that a motion of a net states, and the control of steps by it: random nets against much
  * finer steps; CVODE as a judge of both.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include <hawser/net_motion.h>

@@ -1,8 +1,6 @@
 /* Cables held at both ends over a floor that moves: random ones against the laws of each node, from
  * the positions alone, and one against an outside program.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>

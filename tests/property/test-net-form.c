@@ -3,8 +3,6 @@
  * forces of nodes balance by the statics. Nets like a chessboard of 12 free nodes, in which some nodes
  * come to one place; two cables and a load (sag 1.50075 m: outside program, and by hand).
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include "tests/net-random.h"

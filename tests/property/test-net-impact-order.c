@@ -1,8 +1,6 @@
 /* Nets that touch obstacles in time: order of convergence, 2 where nothing jumps and 1 through impacts;
  * the period of a bead in a pipe; many steps without drift (HAWSER_LONG).
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,8 +1,6 @@
 /* All methods of the statics of nets on the same nets: those that cannot fail agree with each other;
  * the older ones agree where they succeed, and fail as their sources say.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include "tests/net-random.h"

@@ -5,8 +5,6 @@
  * With HAWSER_LONG all 1600 cables of B 3.2.3, without relaxation.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

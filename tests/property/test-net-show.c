@@ -1,8 +1,6 @@
 /* The whole net in a motion of its model, against the places of its shape points by the model's file:
  * with a load and a support that moves, over one and three periods of the load, and without what the
  * frequency makes of the response. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 

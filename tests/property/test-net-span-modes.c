@@ -2,8 +2,6 @@
  * 2 within the stated errors, the same planes, families and symmetries, shapes. B's Table 4.2: errors
  * 5.1e-4 with 25 elements and 3.3e-5 with 100.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include <hawser/net_span.h>

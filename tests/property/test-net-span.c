@@ -4,8 +4,6 @@
  * Errors of B's Table 4.3, line 2, from an independent prototype: positions 1.949e-3 m with 40
  * elements and 1.218e-4 m with 160, H 2.523e-4 and 1.577e-5 too low.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include <hawser/net_span.h>

@@ -1,8 +1,6 @@
 /* Steps of meshes: momentum in free flight, orders of the schemes, the tangent, in water as well,
  * against differences of the residual, elimination along a chain against KLU.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include <hawser/net_motion.h>

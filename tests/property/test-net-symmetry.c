@@ -2,8 +2,6 @@
  * scene about the vertical changes no frequency and no label; the planes turn with it; a net whose
  * symmetry is broken has none.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,8 +1,6 @@
 /* Tensions at the nodes of a mesh: against exact catenaries, by their order, at joints, in motions; and
  * the error of the mesh that is stated, from which the default number of elements is chosen.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include <hawser/net_motion.h>

@@ -1,8 +1,6 @@
 /* net/motion/motion-touchdown.c: the energy of an element that lies in part: its derivatives against
  * differences, the work of its mean force, and the weight that it holds on a rigid plane.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,8 +1,6 @@
 /* The force of the water on a net's model: its derivatives against differences, in a current and waves
  * with each stretching, with a buoy at the surface, a line through it and a support that moves; and the
  * force at rest. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <string.h>
 
 #include <hawser/document.h>

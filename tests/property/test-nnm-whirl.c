@@ -2,8 +2,6 @@
  * models with a plane of symmetry, and gyroscopic ones, whose motions are integrated in time
  * (closure, the action's derivative, stability by differences); refusals.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

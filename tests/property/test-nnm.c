@@ -2,8 +2,6 @@
  * et al. (2009): closure, action and stability by integration in time, the tongue of the 3:1 resonance,
  * which reaches the other mode's motions, branches of three periods, refusals.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 

@@ -3,8 +3,6 @@
  * of motions of two periods beside a doubling, sub- and supercritical, is the root of c over the growth
  * of the multiplier.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <unistd.h>
 

@@ -3,8 +3,6 @@
  * equations of first order against those of second; harmonics with Q and C against the same waves
  * written out; parameters against files with their values.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
 #include <stdlib.h>

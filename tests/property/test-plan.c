@@ -1,8 +1,6 @@
 /* The estimates of a plan: the number of points, the order of the times, and failures that are
  * foreseen. bench/plan-times compares the times.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -3,8 +3,6 @@
 	against GSL's integrator; and wrong derivatives,
  * which are refused.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
 #include <stdlib.h>

@@ -1,8 +1,6 @@
 /* Eigenvalues of M q'' + (C + G) q' + K q = 0: closed forms, two routes of the library, problems at
  * and beyond divergence and flutter, damping; accuracy of low eigenvalues of a stiff problem.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <complex.h>
 #include <stdlib.h>
 

@@ -1,8 +1,6 @@
 /* Resonances (hawser/locus.h): motions in phase quadrature with their load, against closed forms and
  * against Runge-Kutta and Newton's method for the period and the phase, written here.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,8 +1,6 @@
 /* The response of condensed modes to the forces of a model: displacement and tension against the
  * sum over many modes, also for a model file.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <unistd.h>
 

@@ -2,8 +2,6 @@
  * starts on an orbit of the model; every error of hawser_rom_export_auto.
  * tests/reference/rom-auto.sh runs AUTO itself.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <sys/stat.h>
 #include <unistd.h>

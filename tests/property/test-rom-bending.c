@@ -2,8 +2,6 @@
  * strains,
  * integrated here: frequencies, and forces by finite differences.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <hawser/rom.h>
 #include <stdlib.h>
 

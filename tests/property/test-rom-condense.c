@@ -2,8 +2,6 @@
  * kept; the second-order displacement as a sum over those modes; independently computed ratios;
  * round trip through the model file.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <unistd.h>
 

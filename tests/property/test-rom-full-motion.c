@@ -1,8 +1,6 @@
 /* Motion of the full-order model: without damping and load the energy is conserved, and the free
  * motion converges with the number of functions.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include <hawser/integrate.h>

@@ -5,8 +5,6 @@
  * form.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <lapacke.h>
 #include <stdlib.h>
 

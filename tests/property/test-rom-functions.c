@@ -2,8 +2,6 @@
  * share the modes and their grid only. Random scenes, level, inclined and deep, at rest and
  * travelling, with condensed modes, second-order shapes, or neither. Then the choice between the two.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>

@@ -1,8 +1,6 @@
 /* Condensed modes near and below the forcing frequency: displacement, velocity and tension contain
  * their linear response, against sums over all modes of a basis.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <complex.h>
 #include <stdlib.h>
 #include <unistd.h>

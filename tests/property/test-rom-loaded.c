@@ -3,8 +3,6 @@
  * With coordinates and load divided by 2, the terms of degree 4 that a reduced model lacks are divided
  * by 16.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <lapacke.h>
 #include <stdlib.h>
 

@@ -1,7 +1,5 @@
 /* Models in the coordinates of their modes: u = V q moves as before, and K is diagonal; refusals.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include <hawser/rom.h>

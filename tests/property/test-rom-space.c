@@ -1,8 +1,6 @@
 /* Models of cables that hang in space: the expanded energy against the exact one, tangents against
  * difference quotients, and many states at once against one after another.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

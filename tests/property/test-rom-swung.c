@@ -3,8 +3,6 @@
  * span with the same shape in the vertical plane under a turned load.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <lapacke.h>
 #include <math.h>
 #include <stdlib.h>

@@ -7,8 +7,6 @@
  *     = int Phi_j.f dS,   T = EA (|q'| - 1)
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <lapacke.h>
 #include <math.h>
 #include <stdlib.h>

@@ -2,8 +2,6 @@
  * really is not pressed; carriers at the first and last points of contact; trains of sheaves
  * against circles; phases of a sweep against single states.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include <hawser/ropeway.h>

@@ -3,8 +3,6 @@
  * loads in and out of the plane, and every treatment of omitted modes. Then two scenes whose
  * results are known from a full-order program.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <unistd.h>
 

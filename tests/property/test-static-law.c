@@ -2,8 +2,6 @@
  * same projection on the mode held, relaxed by Newton's method here; that of models against figures
  * of an outside program; the range and what the file says of it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <lapacke.h>
 #include <math.h>
 #include <stdlib.h>

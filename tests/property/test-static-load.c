@@ -2,8 +2,6 @@
  * knows nothing of planes and catenaries), the state-change equation of line engineers, and the way
  * from the reference state to the loaded one and back.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

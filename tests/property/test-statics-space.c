@@ -2,8 +2,6 @@
  * integrated along the cable by Gauss' rule from the forces of the scene alone, limits in which the
  * cable is a plane curve, mirror images, each given quantity, extremes and refusals.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -2,8 +2,6 @@
  * (tests/lumped-chain.h), closed forms of taut strings, the way to the other state and back, load
  * cases, limits of stiff and soft springs, and refusals.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

@@ -1,8 +1,6 @@
 /* A model of the N most important modes against the full-order model, and against the N lowest
  * modes; the modes that a choice of N keeps; its estimate by a plan.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include <hawser/choose.h>

@@ -1,8 +1,6 @@
 /* Multiple scales against the traced response: the error of the closed forms decreases with the
  * predicted order, for a cubic spring and for a mode whose nonlinearity is caused by another mode.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include <hawser/study.h>

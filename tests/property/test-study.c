@@ -1,8 +1,6 @@
 /* Fidelities and plans of scenes: planned sizes against the models built; a response against
  * itself; refined peaks against responses with short steps; estimated errors against measured ones.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include <hawser/plan.h>

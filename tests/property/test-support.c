@@ -1,8 +1,6 @@
 /* Moving supports: the terms of the reduced model against the energy without expansion; closed forms
  * of a taut string; Irvine's stiffness at the end; rigid motion; response against full order.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <complex.h>
 #include <stdlib.h>
 

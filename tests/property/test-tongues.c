@@ -2,8 +2,6 @@
  * number of unstable multipliers at each of many points is that of the map's boundaries, and where it
  * changes hill has a boundary. The multipliers are computed directly, without any search.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdint.h>
 #include <stdlib.h>
 

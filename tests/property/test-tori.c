@@ -3,8 +3,6 @@
  * whose circles are the same and repel; amplitudes against a long integration by another method, on the
  * circle and from beside it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <lapacke.h>
 #include <stdlib.h>
 #include <unistd.h>

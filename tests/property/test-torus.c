@@ -2,8 +2,6 @@
  * Omega grows with the square of the size, the rotation number begins at the angle of the multiplier; a
  * long integration by another method stays on the circle and turns by the rotation number.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <unistd.h>
 

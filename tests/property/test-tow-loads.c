@@ -1,8 +1,6 @@
 /* Loads of a towed cable in motion: their derivatives by places, turns, velocities and spins against
  * differences; winds in time.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 

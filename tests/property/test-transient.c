@@ -2,8 +2,6 @@
  * of a rigid rope, of a wave, of a rope that slips and of a brake, the statics of the running rope, and
  * the balance of energy.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include <lapacke.h>

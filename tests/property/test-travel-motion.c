@@ -1,8 +1,6 @@
 /* Motions of travelling cables: energy, braking to rest, parametric resonance against Mathieu's
  * functions, the response to a change of speed alone.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <gsl/gsl_sf_mathieu.h>
 #include <stdlib.h>
 

@@ -3,8 +3,6 @@
  * neither orbits nor multipliers, so that each confirms the other; the boundaries of a combination
  * resonance have a closed form. The expectations hold under every kernel of OpenBLAS.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

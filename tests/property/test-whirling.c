@@ -20,8 +20,6 @@
  * 32 c^3/(3 sqrt 3 alpha), three times that at which the plane motion begins to fold. The next order is
  * a part c of Omega - 1, so that the distance falls fourfold as c is halved.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>

@@ -1,7 +1,5 @@
 /* rom-auto-export MODEL STEM FROM TO [TOLERANCE NTST]: export for AUTO-07p, for rom-auto.sh.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include <hawser/rom.h>

@@ -2,8 +2,6 @@
  * and derivatives at random states, for tests/reference/rom-export.sh: n, then for each state t, Omega,
  * u, v, acceleration, by_u, by_v, by_omega at fixed phase.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -3,8 +3,6 @@
  * balance. Deep sags, whose condensed models are difficult to confirm, a peak near the end of a
  * range, and a basis that is too small.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 

@@ -1,8 +1,6 @@
 /* Autonomous models: equilibria with their Hopf points, and limit cycles, against numbers by
  * collocation and by shooting of other programs, closed forms, and AUTO-07p.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdio.h>
 #include <stdlib.h>
 

@@ -1,7 +1,5 @@
 /* Published and independently computed figures of travelling beams.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <hawser/beam.h>
 
 #include "tests/beam-near.h"

@@ -3,8 +3,6 @@
  * meshes agree to the digits given. With a damping ratio in place of the same damping by mass, a net of
  * one frequency has the same peak. A start that is far off is refused.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -5,8 +5,6 @@
 	else to 8.
  * M. J. Feigenbaum, J. Stat. Phys. 19 (1978) 25: 4.669201.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include <hawser/frf.h>

@@ -10,8 +10,6 @@
  * curve (LP) is an extremum of PAR(2): a cusp, or an isola's birth or merger, which it does not tell
  * apart.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include <hawser/folds.h>

@@ -1,8 +1,6 @@
 /* Responses of published models: reads frf-cases.txt, traces each curve in both directions with
  * every method, and compares events.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include <hawser/frf.h>

@@ -11,8 +11,6 @@
  *               gives -6)
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <complex.h>
 
 #include <stdint.h>

@@ -1,8 +1,6 @@
 /* Statics of a rope over sheaves against closed forms: the capstan as an arc, as a polygon and with
  * the rope's weight, running rope, and two spans over a pulley.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <hawser/line.h>
 
 #include "tests/tap.h"

@@ -6,8 +6,6 @@
  * elements with contact at its nodes (doc/theory-ropeway-modes.md has what its mesh costs).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdio.h>
 #include <stdlib.h>
 

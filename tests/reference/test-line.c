@@ -4,8 +4,6 @@
  * prototype did, the comparison says so.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdio.h>
 #include <stdlib.h>
 

@@ -3,8 +3,6 @@
  * normal form and its folds of cycles, b1 = -b2^2/4; zero-Hopf, double Hopf and Bogdanov-Takens points
  * of oscillators that were made for it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdio.h>
 #include <stdlib.h>
 

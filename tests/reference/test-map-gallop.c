@@ -2,8 +2,6 @@
  * conductor's values, those of an independent projection on parabolic cables; where lift rises with
  * the angle nothing grows.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <hawser/map.h>
 
 #include "tests/tap.h"

@@ -9,8 +9,6 @@
  * shares nothing with the method under test, and to second order by the known expansion.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <gsl/gsl_sf_mathieu.h>
 
 #include <hawser/hawser.h>

@@ -1,7 +1,5 @@
 /* tests/reference/test-modes.c - published and classical natural frequencies.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include "tests/modes-span.h"
 #include "tests/tap.h"
 

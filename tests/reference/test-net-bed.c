@@ -1,8 +1,6 @@
 /* Beds of moorings, against numbers of other programs and closed forms: slopes, friction, chains
  * that are drawn across and along a bed, a bed that gives way at rest and in motion, and its
  * ledger. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -2,8 +2,6 @@
  * (with HAWSER_LONG) creep, tensions and the arc of slip are those of the belt's theory. An argument is
  * the time of the run, 20 for 10^5 steps.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,8 +1,6 @@
 /* Rigid bodies on beds that give way: boxes that fall, against their equations of motion; a rod that
  * leans on a bed that moves; a clump weight that is lifted, against a mass at a node; modes; and
  * floats whose lines lie in part. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,8 +1,6 @@
 /* Modes of rigid bodies and their response to waves: closed forms of a spar and of a tower on a
  * hinge, the determinant of K - omega^2 M with the stiffness of statics, and a motion in regular waves.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

@@ -1,8 +1,6 @@
 /* Rigid bodies on nets: a rod on a hinge in water, of which a judge's numbers are known; tops and gates
  * against their equations of motion; and bodies on lines, whose equilibrium and stiffness are told by
  * the same lines with supports. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

@@ -2,8 +2,6 @@
  * paths on the obstacles, which needs no second derivative of a gap; own numbers for B Table 3.6; a
  * string on a floor; the belt of B Table 3.3, whose circulation has the frequency 0.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -2,8 +2,6 @@
  * polygon of the capstan; a chain dragged over a floor; a cable that hangs into a valley of two planes,
  * turned in space; a rope over the edge of a table.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

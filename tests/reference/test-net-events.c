@@ -1,8 +1,6 @@
 /* Cables that part and winches, in motions of nets: the front in a rope that parts, of which
  * closed forms are known; a load on a winch, against its equation of motion; and the balance of
  * energy through both, also on a floor. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

@@ -2,8 +2,6 @@
  * energy of the nodes, with heights as means of the polyline over the rounding (box), and the nearest
  * point by tangent planes, in Python. Level and sloped grids against planes, grids against profiles,
  * and the ledger of motions over corners. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -2,8 +2,6 @@
  * takes along; a cable that is dragged over a floor, and one that falls on it. In all of them no step
  * adds energy, and the ledger closes.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

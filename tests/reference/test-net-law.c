@@ -1,8 +1,6 @@
 /* Cables with a table of strains and tensions: a rope of another program's case, ropes across the
  * pieces of their laws against closed forms, tables of a straight line, and what has no place for
  * them. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

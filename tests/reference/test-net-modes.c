@@ -3,8 +3,6 @@
  * the errors 5.1e-4 with 25 elements and 3.3e-5 with 100. A taut string without weight has pairs in
  * closed form.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include <hawser/net_modes.h>

@@ -7,8 +7,6 @@
  * order and of static condensation alone. A mass on a massless cable is a pendulum, which one shape
  * for the inertia of what follows makes soften.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include <hawser/frf.h>

@@ -1,8 +1,6 @@
 /* Ropes over round obstacles on fine meshes: a drum above both ends, a sheave (W22), and a bed's convex
  * corner (W25).
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -2,8 +2,6 @@
  * of the catenary, a body with three lines against its rigid motions, and nets with joints, slack
  * cables and friction against differences of equilibria. SPDX-License-Identifier: GPL-3.0-or-later
  * */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

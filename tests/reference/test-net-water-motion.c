@@ -1,8 +1,6 @@
 /* Motions and modes of nets in water against closed forms, an integrator of ordinary differential
  * equations, and numbers of two other programs (doc/water.md).
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

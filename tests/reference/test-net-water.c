@@ -1,8 +1,6 @@
 /* Nets in water against numbers of two other programs: a string that an integrator of ordinary
  * differential equations follows, and elements of other kinds (doc/water.md).
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

@@ -1,8 +1,6 @@
 /* Linear response of nets to waves: reference case W20 of doc/water.md, a body on springs, in regular
  * waves and in a sea; W12, a buoy on a tether; and what is refused.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <complex.h>
 #include <math.h>
 #include <string.h>

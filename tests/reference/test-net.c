@@ -1,8 +1,6 @@
 /* Statics of nets against B's Table 3.1, whose figures were computed by two independent programs: the
  * method of this program written in Python, and a cone program (cvxopt).
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

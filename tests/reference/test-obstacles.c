@@ -4,8 +4,6 @@
  * B: Bertrand, 2022. Own numbers: of an independent program in another language.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -3,8 +3,6 @@
  * moving response), and the error that is stated of them; map, hill and the response's multipliers
  * against each other; a response that jumps.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <string.h>
 
 #include <hawser/frf.h>

@@ -1,8 +1,6 @@
 /* Rods in water: against a string of two other programs (W2), an integrator of the angle of a rigid rod
  * (W21, and in waves: bench/rod-waves.py), free sinking (W6), and nets, whose cables do not bend.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -9,8 +9,6 @@
  * y 1.4 to 2.2 %. Table 4.4, line 2, at 2 rad/s from 380 to 400 s: y at mid-span .0463 m, raw 5 modes
  * .0506 m.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include <hawser/span_motion.h>

@@ -3,8 +3,6 @@
  * at rest on average, whose tongues are 1e-3 rad/s wide and lie in each other. All are about rest. The
  * figures are those of an outside program (multipliers on a fine grid, bisection).
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <string.h>
 
 #include <hawser/hill.h>

@@ -5,8 +5,6 @@
  * 5 m/s, for t > 50 s (D: "< 0.1" in 5.2.5, "< 0.05" in 5.3).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 

@@ -6,8 +6,6 @@
  * equation tan(tilt) = F_h/(W + F_v).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <string.h>
 
 #include <hawser/tow.h>

@@ -1,8 +1,6 @@
 /* Towed bodies in water: a free cable at its angle (W5), a steady state that stays, a body that a ship
  * tows through waves against the net that tows the same line.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

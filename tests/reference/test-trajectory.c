@@ -4,8 +4,6 @@
  * D: Dehadrai, 2018; its e1 (down), e2, e3 are -y, x, z here.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 

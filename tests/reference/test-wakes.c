@@ -2,8 +2,6 @@
  * mode, against numbers of the equations of a sine (collocation and shooting agree on them). The cables
  * are thin, stiff and weightless, so that they are strings.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include <hawser/integrate.h>

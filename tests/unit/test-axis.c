@@ -1,8 +1,6 @@
 /* tests/unit/test-axis.c - titles of axes: each numeric key of the scene has its own title, so that
  * no picture shows the name of a key.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

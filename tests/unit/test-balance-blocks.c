@@ -1,8 +1,6 @@
 /* Harmonic balance by blocks (balance_blocks.h): products with the Jacobian and solutions against the
  * matrix, with coordinates below, above and far above the harmonics.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <lapacke.h>
 #include <stdlib.h>
 

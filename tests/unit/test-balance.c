@@ -1,8 +1,6 @@
 /* Harmonic balance: the Jacobian against differences, absence of aliasing, spectral convergence,
  * the truncation by the active set, multipliers and orbits against shooting, an orbit at rest.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include "response/orbit/balance.h"

@@ -2,8 +2,6 @@
  * meet and separate along the radius are one, and condensed coordinates take no part; nor do pairs
  * of one kind, and of two that are weakly coupled.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <complex.h>
 #include <math.h>
 #include <stdio.h>

@@ -2,8 +2,6 @@
  * directions with the settings of every kind of curve; it must stay on the curve, pass its folds,
  * reach its end, and have its length. Failures, interruptions and refinements are provoked.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

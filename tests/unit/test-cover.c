@@ -3,8 +3,6 @@
  * only a part of the range. The second route is the slow sweep in both directions, and each branch
  * of one oscillator alone.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

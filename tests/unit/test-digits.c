@@ -1,7 +1,5 @@
 /* Numbers as text: the same characters as printf with 17 digits, in the form that JSON wants.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>

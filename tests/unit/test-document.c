@@ -1,7 +1,5 @@
 /* What a text describes, by its keys: in each style, in part damaged, and beside keys that only look
  * so. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 

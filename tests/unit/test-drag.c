@@ -1,7 +1,5 @@
 /* Drag of a line and of a ring: closed forms, and derivatives against differences.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <string.h>
 
 #include <hawser/drag.h>

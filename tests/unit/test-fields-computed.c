@@ -1,7 +1,5 @@
 /* tests/unit/test-fields-computed.c - fields that functions compute from a row, and their names.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "tests/fields-text.h"

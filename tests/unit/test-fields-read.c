@@ -1,8 +1,6 @@
 /* tests/unit/test-fields-read.c - a row written as JSON and read back by the same fields has the
  * same values. Of lists the last row is read; members without room are skipped.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

@@ -2,8 +2,6 @@
  * text; units of a model, and a model without units; unknown values; stored lists and lists
  * computed during output.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 

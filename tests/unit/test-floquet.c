@@ -1,8 +1,6 @@
 /* Floquet multipliers of products: known spectra, products whose formation would fail, and the
  * order of the result.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include <hawser/orbit.h>

@@ -1,8 +1,6 @@
 /* The flow on its mesh: order of convergence, exactness of the derivatives, reliability of the
  * error estimate, a closed form.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include "response/time/flow.h"

@@ -1,8 +1,6 @@
 /* The fold's equations: the exact gradient of the fold condition against difference quotients, on a
  * model with every kind of term.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include <hawser/folds.h>

@@ -2,8 +2,6 @@
  * time. The motion begins where rest has a multiplier 1. By a second route, this point is a branch
  * point of the branch of rest.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,8 +1,6 @@
 /* Errors of library functions that the program never causes, for curves: boundaries of beams,
  * branches of frequencies, maps. Statuses and messages.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include <hawser/beam.h>

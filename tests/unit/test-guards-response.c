@@ -1,8 +1,6 @@
 /* Errors of the response and of reduced models that the program does not cause, or only for unusual
  * models: statuses and messages.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,7 +1,5 @@
 /* Errors of library functions that the program never causes: statuses and messages.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <hawser/beam.h>
 #include <hawser/hill.h>
 #include <hawser/primary.h>

@@ -1,8 +1,6 @@
 /* Modes of a travelling cable: the waves of a shape, modes without tension, comparison, every
  * failure.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <complex.h>
 
 #include "tests/gyroscopic-span.h"

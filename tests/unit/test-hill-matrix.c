@@ -3,8 +3,6 @@
  * and the determinant vanishes at a Floquet exponent. Random models: any damping and gyroscopic
  * matrix, stiffness and damping that vary with several harmonics, one coordinate or many.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <complex.h>
 #include <stdint.h>
 #include <stdlib.h>

@@ -2,8 +2,6 @@
  * space; with means and any covariance against sums over a grid; orbits against the work of |r|
  * r.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include "water/water.h"
 
 #include "core/vec3.h"

@@ -1,8 +1,6 @@
 /* Linear stability: growth rates and multipliers in closed form, independence of earlier calls, and
  * each failure; keys of a scene set by number.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdio.h>
 
 #include <hawser/hawser.h>

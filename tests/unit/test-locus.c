@@ -1,7 +1,5 @@
 /* Loci of bifurcations: what is refused, and names.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,7 +1,5 @@
 /* The cells of a map: computed points, interpolated points, and the location of boundaries.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include "tests/map-fields.h"
 #include "tests/tap.h"
 

@@ -1,7 +1,5 @@
 /* tests/unit/test-modes-grid.c - the composite Gauss-Legendre grid.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include "modes/grid.h"
 #include "tests/tap.h"
 

@@ -1,8 +1,6 @@
 /* Multipliers of a linear equation with periodic coefficients: fast coordinates condensed or
  * integrated, overdamped coordinates, damping matrices that oscillate or grow with Omega.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdint.h>
 #include <stdlib.h>
 

@@ -1,8 +1,6 @@
 /* tests/unit/test-output.c - tables, JSON and files: exact text, failure with the name of a value
  * that is not finite, and no file left after a failure.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>

@@ -1,7 +1,5 @@
 /* Refusals of what own models have in a file: terms, mass matrix, first order, parameters and formulas.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <unistd.h>
 

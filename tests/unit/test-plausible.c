@@ -1,8 +1,6 @@
 /* Values of a scene that are probably mistakes cause a warning with the key; unusual but real
  * values do not.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdio.h>
 #include <string.h>
 

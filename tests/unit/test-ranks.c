@@ -1,8 +1,6 @@
 /* Tasks handed out to ranks: here threads that exchange messages by lists. Results are the same for any
  * number of ranks and threads; failures, stops, ranks that end or have other settings.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <pthread.h>
 #include <stdlib.h>
 

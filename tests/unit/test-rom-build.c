@@ -1,8 +1,6 @@
 /* Damping, load, labels and probes of a projected model; every error of hawser_rom_build; the
  * values of B Table 4.6 that can be reproduced.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include <hawser/rom.h>

@@ -1,8 +1,6 @@
 /* The reduced-model file: bit-exact round trip, defaults, every message of the strict reader,
  * complete files or none.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <dirent.h>
 #include <stdlib.h>
 #include <sys/stat.h>

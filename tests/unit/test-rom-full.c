@@ -1,8 +1,6 @@
 /* The full-order model: load, damping, units and probes are those of the expanded model on the same
  * modes; one plane alone is a model of its own; unsupported operations fail with their status.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <unistd.h>
 

@@ -1,7 +1,5 @@
 /* The memory in which the program writes a model of many modes: not a multiple of its file.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <sys/resource.h>
 #include <sys/wait.h>

@@ -1,7 +1,5 @@
 /* Load cases of a scene: what they take from it, that they are written and read again, and refusals.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include "tests/tap.h"
 #include "tests/unit/scene-text.h"
 

@@ -1,8 +1,6 @@
 /* Invalid scenes: every failure, with the whole message. The text before the first colons is the
  * place: file, line and column, or the override.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include "tests/tap.h"
 #include "tests/unit/scene-text.h"
 

@@ -1,7 +1,5 @@
 /* The scenes of the sources' tables: every number of the tables, in SI, is that of the scene files.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include <hawser/scene.h>

@@ -1,8 +1,6 @@
 /* Damaged scenes: every prefix, and every single byte replaced, removed or doubled, gives a valid
  * scene or a scene error with a place.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "tests/tap.h"

@@ -1,8 +1,6 @@
 /* Random scenes: overriding every key of one scene with the values of another gives the other one;
  * writing and reading a scene gives the same scene. The routes share only the parsing of values.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdint.h>
 
 #include "tests/tap.h"

@@ -1,8 +1,6 @@
 /* Suggestions: the edit distance against a slow recursive one, its invariants, and the
  * suggestion as the argument of its minimum over the table.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <ctype.h>
 #include <stdint.h>
 #include <stdlib.h>

@@ -1,8 +1,6 @@
 /* Numbers with units: conversions against hand-written factors, failures and their messages, and
  * independence of udunits2's state and of other threads.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <locale.h>
 #include <math.h>
 #include <pthread.h>

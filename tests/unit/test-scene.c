@@ -1,7 +1,5 @@
 /* Valid scenes: values, units, defaults, overrides, access by key, and writing.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "scene/page/schema.h"

@@ -2,8 +2,6 @@
  * set to what it is, by each form of its key, gives the same scene; a key that is taken out has its
  * default; an unknown one is refused with a suggestion.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

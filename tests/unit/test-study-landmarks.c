@@ -1,7 +1,5 @@
 /* Folds and peaks of synthetic curves with known peaks, and their matching.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include <hawser/study.h>

@@ -1,8 +1,6 @@
 /* Obstacles: gaps of points, their gradients and second derivatives against central differences of the
  * gap, surface velocities against where the gap is constant, and what is refused.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

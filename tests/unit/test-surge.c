@@ -1,7 +1,5 @@
 /* The tension of a braked cable including axial waves, against a chain of rods integrated in time.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include <hawser/integrate.h>

@@ -1,8 +1,6 @@
 /* The table of keys of nets, ropeways, spans over obstacles, rods and towed bodies
  * (scene/tree_rows.h) against the readers: each number is given as "1 kg" (or "1 m"), and the reader
  * must refuse it in the unit that the table has for it. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -2,8 +2,6 @@
  * derivatives by differences; orbits by harmonic balance, shooting and integration; the same orbit
  * after a change of coordinates that creates such terms; factors of the load.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include <hawser/frf.h>

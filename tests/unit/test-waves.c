@@ -1,8 +1,6 @@
 /* Linear waves and seas: reference cases W10 and W11 of doc/water.md, dispersion by bisection, flow
  * without divergence and rotation by differences, the energy of seas, and what is refused.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 

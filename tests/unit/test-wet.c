@@ -1,7 +1,5 @@
 /* What of lines and spheres is wet, against sums over many parts and differences.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include <hawser/water.h>

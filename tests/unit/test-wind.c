@@ -2,8 +2,6 @@
  * formula by hand and against the force, of sums of powers and of tables; the speeds between which the
  * drag crisis makes a section unstable along the wind; and the wind on a span at rest.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include "statics/wind.h"
 #include "tests/tap.h"
 #include "tests/unit/scene-text.h"

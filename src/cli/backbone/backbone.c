@@ -1,7 +1,5 @@
 /* cli/backbone/backbone.c - see backbone.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 

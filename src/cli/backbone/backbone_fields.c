@@ -1,7 +1,5 @@
 /* cli/backbone/backbone_fields.c - the fields of a backbone beside a frequency response.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include "cli/backbone/backbone.h"
 
 HAWSER__LABELS(backbone_end, cli_backbone_end, enum hawser_backbone_end)

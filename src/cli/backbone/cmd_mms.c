@@ -1,7 +1,5 @@
 /* cli/backbone/cmd_mms.c - hawser mms: resonances by the method of multiple scales.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,5 @@
 /* cli/backbone/cmd_nnm.c - hawser nnm: nonlinear normal modes over energy and frequency.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include <hawser/nnm.h>

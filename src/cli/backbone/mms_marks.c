@@ -1,7 +1,5 @@
 /* cli/backbone/mms_marks.c - folds and peak of a response, for hawser compare mms.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "cli/backbone/mms_result.h"

@@ -1,7 +1,5 @@
 /* cli/backbone/mms_options.c - parse resonant modes and a range about them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <limits.h>
 #include <math.h>
 #include <stdlib.h>

@@ -1,7 +1,5 @@
 /* cli/backbone/mms_result.c - comments and fields of multiple scales, see mms_result.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

@@ -1,7 +1,5 @@
 /* cli/backbone/modal.c - models whose K is not diagonal, in the coordinates of their modes.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include "cli/backbone/backbone.h"

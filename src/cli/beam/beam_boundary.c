@@ -1,7 +1,5 @@
 /* cli/beam/beam_boundary.c - stability boundaries of hawser beam: comments and picture.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

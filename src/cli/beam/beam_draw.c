@@ -1,7 +1,5 @@
 /* cli/beam/beam_draw.c - pictures of hawser beam.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include "cli/model/axis.h"
 #include "cli/beam/beam_result.h"
 #include "output/drawing/figure.h"

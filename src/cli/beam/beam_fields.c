@@ -2,8 +2,6 @@
  *
  * A result is a list of variants; each has its own scale, as the key that is varied may be the length.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include "cli/model/axis.h"
 #include "cli/beam/beam_result.h"
 #include "cli/frame/view.h"

@@ -1,7 +1,5 @@
 /* cli/beam/beam_motion.c - free motion of hawser beam: the initial shape, comments, picture.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <errno.h>
 #include <math.h>
 #include <stdlib.h>

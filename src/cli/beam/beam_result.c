@@ -1,7 +1,5 @@
 /* cli/beam/beam_result.c - comments of hawser beam.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "cli/beam/beam_result.h"

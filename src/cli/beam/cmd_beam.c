@@ -1,8 +1,6 @@
 /* cli/beam/cmd_beam.c - hawser beam: a beam or string that travels along itself, its eigenvalues, safe
  * speeds, stability boundaries and motion.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,5 @@
 /* cli/compare/cmd_compare.c - hawser compare: a scene at several fidelities against the most accurate.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,5 @@
 /* cli/compare/compare_made.c - see compare_result.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,8 +1,6 @@
 /* cli/compare/compare_modes.c - hawser compare modes: every method at increasing resolution against a
  * reference.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,5 @@
 /* cli/compare/compare_motion.c - hawser compare motion: a mesh of cable elements and reduced
  * models in time. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,5 @@
 /* cli/curves/cmd_folds.c - hawser folds: the folds of the frequency response followed in
  * frequency and load. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

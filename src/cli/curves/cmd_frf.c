@@ -1,7 +1,5 @@
 /* cli/curves/cmd_frf.c - hawser frf: the certified frequency response.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,5 @@
 /* cli/curves/cmd_locus.c - hawser locus: bifurcations followed in frequency and another parameter.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -4,8 +4,6 @@
  * below those of the response: that it closes is a certificate by another method.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

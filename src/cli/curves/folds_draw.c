@@ -2,8 +2,6 @@
  * frequency and load, with their special points and a line at the load of the model; in the lower one
  * the response at that load and the curves detached from it, by the probe, or coordinate, that
  * moves most. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "cli/curves/folds_result.h"

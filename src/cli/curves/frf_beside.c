@@ -5,8 +5,6 @@
  * contains the neighbouring points of the other part, so that no gap remains between the two.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <ctype.h>
 #include <math.h>
 #include <stdio.h>

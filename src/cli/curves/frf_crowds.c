@@ -5,8 +5,6 @@
  * their symbols overlap. The largest crowds are enlarged, in each panel; in the response they
  * are on grey ground.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 

@@ -5,8 +5,6 @@
  * a bifurcation. Between two points it is a cubic over the arclength that goes beyond neither of them
  * (Steffen, Astron. Astrophys. 239 (1990) 443): long steps show no corners.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "cli/curves/frf_picture.h"

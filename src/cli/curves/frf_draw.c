@@ -2,8 +2,6 @@
  * mid-span and where else it moves most, one panel each, without panels in which nothing moves, and the
  * largest stroke of an absorber in one of its own. Without probes: the first coordinates.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <ctype.h>
 #include <math.h>
 #include <stdlib.h>

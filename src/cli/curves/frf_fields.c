@@ -1,7 +1,5 @@
 /* cli/curves/frf_fields.c - the fields of a frequency response: its points, sweeps, events, and
  * the rest. A new column is a row of a table here. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

@@ -1,8 +1,6 @@
 /* cli/curves/frf_notes.c - what a frequency response says about itself on standard error, in JSON
  * and in its table.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

@@ -1,7 +1,5 @@
 /* cli/curves/frf_over.c - see frf_over.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

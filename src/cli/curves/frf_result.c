@@ -1,7 +1,5 @@
 /* cli/curves/frf_result.c - comments of a frequency response, in SI if the model has units.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,5 @@
 /* cli/curves/frf_sweep.c - see frf_sweep.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

@@ -1,8 +1,6 @@
 /* cli/curves/frf_switch.c - the branches that begin at bifurcations of a frequency response
  * (--branches), and what is said of those that are not found.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>

@@ -1,7 +1,5 @@
 /* cli/curves/frf_tori.c - see frf_tori.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

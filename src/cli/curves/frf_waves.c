@@ -1,8 +1,6 @@
 /* cli/curves/frf_waves.c - hawser frf of a net with waves: displacements and tensions per metre of
  * the amplitude of a wave, over the frequency.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,8 +1,6 @@
 /* cli/curves/locus_draw.c - the picture of `locus`: its curves in the plane of both parameters; every
  * special point has its name beside it, where no other name is.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <limits.h>
 #include <math.h>
 #include <stdlib.h>

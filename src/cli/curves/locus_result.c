@@ -1,7 +1,5 @@
 /* cli/curves/locus_result.c - loci of bifurcations as a table and as JSON, in SI if the model
  * has units. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stddef.h>
 #include <stdio.h>
 

@@ -4,8 +4,6 @@
  * (bixense.com/clicolors). A file or a pipe gets no codes, unless CLICOLOR_FORCE asks for them.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>

@@ -2,8 +2,6 @@
  * run prints nothing. A full disk or a missing gnuplot that prevents a picture takes no numbers with
  * it: they are written, and printed if there is no other file.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>

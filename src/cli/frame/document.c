@@ -1,7 +1,5 @@
 /* cli/frame/document.c - the input of a command, which is read once, and scenes of each kind from it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <string.h>
 
 #include "cli/frame/cli.h"

@@ -1,7 +1,5 @@
 /* cli/frame/echo.c - the beginning of every result: version, command, and all keys of the scene,
  * from the table of keys. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

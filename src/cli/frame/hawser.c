@@ -1,7 +1,5 @@
 /* cli/frame/hawser.c - main() of the program hawser; the tests of the command line have another.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include "cli/frame/within.h"
 
 int main(int argc, char **argv)

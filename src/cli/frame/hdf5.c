@@ -5,8 +5,6 @@
  * zlib. They have no time stamps: the same map gives the same bytes.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include "cli/frame/hdf5.h"
 #include "core/file.h"
 #include "core/loaded.h"

@@ -1,6 +1,4 @@
 /* cli/frame/kinds.c - see kinds.h. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <string.h>
 
 #include "cli/frame/kinds.h"

@@ -3,8 +3,6 @@
  * The library stays loaded until the program ends: its structure and functions are used as long as the
  * model.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <dlfcn.h>
 #include <stdlib.h>
 #include <string.h>

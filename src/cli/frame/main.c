@@ -1,7 +1,5 @@
 /* cli/frame/main.c - the hawser program but for main(): find the command, read its options, run
  * it, report a failure. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>

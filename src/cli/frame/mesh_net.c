@@ -1,7 +1,5 @@
 /* cli/frame/mesh_net.c - see mesh_net.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "cli/frame/mesh_net.h"

@@ -8,8 +8,6 @@
  * busy.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include "cli/frame/ranks.h"
 #include "core/loaded.h"
 #include "core/report.h"

@@ -1,8 +1,6 @@
 /* cli/frame/nearest.c - the name that the user probably meant: the nearest in spelling, or one that
  * begins with the given letters.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <string.h>
 
 #include "cli/frame/cli.h"

@@ -4,8 +4,6 @@
  * arguments need own code anyway, which makes the splitting a few lines.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <errno.h>
 #include <limits.h>
 #include <stdlib.h>

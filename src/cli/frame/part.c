@@ -1,7 +1,5 @@
 /* cli/frame/part.c - see part.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include "cli/frame/part.h"

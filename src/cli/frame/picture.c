@@ -1,7 +1,5 @@
 /* cli/frame/picture.c - options about the picture of a command.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,5 @@
 /* cli/frame/progress.c - the progress of long computations on standard error.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <signal.h>
 #include <stdarg.h>
 #include <stdlib.h>

@@ -1,7 +1,5 @@
 /* cli/frame/quantity.c - parse quantities: in SI, and frequencies and times in the scale of a model.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -4,8 +4,6 @@
  * not pay for it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>

@@ -15,8 +15,6 @@
  * the main thread.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <errno.h>
 #include <pthread.h>
 #include <signal.h>

@@ -1,7 +1,5 @@
 /* cli/frame/view.c - how results of a model are shown: its scale, and the names of displacements
  * at probes and of coordinates. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdio.h>
 
 #include "cli/frame/view.h"

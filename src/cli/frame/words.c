@@ -1,7 +1,5 @@
 /* cli/frame/words.c - options whose argument is one of a few words.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <ctype.h>
 #include <string.h>
 

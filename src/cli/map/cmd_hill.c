@@ -1,7 +1,5 @@
 /* cli/map/cmd_hill.c - hawser hill: stability under parametric excitation.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,7 +1,5 @@
 /* cli/map/cmd_map.c - hawser map: a quantity over two parameters, and where stability changes.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <limits.h>
 #include <math.h>
 #include <stdlib.h>

@@ -1,7 +1,5 @@
 /* cli/map/hill_draw.c - the picture of boundaries, over characteristic values and expansions.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 

@@ -1,7 +1,5 @@
 /* cli/map/hill_result.c - comments and fields of boundaries and multipliers, see hill_result.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

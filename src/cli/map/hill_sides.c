@@ -8,8 +8,6 @@
  * missed) it is located by bisection. The boxes of a row end at these points.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,8 +1,6 @@
 /* cli/map/map_axes.c - axes of maps, and other parameters over a range: KEY=FROM:TO with a key of the
  * scene, Omega, or a component of the state.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <ctype.h>
 #include <math.h>
 #include <stdlib.h>

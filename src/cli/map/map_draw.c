@@ -1,7 +1,5 @@
 /* cli/map/map_draw.c - the picture of a map.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

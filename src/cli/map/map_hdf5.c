@@ -1,7 +1,5 @@
 /* cli/map/map_hdf5.c - a map as HDF5: the tables of points and boundaries, and what map they are of.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,7 +1,5 @@
 /* cli/map/map_part.c - parts of maps, and maps that are shared among ranks.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdio.h>
 #include <string.h>
 

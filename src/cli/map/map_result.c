@@ -1,7 +1,5 @@
 /* cli/map/map_result.c - comments and fields of a map.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <ctype.h>
 #include <limits.h>
 #include <math.h>

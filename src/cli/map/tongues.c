@@ -1,7 +1,5 @@
 /* cli/map/tongues.c - see tongues.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdio.h>
 
 #include "cli/frame/cli.h"

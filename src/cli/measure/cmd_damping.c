@@ -1,7 +1,5 @@
 /* cli/measure/cmd_damping.c - hawser damping: damping ratios from measured series.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stddef.h>
 
 #include <hawser/decay.h>

@@ -1,7 +1,5 @@
 /* cli/measure/cmd_identify.c - hawser identify: parameters of a scene from measured natural
  * frequencies. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,7 +1,5 @@
 /* cli/measure/measured.c - see series.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <ctype.h>
 #include <errno.h>
 #include <math.h>

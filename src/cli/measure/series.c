@@ -5,8 +5,6 @@
  * one has the largest values is known only then.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <ctype.h>
 #include <errno.h>
 #include <math.h>

@@ -1,8 +1,6 @@
 /* cli/model/axis.c - titles of axes that show a key of the scene: quantity, symbol and
  * unit, with a prefix that leaves short numbers.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <string.h>
 
 #include "cli/model/axis.h"

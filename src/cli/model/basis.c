@@ -1,8 +1,6 @@
 /* cli/model/basis.c - the basis of a full-order model (model.energy: exact), checked against the linear
  * modes.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "cli/frame/view.h"

@@ -1,7 +1,5 @@
 /* cli/model/certificate.c - folds and peaks of a response corrected in the structure itself: see
  * certificate.h. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

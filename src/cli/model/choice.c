@@ -1,8 +1,6 @@
 /* cli/model/choice.c - models whose modes are chosen automatically (model.modes: auto): the
  * choice, once the range of frequencies is known, and the report of the chosen modes with the
  * reasons. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,5 @@
 /* cli/model/cmd_rom.c - hawser rom: the reduced-order model of a scene, as a file and for AUTO-07p.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,5 @@
 /* cli/model/condensed.c - see condensed.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include "cli/model/condensed.h"
 
 void cli_condensed_comment(struct hawser__table *table, const struct hawser_map_condensed *condensed)

@@ -7,8 +7,6 @@
  * increasing bases follow, until two agree.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

@@ -1,8 +1,6 @@
 /* cli/model/film_ropeway.c - see made.h. The rope moves with the modes that are coordinates, to
  * first order; what follows them is not drawn.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,5 @@
 /* cli/model/fixed.c - the error of a model with a given number of modes: its estimate from the
  * response, or the reason why it is unknown. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

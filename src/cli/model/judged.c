@@ -11,8 +11,6 @@
  * number of modes that would be as good. So the number of coordinates follows from the speed.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

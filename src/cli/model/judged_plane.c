@@ -9,8 +9,6 @@
  * width, with 16 coordinates; 24 coordinates of a full-order model and 60 modes at rest are no better.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

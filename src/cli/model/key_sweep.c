@@ -1,7 +1,5 @@
 /* cli/model/key_sweep.c - see key_sweep.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,8 +1,6 @@
 /* cli/model/known.c - condensed modes near and below the forcing frequency: adding them to the
  * model, and a warning if the model does not have them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 

@@ -5,8 +5,6 @@
  * new curve must be that of the label again: this also refuses a model with other modes or signs.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <float.h>
 #include <math.h>
 #include <stdio.h>

@@ -1,7 +1,5 @@
 /* cli/model/last.c - read the end of a result to continue it, and check that it is of the same model.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

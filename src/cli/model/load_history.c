@@ -1,7 +1,5 @@
 /* cli/model/load_history.c - integrate --load and --motion: a load per length and displacements
  * of the ends that tables give over time. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,7 +1,5 @@
 /* cli/model/made.c - what models of scenes that are no spans have in common: see made.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stddef.h>
 #include <stdio.h>

@@ -6,8 +6,6 @@
  * candidates are the lowest modes, a model of all of which is made once.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include "cli/model/made.h"
 
 /* Fewest candidates, within which those lie that the second and third harmonics drive, and how many

@@ -1,7 +1,5 @@
 /* cli/model/model.c - the model of the scene or reduced-model file of the command line.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

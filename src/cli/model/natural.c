@@ -15,8 +15,6 @@
  * frequencies of its complex modes, which hawser modes prints.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,5 @@
 /* cli/model/rom_net.c - the model of a scene of kind `net` (hawser/net_rom.h). Every command that takes
  * model files takes it. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -10,8 +10,6 @@
  * carriage moves with half its mass, since it carries both, and no bullwheel turns.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,7 +1,5 @@
 /* cli/model/state.c - reads an initial state from a result of this program or from another file.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <errno.h>
 #include <math.h>
 #include <stdlib.h>

@@ -1,8 +1,6 @@
 /* cli/modes/campbell_draw.c - the Campbell diagram: one column per plane, imaginary parts above, real
  * parts below, as in B figure 5.5.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "cli/modes/modes_result.h"

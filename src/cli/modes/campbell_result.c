@@ -1,7 +1,5 @@
 /* cli/modes/campbell_result.c - comments and fields of a Campbell diagram.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 

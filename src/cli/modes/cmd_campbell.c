@@ -1,7 +1,5 @@
 /* cli/modes/cmd_campbell.c - hawser campbell: natural frequencies along a sweep of the travel speed.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <string.h>
 
 #include "cli/modes/modes_result.h"

@@ -1,7 +1,5 @@
 /* cli/modes/cmd_irvine.c - hawser irvine: natural frequencies along a sweep of the tension, at
  * rest or at some speeds. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <string.h>
 
 #include "cli/modes/modes_result.h"

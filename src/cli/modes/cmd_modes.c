@@ -1,7 +1,5 @@
 /* cli/modes/cmd_modes.c - hawser modes: natural frequencies and mode shapes about the static profile.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,8 +1,6 @@
 /* cli/modes/irvine_draw.c - the picture of a sweep: conversion of frequencies to the requested
  * unit, and the frequencies of the analytic method for comparison.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,5 @@
 /* cli/modes/irvine_result.c - comments and fields of a sweep of the tension.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 

@@ -1,7 +1,5 @@
 /* cli/modes/modes_damped.c - hawser modes --damped and --over: see modes_result.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <limits.h>
 #include <math.h>
 #include <stdlib.h>

@@ -8,8 +8,6 @@
  * The model need not be that of a cable: K and D may be any matrices, so that l may be real, and the
  * motion unstable. LAPACK's balanced QR algorithm finds all of them; its orders are small.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <lapacke.h>
 #include <math.h>
 #include <stdlib.h>

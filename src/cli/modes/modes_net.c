@@ -1,7 +1,5 @@
 /* cli/modes/modes_net.c - hawser modes of a scene of kind `net`.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

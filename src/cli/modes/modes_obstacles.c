@@ -1,8 +1,6 @@
 /* cli/modes/modes_obstacles.c - hawser modes of a span over obstacles: a line of one lane
  * without carriers, with the columns and the picture of the modes of ropeways.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

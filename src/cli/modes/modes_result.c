@@ -1,7 +1,5 @@
 /* cli/modes/modes_result.c - see modes_result.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <math.h>
 #include <string.h>

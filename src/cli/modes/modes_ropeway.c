@@ -1,7 +1,5 @@
 /* cli/modes/modes_ropeway.c - hawser modes of a scene of kind `ropeway`.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 

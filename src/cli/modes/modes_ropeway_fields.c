@@ -1,7 +1,5 @@
 /* cli/modes/modes_ropeway_fields.c - columns and keys of the modes of a ropeway.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "cli/modes/modes_result.h"

@@ -1,7 +1,5 @@
 /* cli/modes/track_fields.c - columns and keys of frequencies along a sweep: see modes_result.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 

@@ -1,7 +1,5 @@
 /* cli/motion/cmd_integrate.c - hawser integrate: the response in time.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,6 +1,4 @@
 /* cli/motion/cmd_tow.c - hawser tow: a towed body in time. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,7 +1,5 @@
 /* cli/motion/cmd_tow_steady.c - hawser tow steady: a towed body in straight flight and in an orbit.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "cli/frame/view.h"

@@ -1,7 +1,5 @@
 /* cli/motion/cmd_trajectory.c - hawser trajectory: the path of a towing point, and its derivatives.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 

@@ -1,7 +1,5 @@
 /* cli/motion/cmd_transient.c - hawser transient: a ropeway that starts, brakes or runs, and a
  * carrier that passes a battery. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

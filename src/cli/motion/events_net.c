@@ -1,7 +1,5 @@
 /* cli/motion/events_net.c - cables of a net that part, and winches, in the output of hawser integrate.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "cli/motion/integrate_net.h"

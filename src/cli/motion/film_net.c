@@ -1,6 +1,4 @@
 /* cli/motion/film_net.c - see integrate_net.h. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>

@@ -2,8 +2,6 @@
  * mid-span, or where a ropeway moves most, or, for a model without probes, its first coordinates;
  * history, phase plane of the settled part, spectrum.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

@@ -1,8 +1,6 @@
 /* cli/motion/integrate_exponents.c - the settled part of a run: the transient before it,
  * Lyapunov exponents, and whether its rows are a stroboscopic section.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

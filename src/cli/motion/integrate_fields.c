@@ -1,7 +1,5 @@
 /* cli/motion/integrate_fields.c - the fields of a time response. A new column is a row of a table here.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "cli/motion/integrate_net.h"

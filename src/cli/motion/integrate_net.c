@@ -1,7 +1,5 @@
 /* cli/motion/integrate_net.c - hawser integrate of a scene of kind `net`: places in time, and
  * the energy. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,7 +1,5 @@
 /* cli/motion/integrate_rod.c - hawser integrate of a scene of kind `rod`: places, forces,
  * energies in time. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

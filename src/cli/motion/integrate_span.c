@@ -1,7 +1,5 @@
 /* cli/motion/integrate_span.c - hawser integrate --model fe: a span as a mesh of cable elements
  * in time. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

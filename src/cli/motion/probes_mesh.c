@@ -1,8 +1,6 @@
 /* cli/motion/probes_mesh.c - times, and places, tensions and moments of probes in time, of nets and
  * rods.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdio.h>
 #include <string.h>
 

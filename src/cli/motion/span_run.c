@@ -1,7 +1,5 @@
 /* cli/motion/span_run.c - see integrate_span.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

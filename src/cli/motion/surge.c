@@ -1,8 +1,6 @@
 /* cli/motion/surge.c - the tension of a run including the axial waves that a change of the travel speed
  * causes.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdio.h>
 
 #include "cli/motion/integrate_result.h"

@@ -1,7 +1,5 @@
 /* cli/motion/transient_fields.c - columns and keys of hawser transient.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include "cli/motion/transient_ropeway.h"
 
 /* the end of a field's row */

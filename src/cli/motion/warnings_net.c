@@ -1,7 +1,5 @@
 /* cli/motion/warnings_net.c - what is warned of after a motion of a net: waves along the cables.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 

@@ -1,7 +1,5 @@
 /* cli/plan/cmd_plan.c - hawser plan: contents, cost and error of the models of a scene.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <string.h>
 
 #include "cli/beam/beam_result.h"

@@ -1,7 +1,5 @@
 /* cli/plan/plan_fields.c - the fields of a plan: fidelities, modes, resonances, decisions, settings.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "cli/plan/plan_result.h"

@@ -1,8 +1,6 @@
 /* cli/plan/plan_model.c - hawser plan of a reduced model: its size, what is in it, and the time of its
  * response. What its author left out is not in the file.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include <hawser/plan.h>

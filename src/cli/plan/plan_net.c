@@ -1,7 +1,5 @@
 /* cli/plan/plan_net.c - hawser plan of a scene of kind `net`: text, table and JSON.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <limits.h>
 #include <math.h>
 #include <stdio.h>

@@ -1,7 +1,5 @@
 /* cli/plan/plan_net_text.c - a plan of a net as text.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

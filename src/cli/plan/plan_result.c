@@ -1,7 +1,5 @@
 /* cli/plan/plan_result.c - see plan_result.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

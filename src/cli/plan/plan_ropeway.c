@@ -1,8 +1,6 @@
 /* cli/plan/plan_ropeway.c - hawser plan of a ropeway: what is modelled, what is left out and
  * why, settings, cost.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 

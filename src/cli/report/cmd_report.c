@@ -1,7 +1,5 @@
 /* cli/report/cmd_report.c - hawser report: what is known of a scene, in one page.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <string.h>
 #include <strings.h>
 

@@ -1,7 +1,5 @@
 /* cli/report/report_page.c - the page of a report: contents, parts, scene, provenance.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>

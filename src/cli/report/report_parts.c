@@ -1,7 +1,5 @@
 /* cli/report/report_parts.c - see report.h. A new part is a row of the table.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <string.h>
 
 #include "cli/frame/kinds.h"

@@ -2,8 +2,6 @@
  * process: one place computes and formats each result, and the report shows what the command writes
  * with --tsv and --plot.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <errno.h>
 #include <limits.h>
 #include <stdlib.h>

@@ -1,7 +1,5 @@
 /* cli/statics/cmd_statics.c - hawser statics: the shape and the tensions of a span, at rest or
  * travelling. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 

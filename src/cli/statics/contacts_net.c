@@ -1,7 +1,5 @@
 /* cli/statics/contacts_net.c - see statics_kinds.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 

@@ -1,7 +1,5 @@
 /* cli/statics/equilibria_net.c - hawser statics --equilibria: the equilibria of a net of bars.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <hawser/net_equilibria.h>
 
 #include "cli/frame/mesh_net.h"

@@ -1,8 +1,6 @@
 /* cli/statics/obstacles_fields.c - columns and keys of the statics of a span over obstacles.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include "cli/statics/statics_kinds.h"
 
 /* the end of a field's row */

@@ -1,8 +1,6 @@
 /* cli/statics/obstacles_fill.c - the rows that hawser statics shows of a span over obstacles.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,7 +1,5 @@
 /* cli/statics/rod_fields.c - columns and keys of the statics of a rod.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include "cli/statics/statics_kinds.h"
 
 /* the end of a field's row */

@@ -1,8 +1,6 @@
 /* cli/statics/ropeway_fields.c - columns and keys of the statics of a ropeway.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "cli/statics/statics_kinds.h"

@@ -1,8 +1,6 @@
 /* cli/statics/ropeway_fill.c - the rows that hawser statics shows of a ropeway.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

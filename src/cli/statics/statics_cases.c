@@ -1,7 +1,5 @@
 /* cli/statics/statics_cases.c - hawser statics --cases: a row for each load case of the scene.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 

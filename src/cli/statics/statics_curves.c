@@ -1,8 +1,6 @@
 /* cli/statics/statics_curves.c - hawser statics --models and --compatibility: comparison of the static
  * models, and one cable at different horizontal tensions.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,5 @@
 /* cli/statics/statics_fields.c - the quantities of a static solution, for hawser statics.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include "cli/statics/statics_kinds.h"
 
 #define OF(member) HAWSER__AT(struct hawser_statics, member)

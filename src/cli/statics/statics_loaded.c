@@ -1,8 +1,6 @@
 /* cli/statics/statics_loaded.c - what hawser statics shows of a span with a static load or a change of
  * temperature, besides the quantities of every span.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

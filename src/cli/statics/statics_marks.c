@@ -1,7 +1,5 @@
 /* cli/statics/statics_marks.c - the points of the profile and the attachments of a static
  * solution, along the axes of the scene. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "cli/statics/statics_kinds.h"

@@ -1,7 +1,5 @@
 /* cli/statics/statics_mesh.c - see statics_kinds.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 

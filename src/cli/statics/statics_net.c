@@ -1,7 +1,5 @@
 /* cli/statics/statics_net.c - hawser statics of a scene of kind `net`: positions, tensions, reactions.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

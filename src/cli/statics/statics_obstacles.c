@@ -2,8 +2,6 @@
  * state, the limits within which friction holds it, and the same rope without obstacles.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

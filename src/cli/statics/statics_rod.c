@@ -1,7 +1,5 @@
 /* cli/statics/statics_rod.c - hawser statics of a scene of kind `rod`: shape, forces and moments.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,8 +1,6 @@
 /* cli/statics/statics_ropeway.c - hawser statics of a scene of kind `ropeway`: the state for one
  * phase of the carriers, the worst values over all phases, and the load cases.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <string.h>
 
 #include "cli/statics/statics_kinds.h"

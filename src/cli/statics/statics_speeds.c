@@ -1,8 +1,6 @@
 /* cli/statics/statics_speeds.c - hawser statics --speeds: steady states over the travel speed,
  * with the tension held (a taut and a slack one, which end in a fold), and with the length held.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

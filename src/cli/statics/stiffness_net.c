@@ -1,8 +1,6 @@
 /* cli/statics/stiffness_net.c - hawser statics --stiffness: the force by which nodes of a net resist
  * motions, as they are asked for, in comments, tables and JSON.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,7 +1,5 @@
 /* cli/sweep/cmd_merge.c - hawser merge: join the checkpoints of the parts of a map or of a sweep.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include "cli/frame/cli.h"
 #include "cli/sweep/sweep.h"
 #include "core/report.h"

@@ -1,7 +1,5 @@
 /* cli/sweep/cmd_sweep.c - hawser sweep: any command over variations of a scene, its results in
  * one table. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,8 +1,6 @@
 /* cli/sweep/sweep_check.c - keys and values of a sweep against its scene, and the place of its options,
  * before anything is computed. See sweep.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <string.h>
 
 #include "cli/frame/kinds.h"

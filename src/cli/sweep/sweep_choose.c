@@ -1,8 +1,6 @@
 /* cli/sweep/sweep_choose.c - which rows and columns of a result are kept: --last, --max, --min,
  * --keep. See sweep.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>

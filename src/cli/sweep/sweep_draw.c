@@ -4,8 +4,6 @@
  * The abscissa is the key with the most different numbers. The values of the other keys, and
  * the place of a row among those of its variation, make a curve of its own each.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

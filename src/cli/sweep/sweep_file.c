@@ -3,8 +3,6 @@
  * Results are only appended. If the program is killed, the last one may be incomplete: it is
  * cut off.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <errno.h>
 #include <fcntl.h>
 #include <stdlib.h>

@@ -1,7 +1,5 @@
 /* cli/sweep/sweep_map.c - the picture of a sweep over two keys with many values of both: a map
  * of one column. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 

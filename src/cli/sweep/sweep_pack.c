@@ -10,8 +10,6 @@
  *
  * Numbers are written with 17 digits, as tables do, and are not changed any more.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 

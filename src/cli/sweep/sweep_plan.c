@@ -1,7 +1,5 @@
 /* cli/sweep/sweep_plan.c - the variations of a sweep, from --over and --list. See sweep.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <ctype.h>
 #include <math.h>
 #include <stdlib.h>

@@ -6,8 +6,6 @@
  * waits for numbers of variations on one pipe and sends packed results on another.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <errno.h>
 #include <poll.h>
 #include <signal.h>

@@ -1,8 +1,6 @@
 /* cli/sweep/sweep_ranks.c - the variations of a sweep among the ranks of mpirun or srun: each
  * computes one at a time, rank 0 keeps the results and writes. See sweep_run.c and core/ranks.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 

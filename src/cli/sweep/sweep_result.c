@@ -1,8 +1,6 @@
 /* cli/sweep/sweep_result.c - the table of a sweep, and its JSON: packed results are taken apart where
  * they are, and rows and elements are made from them on output. See sweep.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -5,8 +5,6 @@
  * units here (visit.h), and get the names and the units (--units) that columns of tables
  * have.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 

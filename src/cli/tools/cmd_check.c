@@ -1,7 +1,5 @@
 /* cli/tools/cmd_check.c - hawser check: what is wrong with a scene, or what it is.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include "cli/beam/beam_result.h"
 #include "cli/frame/progress.h"
 #include "cli/plan/plan_result.h"

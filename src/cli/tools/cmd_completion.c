@@ -5,8 +5,6 @@
  * one of its arguments is a FILE.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <string.h>
 
 #include <hawser/schema.h>

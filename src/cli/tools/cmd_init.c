@@ -1,7 +1,5 @@
 /* cli/tools/cmd_init.c - hawser init: a scene with comments, to begin with.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <string.h>
 
 #include "cli/frame/kinds.h"

@@ -1,7 +1,5 @@
 /* cli/tools/cmd_schema.c - hawser schema: the JSON Schema of scenes, for editors.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include "cli/frame/kinds.h"
 
 static const struct cli_option options[] = {

@@ -1,8 +1,6 @@
 /* cli/tools/init_from.c - read the file of a mooring: sections with a line of dashes and a name, tables
  * of points, lines and their types, and options as value and key.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <errno.h>
 #include <math.h>
 #include <stdarg.h>

@@ -1,7 +1,5 @@
 /* cli/tools/init_scenes.c - the scenes that hawser init writes. A test runs the first command of each.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include "cli/tools/init_scenes.h"
 
 const char cli_init_cable[] =

@@ -1,7 +1,6 @@
 /* cli/tools/init_structures.c - scenes of well-known structures, with the names of their field, and a
  * model of one's own, for hawser init. A test runs the first command of each.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
 
 const char cli_init_stay[] =
 	"# A stay of a cable-stayed bridge with a damper near the deck. Try: hawser modes SCENE "

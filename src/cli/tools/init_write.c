@@ -1,7 +1,5 @@
 /* cli/tools/init_write.c - the scene of a mooring file. Its axes x, y, z with z upwards become x,
  * -z, y. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

@@ -1,7 +1,5 @@
 /* cli/tools/records.c - the records of the kinds of inputs (cli/frame/kinds.h).
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include "cli/frame/kinds.h"
 #include "cli/model/made.h"
 #include "cli/statics/statics_kinds.h"

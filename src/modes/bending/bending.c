@@ -8,8 +8,6 @@
  * phi = sum c_j P_j, c_j = (2j+1)/2 sum_i w_i phi_i P_j(x_i), with P_j' = (2j-1) P_(j-1) + P_(j-2)'.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 

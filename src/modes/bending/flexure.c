@@ -13,8 +13,6 @@
  * constraint, that end B is at rest, is removed by a Householder reflection.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <lapacke.h>
 #include <math.h>

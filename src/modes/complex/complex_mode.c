@@ -11,8 +11,6 @@
  * eigenvalue 1/omega_k of T lies within |T x - mu x| of mu (Weinstein).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <math.h>
 #include <string.h>

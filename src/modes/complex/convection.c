@@ -6,8 +6,6 @@
  * that it is exactly skew.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stddef.h>
 
 #include <hawser/modes.h>

@@ -18,8 +18,6 @@
  * forces beside a few modes (rom/terms/dampers.c) converge as 1/n^3 only.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <float.h>
 #include <lapacke.h>
 #include <math.h>

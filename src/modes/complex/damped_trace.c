@@ -8,8 +8,6 @@
  * between them for each k from the smaller number on, and its zero is an event.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

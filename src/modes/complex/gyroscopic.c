@@ -9,8 +9,6 @@
  *              omega) and g = u - f
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

@@ -21,8 +21,6 @@
  * The error estimate is Weinstein's bound (complex_mode.c).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <complex.h>
 #include <math.h>
 

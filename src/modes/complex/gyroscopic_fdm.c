@@ -14,8 +14,6 @@
  * are then missing.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <lapacke.h>
 #include <math.h>
 #include <stdlib.h>

@@ -18,8 +18,6 @@
  * (complex_mode.c).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <complex.h>
 #include <lapacke.h>

@@ -15,8 +15,6 @@
  *
  * References: Tisseur and Meerbergen, SIAM Review 43 (2001) 235; Tisseur, LAA 309 (2000) 339.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>

@@ -10,8 +10,6 @@
  * motion along the cable does not matter.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "modes/complex/wind.h"

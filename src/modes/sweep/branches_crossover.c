@@ -14,8 +14,6 @@
  * Wigner, Phys. Z. 30 (1929) 467), and the gap is then zero up to round-off.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "core/grow.h"

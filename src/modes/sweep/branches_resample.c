@@ -5,8 +5,6 @@
  * samples with the same degree, so that the interpolation is a matrix, computed once per degree.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <math.h>
 #include <stdlib.h>

@@ -5,8 +5,6 @@
  * by a factor of 4 each, which halves the distance of the frequencies from their limits.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 

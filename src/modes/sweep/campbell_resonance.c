@@ -1,7 +1,5 @@
 /* modes/sweep/campbell_resonance.c - intersections of excitation lines with the branches of a Campbell
  * diagram. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 

@@ -4,8 +4,6 @@
  * speed there is exactly one steady state for each apparent H.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -5,8 +5,6 @@
  *   G = project (B basis + Omega C rate),   B = dF/dd, C = dF/dd'
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <string.h>
 

@@ -8,8 +8,6 @@
  * within some 1e-4 of the arc, so that F loses no more digits than that, and residuals are exact.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <math.h>
 #include <string.h>

@@ -8,8 +8,6 @@
  * whole blocks, and an order by the least degree, found node by node, has hardly any fill.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <lapacke.h>
 #include <limits.h>

@@ -7,8 +7,6 @@
  * A solution is one with S and one with C. A has as many negative pivots as S and C together.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 

@@ -8,8 +8,6 @@
  * where nodes have no mass, and the low modes, whose mu are the largest, have the smallest errors.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 

@@ -8,8 +8,6 @@
  * lift*M, whose modes are those of K, is taken in its place.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <string.h>
 
 #include <cblas.h>

@@ -13,8 +13,6 @@
  * long as it is larger than what was found, random vectors join the block.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,5 @@
 /* net/modes/modes.c - modes of a mesh: see hawser/net_modes.h and net/modes/eigen.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -6,8 +6,6 @@
  * elements are compared one by one. Cables that lie side by side are told apart by what they are.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

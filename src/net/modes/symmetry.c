@@ -16,8 +16,6 @@
  * one with most nodes in it, so that the choice turns with the net.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,5 @@
 /* net/motion/integrate.c - hawser__net_integrate: the beginning of a motion, its rows, its results.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>

@@ -8,8 +8,6 @@
  * and into its right side: the factors know nothing of absorbers, whose own block is 1.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

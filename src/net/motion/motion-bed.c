@@ -15,8 +15,6 @@
  * Elements that lie in part add their forces (net/motion/motion-touchdown.c).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>

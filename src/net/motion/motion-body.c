@@ -14,8 +14,6 @@
  * each motion changes in the sums. A small turn d adds d x r1 to x, and to the vector w as turns do.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

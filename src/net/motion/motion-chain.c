@@ -6,8 +6,6 @@
  * node waits for its neighbour, so that one chain of operations leaves most of a processor idle.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

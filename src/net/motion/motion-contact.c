@@ -7,8 +7,6 @@
  * n, scale  discrete gradient of the gap as a unit vector, and its length
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>

@@ -1,7 +1,5 @@
 /* net/motion/motion-error.c - hawser_net_integrate: a motion and, if asked for, its error by
  * another run. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

@@ -12,8 +12,6 @@
  * height that is has there.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>

@@ -13,8 +13,6 @@
  * A node with several obstacles takes them one after another.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

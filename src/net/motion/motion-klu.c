@@ -5,8 +5,6 @@
  * pivots, and with new ones where that fails.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -7,8 +7,6 @@
  * a cable cannot. Both only dissipate.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <float.h>
 #include <math.h>
 #include <string.h>

@@ -11,8 +11,6 @@
  * the begin of a rounding of the second.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

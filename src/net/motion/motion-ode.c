@@ -12,8 +12,6 @@
  * of net/motion/motion.c only the vectors of the elements, so that one checks the other.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,5 @@
 /* net/motion/motion-open.c - memory of a motion, and the reference from which it counts.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -7,8 +7,6 @@
  * last step; and of CVODE, which has steps of its own, those of the equations of motion.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

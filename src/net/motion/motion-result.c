@@ -1,7 +1,5 @@
 /* net/motion/motion-result.c - memory of the result of a motion.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 

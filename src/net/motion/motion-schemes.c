@@ -1,8 +1,6 @@
 /* net/motion/motion-schemes.c - schemes of time integration, as rows of a table; see
  * struct hawser__motion_rule.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "net/motion/motion.h"

@@ -6,8 +6,6 @@
  * friction stays as it is. Loads, supports and waves that move are left out, as statics does.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

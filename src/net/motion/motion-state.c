@@ -4,8 +4,6 @@
  * sum of which nodes the elements join: another net with as many nodes is not taken for this one.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -4,8 +4,6 @@
  * node from its place in the scene; # begins a comment. Between the times: natural cubic spline.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>

@@ -5,8 +5,6 @@
  * between both stretches.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "net/motion/motion.h"

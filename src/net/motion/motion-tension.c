@@ -1,7 +1,5 @@
 /* net/motion/motion-tension.c - the tension of an element, with its damping.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "core/vec3.h"

@@ -21,8 +21,6 @@
  * meshes have nothing else. For given y_b the condition for l_a is a quadratic equation.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <float.h>
 #include <math.h>
 #include <string.h>

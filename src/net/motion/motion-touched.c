@@ -1,7 +1,5 @@
 /* net/motion/motion-touched.c - contacts of a motion as results: rows, states as numbers, the
  * last state. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 

@@ -10,8 +10,6 @@
  * forces, the more they draw, and a step with rigid obstacles has no solution, however short it is.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "core/report.h"

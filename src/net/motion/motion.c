@@ -7,8 +7,6 @@
  * order), q''' from divided differences of the mean velocities of three steps.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <float.h>
 #include <math.h>
 #include <string.h>

@@ -5,8 +5,6 @@
  * took (bench/net-plan). Of the motion the beginning is computed; what is left follows from its growth.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -5,8 +5,6 @@
  * for another error follows.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "net/plan/plan.h"

@@ -1,7 +1,5 @@
 /* net/plan/plan-words.c - what the model of a net contains, what it leaves out and why; warnings.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>

@@ -1,7 +1,5 @@
 /* net/plan/plan.c - hawser_net_plan_make: sizes, time scales, and the order of the parts.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

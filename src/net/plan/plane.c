@@ -5,8 +5,6 @@
  * component along it, exactly. The motion is then the same without these unknowns.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "net/motion/motion.h"

@@ -4,8 +4,6 @@
  * and the weight on its node are those of any mesh.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,8 +1,6 @@
 /* net/read/blown.c - `wind` of a net's scene, and the sections of its cables. The air is a water
  * without buoyancy, everywhere, that flows past sections with drag and lift.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -4,8 +4,6 @@
  * inertia and loads of the water are those of any mesh.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

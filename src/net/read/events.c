@@ -1,7 +1,5 @@
 /* net/read/events.c - what happens to cables of a net in time: they part, and winches take them in.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

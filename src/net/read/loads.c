@@ -1,7 +1,5 @@
 /* net/read/loads.c - supports, their motion, and loads of a net's scene.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdio.h>
 #include <string.h>
 

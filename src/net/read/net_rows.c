@@ -1,7 +1,5 @@
 /* net/read/net_rows.c - the keys of scenes of kind `net`, and of spans that are meshes. See
  * scene/tree_rows.h. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <hawser/scene.h>
 
 #include "net/read/read.h"

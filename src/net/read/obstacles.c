@@ -1,7 +1,5 @@
 /* net/read/obstacles.c - obstacles of a net's scene, what the scene says of contact, and whether
  * there is room. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -8,8 +8,6 @@
  * each term of which is a constant load, or a wave of each cable.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

@@ -1,7 +1,5 @@
 /* net/read/read.c - read a scene of kind `net`: nodes, cables, masses, damping, dynamics, and
  * the rules that involve several of them. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

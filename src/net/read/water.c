@@ -1,7 +1,5 @@
 /* net/read/water.c - `water` and `buoys` of a net's scene, and what of cables needs them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,8 +1,6 @@
 /* net/span/read-span.c - the scene of a span in water, or whose obstacles are not all circles: a net of
  * one cable between the supports A and B. Spans over circles alone have exact catenaries and arcs
  * (hawser/obstacles.h). SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -10,8 +10,6 @@
  * matrices makes the part of a taut string's error of order 4, for which this is too much.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

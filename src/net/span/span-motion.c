@@ -8,8 +8,6 @@
  * By the local error of a step, which is of order 3, twice the step is 8 times the tolerance.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

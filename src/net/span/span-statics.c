@@ -4,8 +4,6 @@
  * is of order 2, and the tension of the first element of order 1.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -8,8 +8,6 @@
  * also where a load ends within an element, and they leave a force at a point where it acts.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

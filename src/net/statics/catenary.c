@@ -10,8 +10,6 @@
  * string of no weight and a deep catenary go through the same formulas.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stddef.h>
 

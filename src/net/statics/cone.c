@@ -23,8 +23,6 @@
  * and is treated as in net/statics/finish.c from then on; what remains in the end is slack.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 

@@ -11,8 +11,6 @@
  * its |t| is rounded off by a force that falls to 1e-14 of the loads.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -5,8 +5,6 @@
  * which has a third of the vertices and a ninth of the entries of the matrix.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include "net/statics/solve.h"

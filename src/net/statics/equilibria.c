@@ -6,8 +6,6 @@
  * method goes to saddles as well as to minima. A step is at most a tenth of the size of the net.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>

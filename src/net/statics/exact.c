@@ -1,8 +1,6 @@
 /* net/statics/exact.c - statics with exact elements: every cable is one elastic catenary, only
  * the joints are unknown. The method is that of net/statics/dual.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

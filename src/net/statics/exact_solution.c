@@ -1,7 +1,5 @@
 /* net/statics/exact_solution.c - statics by exact catenaries as its user sees it: see hawser/net.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

@@ -17,8 +17,6 @@
  * force by the law at positions that differ by some ulp: an element that is slack has none.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <float.h>
 #include <math.h>
 

@@ -20,8 +20,6 @@
  * then stays as it is, at a length that is nothing.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>

@@ -11,8 +11,6 @@
  * equilibrium is then solved again with the unstretched lengths as given.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "core/report.h"

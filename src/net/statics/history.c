@@ -8,8 +8,6 @@
  * the way counts. A step without solution is halved.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 

@@ -10,8 +10,6 @@
  * Rules of mu and of the start: measured on 1600 random cables (doc/theory-net.md).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "net/touch/touch.h"

@@ -18,8 +18,6 @@
  * more elements. Where a cable folds, the order is 1, so that it takes several rounds.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -9,8 +9,6 @@
  * there: down is where (F(z) + F(z + dz)).dz < 0.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>

@@ -1,7 +1,5 @@
 /* net/statics/solution.c - statics of a net as its user sees it: positions and tensions by name.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

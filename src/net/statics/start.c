@@ -6,8 +6,6 @@
  * without any guess of a shape.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

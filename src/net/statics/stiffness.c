@@ -17,8 +17,6 @@
  * it. The error is of order h^2 then.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

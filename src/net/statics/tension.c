@@ -15,8 +15,6 @@
  * the sea bed gets no weight. Friction there is at most what is left to hold.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

@@ -5,8 +5,6 @@
  * friction only of a plane that moves: as nodes of lines that lie there.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 

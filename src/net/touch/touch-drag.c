@@ -11,8 +11,6 @@
  * e^(friction*angle).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include "net/motion/motion.h"
 #include "net/touch/touch.h"
 #include "net/water/water.h"

@@ -11,8 +11,6 @@
  * What it finds is stable against motions without inertia.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

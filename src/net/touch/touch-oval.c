@@ -9,8 +9,6 @@
  * the set is convex. A node has the mean of both its elements.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

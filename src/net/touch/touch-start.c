@@ -1,7 +1,5 @@
 /* net/touch/touch-start.c - which nodes may touch which obstacle, and a start on the free side.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -15,8 +15,6 @@
  * Friction at its bound follows r within a step (net/touch/touch-drag.c).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <float.h>
 #include <math.h>
 #include <string.h>

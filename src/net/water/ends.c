@@ -1,7 +1,5 @@
 /* net/water/ends.c - loads of the water on the elements and buoys of a mesh.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include "net/water/water.h"
 
 static struct hawser__morison element(const struct hawser__mesh *mesh, int e)

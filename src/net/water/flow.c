@@ -1,6 +1,4 @@
 /* net/water/flow.c - see motion.h. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <string.h>
 
 #include "net/motion/motion.h"

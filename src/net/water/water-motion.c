@@ -10,8 +10,6 @@
  * the added mass M: together with its inertia in f.x that is h*v'*(dM/dt)*v/2, as it turns
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

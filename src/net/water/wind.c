@@ -1,8 +1,6 @@
 /* net/water/wind.c - the wind on the ends of an element: half of its length each, with the flow and the
  * velocity there and the direction of the element.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <string.h>
 
 #include "core/report.h"

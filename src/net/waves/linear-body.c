@@ -7,8 +7,6 @@
  * x = x0 + sum z_j x_j, with the forces on the bodies in balance along each of their motions.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <string.h>
 
 #include <lapacke.h>

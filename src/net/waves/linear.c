@@ -7,8 +7,6 @@
  * Nodes that touch obstacles move along them only (hawser__touch_hold).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,5 @@
 /* output/cable/plot_compare.c - work-precision diagram of methods: error over time, one colour per
  * method. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

@@ -5,8 +5,6 @@
  * imaginary part, which modes of a cable at rest do not have, the shape a quarter of a period earlier.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "output/drawing/figure.h"

@@ -1,8 +1,6 @@
 /* output/cable/plot_precision.c - work-precision diagram of fidelities: error over time and over the
  * number of modes, one colour per family.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

@@ -1,8 +1,6 @@
 /* output/cable/plot_statics.c - the span: profile and chord above, tension along the cable
  * below; between them the view from above, if the cable hangs in another plane than the vertical
  * one. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "output/drawing/figure.h"

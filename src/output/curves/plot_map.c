@@ -5,8 +5,6 @@
  * without a value are grey.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "output/output.h"

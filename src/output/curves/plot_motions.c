@@ -1,7 +1,5 @@
 /* output/curves/plot_motions.c - see plot_motions.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "output/curves/plot_motions.h"

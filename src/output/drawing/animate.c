@@ -2,8 +2,6 @@
  *
  * A motion in a plane is drawn over its coordinates; in space it is seen in perspective, with a bar of
  * a round length instead of tics. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 #include <strings.h>

@@ -1,7 +1,5 @@
 /* output/drawing/axis.c - axes of pictures in the units that the user has chosen. See units.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <ctype.h>
 #include <math.h>
 #include <stdio.h>

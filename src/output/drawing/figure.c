@@ -3,8 +3,6 @@
  * Blocks of data go into the script as they are put. What the plot draws is kept until the panel ends,
  * since the ranges of its axes stand before it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>

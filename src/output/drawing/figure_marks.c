@@ -1,8 +1,6 @@
 /* output/drawing/figure_marks.c - lines and texts at places of a panel. They go into the script after
  * the points, and stay away where the user's range ends before them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdarg.h>
 
 #include "output/drawing/figure.h"

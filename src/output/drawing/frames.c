@@ -1,6 +1,4 @@
 /* output/drawing/frames.c - see figure.h. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <string.h>
 
 #include "output/drawing/figure.h"

@@ -5,8 +5,6 @@
  * left if gnuplot fails. The environment variable HAWSER_GNUPLOT names another gnuplot.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <errno.h>
 #include <limits.h>
 #include <math.h>

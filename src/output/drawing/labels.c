@@ -5,8 +5,6 @@
  * of eight positions about its point that overlaps no number, symbol or line.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "output/drawing/labels.h"

@@ -6,8 +6,6 @@
  * upright outside of formulas; italics, Greek, indices and exponents are formulas.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <ctype.h>
 #include <errno.h>
 #include <stdlib.h>

@@ -1,6 +1,4 @@
 /* output/drawing/outline.c - see labels.h. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "output/drawing/labels.h"

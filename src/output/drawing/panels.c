@@ -1,7 +1,5 @@
 /* output/drawing/panels.c - layout of pictures with one panel per mode.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "output/drawing/figure.h"

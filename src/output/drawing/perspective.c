@@ -1,6 +1,4 @@
 /* output/drawing/perspective.c - see perspective.h. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "output/drawing/perspective.h"

@@ -5,8 +5,6 @@
  * smaller. figure.c asks for the ranges.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

@@ -1,7 +1,5 @@
 /* output/fields/fields.c - values of fields: units, and reading a member of a row. See fields.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

@@ -1,7 +1,5 @@
 /* output/fields/fields_json.c - members and lists of JSON. See fields.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 

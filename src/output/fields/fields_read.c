@@ -1,7 +1,5 @@
 /* output/fields/fields_read.c - read results written as JSON back by their fields. See fields.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

@@ -1,7 +1,5 @@
 /* output/fields/fields_table.c - columns and rows of tables, and the list of fields. See fields.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 

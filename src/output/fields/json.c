@@ -4,8 +4,6 @@
  * breaks. A point of a response is one line, which suits diff and grep.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 

@@ -5,8 +5,6 @@
  * computed from the result are not stored but generated on output (_rows).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>

@@ -4,8 +4,6 @@
  * text, in one place, and no comment can be forgotten. A number is converted with the unit that
  * follows it or, in a list or a range, that follows the last number of it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <ctype.h>
 #include <math.h>
 #include <stdio.h>

@@ -1,7 +1,5 @@
 /* output/report/html.c - see html.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,7 +1,5 @@
 /* output/report/sha256.c - see sha256.h; names as in FIPS 180-4.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>

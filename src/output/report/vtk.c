@@ -1,7 +1,5 @@
 /* output/report/vtk.c - see vtk.h. Numbers have 9 digits, places and shapes need no more.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <limits.h>
 #include <math.h>
 #include <string.h>

@@ -1,7 +1,5 @@
 /* output/structures/plot_bed.c - beds with heights in the views of a mooring: below the cables, and as
  * contours from above. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "output/structures/structures.h"

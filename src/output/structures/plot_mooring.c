@@ -1,8 +1,6 @@
 /* output/structures/plot_mooring.c - a net in water: seen along z (y over x) and from above (z over x,
  * z downwards), both with the same scale along both axes. Cables are coloured by their tension.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "output/structures/structures.h"

@@ -1,7 +1,5 @@
 /* output/structures/plot_net.c - see structures.h. A plane net is seen from the front.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "output/drawing/labels.h"

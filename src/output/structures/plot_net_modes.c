@@ -2,8 +2,6 @@
  * grey and the net displaced, in the same perspective and scale. A plane net is seen aslant, so
  * that motion in its plane and across it are both visible.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include "output/drawing/figure.h"
 #include "output/drawing/perspective.h"
 #include "output/structures/structures.h"

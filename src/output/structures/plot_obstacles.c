@@ -2,8 +2,6 @@
  * distances, so that circles are ellipses on the page.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "output/structures/structures.h"

@@ -1,8 +1,6 @@
 /* output/structures/plot_rod.c - see structures.h. A rod in a plane z = constant is seen from the
  * front.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "output/structures/structures.h"

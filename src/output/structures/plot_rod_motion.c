@@ -1,7 +1,5 @@
 /* output/structures/plot_rod_motion.c - a rod in motion: its shape at some times; a place,
  * energies over time. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "output/structures/structures.h"

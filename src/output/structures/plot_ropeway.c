@@ -1,8 +1,6 @@
 /* output/structures/plot_ropeway.c - see structures.h. The arrows of the reactions have their
  * true direction on the page, and lengths in proportion to their force.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "output/structures/structures.h"

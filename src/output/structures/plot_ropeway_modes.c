@@ -3,8 +3,6 @@
  * have different scales; one out of the plane is drawn upwards. A complex shape is turned such
  * that it is largest at t = 0, and drawn then and a quarter of a period later, when a standing
  * wave would be straight. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <complex.h>
 #include <math.h>
 #include <string.h>

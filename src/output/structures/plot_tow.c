@@ -5,8 +5,6 @@
  * points.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "output/structures/structures.h"

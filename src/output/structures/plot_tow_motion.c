@@ -4,8 +4,6 @@
  * over the time; and the range of the tension along the cable: least, mean and most.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "output/structures/structures.h"

@@ -4,8 +4,6 @@
  * eye, so that a left turn is one. A panel of the height is there if it changes.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "output/structures/structures.h"

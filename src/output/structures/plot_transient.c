@@ -1,8 +1,6 @@
 /* output/structures/plot_transient.c - see structures.h. Panels over time, below one another.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "output/structures/structures.h"

@@ -1,8 +1,6 @@
 /* response/backbone/backbone.c - see hawser/backbone.h: the operations of continuation/curve.h, with a
  * predictor along the tangent.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

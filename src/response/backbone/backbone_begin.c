@@ -5,8 +5,6 @@
  * and imaginary in the odd ones, but for a common phase.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <lapacke.h>
 #include <math.h>
 #include <stdlib.h>

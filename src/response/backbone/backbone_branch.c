@@ -1,7 +1,5 @@
 /* response/backbone/backbone_branch.c - see backbone.h; the end of a backbone's memory.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -16,8 +16,6 @@
  * so that the equilibria of the equations agree with harmonic balance to that order.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

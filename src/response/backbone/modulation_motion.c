@@ -1,7 +1,5 @@
 /* response/backbone/modulation_motion.c - the modulation equations at given amplitudes, and the
  * motion that they represent. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

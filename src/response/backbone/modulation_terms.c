@@ -1,7 +1,5 @@
 /* response/backbone/modulation_terms.c - the list of monomials of the modulation equations.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,5 @@
 /* response/backbone/nnm.c - see hawser/nnm.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

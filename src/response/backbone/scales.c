@@ -10,8 +10,6 @@
  * itself is shown by the sample of points that shooting computes again (certify.c).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <float.h>
 #include <lapacke.h>

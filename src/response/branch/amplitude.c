@@ -8,8 +8,6 @@
  * two, so that there are few of the expensive plans.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <complex.h>
 #include <fftw3.h>
 #include <math.h>

@@ -6,8 +6,6 @@
  * point, and the result is the zero of the line through them.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -10,8 +10,6 @@
  * the damping is less than the error of the multipliers, that peak is not reached.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "core/report.h"

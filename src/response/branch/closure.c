@@ -7,8 +7,6 @@
  * a second time. Its Omega turns there, so that a fold and a branch point are at one place.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <string.h>
 
 #include "core/report.h"

@@ -28,8 +28,6 @@
  * (2003), ch. 2: perturbation of double eigenvalues.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <complex.h>
 #include <math.h>
 #include <string.h>

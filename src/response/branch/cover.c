@@ -6,8 +6,6 @@
  * gap is halved; a part below a sixteenth of the range is given up, and stated.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

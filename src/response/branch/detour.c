@@ -13,8 +13,6 @@
  * orbit of the model itself, with its whole load, and is corrected by the method of the branch.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdio.h>
 #include <string.h>
 

@@ -23,8 +23,6 @@
  * circle, and includes the distance from the collision at which it leaves.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "response/branch/event_error.h"

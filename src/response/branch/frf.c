@@ -1,7 +1,5 @@
 /* response/branch/frf.c - the frequency response: a branch of forced periodic orbits, from its
  * first orbit to its end. trace.h lists the parts. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

@@ -1,7 +1,5 @@
 /* response/branch/frf_begin.c - the first orbit of a branch.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

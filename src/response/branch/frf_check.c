@@ -1,7 +1,5 @@
 /* response/branch/frf_check.c - whether a frequency response can be traced with these options.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

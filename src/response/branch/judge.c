@@ -7,8 +7,6 @@
  * unstable multipliers, with one event per step.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <complex.h>
 #include <math.h>
 #include <stdlib.h>

@@ -1,7 +1,5 @@
 /* response/branch/locate.c - see locate.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "response/branch/bracket.h"

@@ -6,8 +6,6 @@
  * Reference: Kuznetsov, Elements of Applied Bifurcation Theory, 5.4.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <complex.h>
 #include <math.h>
 

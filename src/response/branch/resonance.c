@@ -7,8 +7,6 @@
  * most the fraction NEAR is in resonance with its products (1:2, 1:3).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "core/report.h"

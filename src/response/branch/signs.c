@@ -6,8 +6,6 @@
  * With s = (-1)^x these are linear equations for x modulo 2.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -13,8 +13,6 @@
  * Omega.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "continuation/false_position.h"

@@ -1,7 +1,5 @@
 /* response/branch/station.c - see station.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

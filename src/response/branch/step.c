@@ -4,8 +4,6 @@
  * falls with ds^6 and the corrector starts close.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

@@ -12,8 +12,6 @@
  * problem alone and has no extrapolation error.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 

@@ -2,8 +2,6 @@
  * how they begin, Hopf points, and where cycles end.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <math.h>
 #include <stdlib.h>

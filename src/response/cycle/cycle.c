@@ -20,8 +20,6 @@
  * Reference: Doedel, Keller and Kernevez, Int. J. Bifurcation and Chaos 1 (1991) 745.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

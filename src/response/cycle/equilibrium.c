@@ -11,8 +11,6 @@
  * order, and are left out.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <float.h>
 #include <lapacke.h>

@@ -7,8 +7,6 @@
  * same points, for models as they are).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stddef.h>
 #include <stdlib.h>

@@ -12,8 +12,6 @@
  * Reference: Kuznetsov, Elements of Applied Bifurcation Theory, 3rd ed., (5.34).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <complex.h>
 #include <lapacke.h>
 #include <math.h>

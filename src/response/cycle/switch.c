@@ -4,8 +4,6 @@
  *         parameter is START of its range from the Hopf point
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <lapacke.h>
 #include <math.h>

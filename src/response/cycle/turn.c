@@ -10,8 +10,6 @@
  * Reference: Krupa, SIAM J. Math. Anal. 21 (1990) 1453.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <lapacke.h>
 #include <math.h>
 #include <stdlib.h>

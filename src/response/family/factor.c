@@ -1,7 +1,5 @@
 /* response/family/factor.c - models multiplied by a factor; see hawser/family.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,7 +1,5 @@
 /* response/family/keep.c - see smooth.h. The one that was not asked for longest gives way.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <string.h>
 
 #include "response/family/smooth.h"

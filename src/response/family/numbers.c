@@ -3,8 +3,6 @@
  * Entries that are zero in some of the models have a value in all, but for those that are round-off.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,8 +1,6 @@
 /* response/family/parameter.c - models of a file over one or two of its named parameters; see
  * hawser/family.h. The first model stays to the end.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

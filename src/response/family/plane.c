@@ -5,8 +5,6 @@
  * stays to the end: a response that is traced over the first parameter has it as its own.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include <hawser/family.h>

@@ -14,8 +14,6 @@
  * Reference: Berrut and Trefethen, SIAM Review 46 (2004) 501.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <math.h>
 #include <stdlib.h>

@@ -1,8 +1,6 @@
 /* response/floquet/condensation.c - the slow manifold of variational equations, by iteration of its
  * equation (symbols as in monodromy_condense.c).
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <lapacke.h>
 #include <math.h>

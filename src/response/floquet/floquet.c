@@ -12,8 +12,6 @@
  * eigenvalues, so the segments are passed as they are, first factor first.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -6,8 +6,6 @@
  * vanish there ("bound"). The others ("open") are unknown; velocities are divided by Omega.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <lapacke.h>
 #include <math.h>
 #include <stdlib.h>

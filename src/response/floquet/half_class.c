@@ -1,7 +1,5 @@
 /* response/floquet/half_class.c - see half.h: what begins in the coordinates that a motion
  * leaves at rest. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <lapacke.h>
 #include <math.h>
 #include <stdlib.h>

@@ -20,8 +20,6 @@
  * Reference: Magnus and Winkler, Hill's Equation, 2.3; Meyer and Golub, block elimination.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>

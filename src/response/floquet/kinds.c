@@ -2,8 +2,6 @@
  * the period, by LAPACK's QR algorithm.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <lapacke.h>
 #include <math.h>

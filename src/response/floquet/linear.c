@@ -9,8 +9,6 @@
  * strongest damping, so that no result depends on previous computations.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <float.h>
 #include <lapacke.h>
 #include <math.h>

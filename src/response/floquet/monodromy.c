@@ -1,7 +1,5 @@
 /* response/floquet/monodromy.c - see monodromy.h: components, the product over a period, and the
  * multipliers. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <lapacke.h>
 #include <math.h>

@@ -40,8 +40,6 @@
  * linear equations with variable coefficients.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <lapacke.h>
 #include <limits.h>

@@ -7,8 +7,6 @@
  * matrix, for which LAPACK's QR algorithm is as accurate as possible.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <lapacke.h>
 #include <math.h>

@@ -1,8 +1,6 @@
 /* response/floquet/monodromy_fast.c - which coordinates of variational equations are too fast to matter
  * (symbols as in monodromy_condense.c).
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <lapacke.h>
 #include <math.h>
 

@@ -1,7 +1,5 @@
 /* response/floquet/monodromy_plan.c - the number of steps per period for multipliers (monodromy.h).
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "core/report.h"

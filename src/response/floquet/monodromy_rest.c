@@ -15,8 +15,6 @@
  * those of S by the change of the tension), and the resonances are those of the harmonics of S.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <lapacke.h>
 #include <math.h>

@@ -6,8 +6,6 @@
  * cause no error. The number of steps is doubled until the logarithms no longer change.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <lapacke.h>
 #include <math.h>
 #include <stdlib.h>

@@ -4,8 +4,6 @@
  * responses at falling loads (folds_levels.c). A fold on a known curve starts no new one.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>

@@ -6,8 +6,6 @@
  * tangent has no Omega component, and one more correction gives the fold.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

@@ -8,8 +8,6 @@
  * left the window, since only then can it return at a lower load.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

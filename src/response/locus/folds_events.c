@@ -16,8 +16,6 @@
  *                       hysteresis for the cusp)
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

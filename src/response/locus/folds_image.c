@@ -11,8 +11,6 @@
  * If the sum is zero, the image has the same Omega and load, and is no curve of its own.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -11,8 +11,6 @@
  * curves, which verifies it. The search ends at a response that is nearly linear and has no fold.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -12,8 +12,6 @@
  * resonance has been bent out of the range.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <complex.h>
 #include <math.h>
 #include <stdlib.h>

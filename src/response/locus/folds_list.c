@@ -1,7 +1,5 @@
 /* response/locus/folds_list.c - the points and events of a curve, and their transfer to the result.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -10,8 +10,6 @@
  * increment. The increment is small for models whose energy is not a polynomial.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <math.h>
 #include <stdlib.h>

@@ -1,7 +1,5 @@
 /* response/locus/folds_seed.c - folds of a response, as starting points of fold curves.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

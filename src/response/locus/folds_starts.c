@@ -15,8 +15,6 @@
  * The search finds what it meets. It proves nothing, and the result says how far it went.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <math.h>
 #include <stdlib.h>

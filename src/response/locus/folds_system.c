@@ -1,7 +1,5 @@
 /* response/locus/folds_system.c - evaluation and solution of the equations of a fold. See folds.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <lapacke.h>
 #include <math.h>

@@ -7,8 +7,6 @@
  * that ends on another curve is told as in locus_walk.c, by the sign of the determinant.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,5 @@
 /* response/locus/locus.c - the loci through the bifurcations of a response; see hawser/locus.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -6,8 +6,6 @@
  * time. The Jacobian of the orbit is the real form of kappa = 0.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <lapacke.h>
 #include <math.h>

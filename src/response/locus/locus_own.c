@@ -8,8 +8,6 @@
  * Reference: Kuznetsov, Elements of Applied Bifurcation Theory, 3rd ed., chapter 8.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

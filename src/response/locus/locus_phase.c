@@ -20,8 +20,6 @@
  * M. Krack, J. Sound Vib. 435 (2018) 346.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <math.h>
 #include <stdlib.h>

@@ -1,8 +1,6 @@
 /* response/locus/locus_responses.c - the responses at whose bifurcations loci begin: see
  * locus_responses.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include "core/report.h"

@@ -5,8 +5,6 @@
  * 2 order, which the defect needs: its harmonics beyond `order` estimate the truncation error.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <math.h>
 #include <string.h>

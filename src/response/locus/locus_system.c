@@ -1,7 +1,5 @@
 /* response/locus/locus_system.c - memory of the system, its evaluation and its solution; see locus.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <lapacke.h>
 #include <math.h>

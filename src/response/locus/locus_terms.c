@@ -8,8 +8,6 @@
  * too, and that of P_v contributes to the gradient of g by the velocities of the orbit.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <math.h>
 #include <string.h>

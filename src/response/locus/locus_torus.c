@@ -17,8 +17,6 @@
  * Reference: Kuznetsov, Elements of Applied Bifurcation Theory, 2004, sections 5.4 and 9.6.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <lapacke.h>
 #include <math.h>

@@ -7,8 +7,6 @@
  * and the step is repeated, shorter (Allgower and Georg, chapter 8).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -19,8 +19,6 @@
  * and 4.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <complex.h>
 #include <lapacke.h>

@@ -15,8 +15,6 @@
  * Reference: Kuznetsov, Elements of Applied Bifurcation Theory, 3rd ed., chapters 8 and 9.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 

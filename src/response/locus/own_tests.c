@@ -14,8 +14,6 @@
  * Reference: Kuznetsov, Elements of Applied Bifurcation Theory, 3rd ed., section 10.2.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <complex.h>
 #include <lapacke.h>
 #include <math.h>

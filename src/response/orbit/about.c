@@ -12,8 +12,6 @@
  * raised from 0 in steps. Where that ends, the response has a fold, and jumps.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

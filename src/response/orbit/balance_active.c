@@ -11,8 +11,6 @@
  * tolerance, so that a dropped pair is not soon needed again.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <math.h>
 #include <stdlib.h>

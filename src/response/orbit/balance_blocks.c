@@ -1,7 +1,5 @@
 /* response/orbit/balance_blocks.c - see balance_blocks.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <lapacke.h>
 #include <math.h>

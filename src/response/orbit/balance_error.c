@@ -16,8 +16,6 @@
  * a nearly singular matrix determines no orbit, however small the defects are.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

@@ -13,8 +13,6 @@
  * entries of the matrix and of the border are then of order one.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

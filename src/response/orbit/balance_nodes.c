@@ -1,7 +1,5 @@
 /* response/orbit/balance_nodes.c - stiffness and damping at the nodes of the blocks of
  * balance_blocks.h. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <math.h>
 

@@ -7,8 +7,6 @@
  * is computed in the same way from the sampled tangents.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <math.h>
 #include <stdlib.h>

@@ -1,7 +1,5 @@
 /* response/orbit/balance_state.c - the Fourier series of a motion from its state at phase 0.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -7,8 +7,6 @@
  * the number of nodes.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include "core/hot.h"
 #include "response/orbit/balance.h"
 

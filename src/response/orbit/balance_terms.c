@@ -14,8 +14,6 @@
  * Omega^omega_power.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <float.h>
 #include <math.h>

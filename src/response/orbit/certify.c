@@ -12,8 +12,6 @@
  * coordinates is off by (111 steps in place of 19).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

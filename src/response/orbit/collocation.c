@@ -5,8 +5,6 @@
  * two. The integrals of Legendre polynomials have closed forms.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <pthread.h>
 

@@ -1,7 +1,5 @@
 /* response/orbit/load.c - see load.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include "core/report.h"

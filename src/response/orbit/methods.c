@@ -1,8 +1,6 @@
 /* response/orbit/methods.c - the table of methods for periodic orbits. The first one that suits a model
  * is its default; the last one suits all.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <string.h>
 
 #include "core/report.h"

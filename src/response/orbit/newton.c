@@ -6,8 +6,6 @@
  * with the extrapolated one, and only the corrected orbit gets its own.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -11,8 +11,6 @@
  * with the blocks of these coordinates alone: all others are at rest.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <lapacke.h>
 #include <math.h>
 #include <stdlib.h>

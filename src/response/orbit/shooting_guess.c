@@ -10,8 +10,6 @@
  * multipliers are results, gets its own derivatives.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <math.h>
 #include <stdlib.h>

@@ -1,7 +1,5 @@
 /* response/orbit/shooting_mesh.c - the numbers of segments and steps of an orbit.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "core/report.h"

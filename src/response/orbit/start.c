@@ -6,8 +6,6 @@
  *      [  -w D     K - w^2 ] [q] = [0]          w = k Omega        (sin: the right side is [0 f])
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <float.h>
 #include <lapacke.h>

@@ -5,8 +5,6 @@
  *         branches, small components would make the steps short
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <float.h>
 #include <math.h>

@@ -1,7 +1,5 @@
 /* response/orbit/weights.c - see weights.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 

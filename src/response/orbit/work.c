@@ -7,8 +7,6 @@
  * chairlift), 0.4 to 1.0 by shooting with 5 and 11 (the same).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <hawser/orbit.h>
 
 #define SAMPLE 5e-6   /* s of a sample of harmonic balance */

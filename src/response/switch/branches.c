@@ -11,8 +11,6 @@
  * The place of an orbit is its frequency, in that of the old branch, or the parameter of the family.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <lapacke.h>
 #include <math.h>

@@ -4,8 +4,6 @@
  * whose members are equal, pointers too, since for one value the family makes one model.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 

@@ -9,8 +9,6 @@
  * + beta R|^2 = |L|^2 R^(q - 1), a quadratic equation for R. Its phase follows from A^(q + 1).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 

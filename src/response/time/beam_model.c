@@ -6,8 +6,6 @@
  * which only shorten the steps, and, for a Rayleigh beam with free moments, spurious growth.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 

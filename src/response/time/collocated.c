@@ -1,6 +1,4 @@
 /* response/time/collocated.c - see collocated.h. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <float.h>
 #include <math.h>
 #include <string.h>

@@ -1,7 +1,5 @@
 /* response/time/flow.c - see flow.h. The innermost loop of every response: no allocation.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,8 +1,6 @@
 /* response/time/flow_drag.c - quadratic drag, and the terms of own models, at a stage of the
  * flow. Since the volume of states contracts by the trace of their derivative, that trace is
  * summed with the weights of the formula. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <string.h>
 
 #include "response/time/flow.h"

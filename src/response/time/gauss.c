@@ -23,8 +23,6 @@
  * VIII.6.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>

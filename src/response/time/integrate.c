@@ -8,8 +8,6 @@
  * with gauss.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <limits.h>
 #include <math.h>
 #include <stdlib.h>

@@ -9,8 +9,6 @@
  * If the tolerances of the second run would be below round-off, it uses another method instead.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

@@ -7,8 +7,6 @@
  * By Omega they are -H/Omega times that.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <string.h>
 
 #include "core/hot.h"

@@ -1,7 +1,5 @@
 /* response/time/planner.c - see planner.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <pthread.h>
 #include <stdlib.h>
 

@@ -24,8 +24,6 @@
  * Reference: Hairer, Wanner, Solving Ordinary Differential Equations II, 2nd ed., IV.5, IV.8.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <float.h>
 #include <lapacke.h>
 #include <math.h>

@@ -17,8 +17,6 @@
  * (1978).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <complex.h>
 #include <math.h>
 #include <stdlib.h>

@@ -7,8 +7,6 @@
  * the model, not to the integrator.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "core/report.h"

@@ -32,8 +32,6 @@
  * speed to the wave speed, and terms of second order in the waves.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

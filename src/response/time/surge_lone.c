@@ -5,8 +5,6 @@
  * with the roots of r^2 + D r + K = 0.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <complex.h>
 #include <math.h>
 #include <stdlib.h>

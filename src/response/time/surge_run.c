@@ -3,8 +3,6 @@
  * The integrator has output between its steps, so that closely spaced samples do not shorten them.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include "core/report.h"

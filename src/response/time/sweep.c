@@ -3,8 +3,6 @@
  * including jumps and hysteresis. The flow is that of the continuation (flow.h), so that both use
  * the same model; nothing is corrected.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

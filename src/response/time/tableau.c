@@ -1,7 +1,5 @@
 /* response/time/tableau.c - coefficients of DOP853; see nystrom.h for the source.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include "response/time/nystrom.h"
 
 const struct hawser__tableau hawser__dop853 = {

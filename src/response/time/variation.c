@@ -4,8 +4,6 @@
  * sums of long vectors and of products, which keep blocks of their results in registers.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include "core/hot.h"
 #include "response/time/flow.h"
 #include "rom/energy/kernel.h"

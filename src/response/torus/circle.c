@@ -1,7 +1,5 @@
 /* response/torus/circle.c - see circle.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "response/torus/circle.h"

@@ -1,7 +1,5 @@
 /* response/torus/torus.c - see torus.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <lapacke.h>
 #include <math.h>

@@ -16,8 +16,6 @@
  * back on the same circles. Its end is where the circle changes its sign.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <math.h>
 #include <stdio.h>

@@ -20,8 +20,6 @@
  * Nonlinearity 30 (2017) 4111.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <lapacke.h>
 #include <math.h>

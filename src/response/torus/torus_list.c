@@ -1,7 +1,5 @@
 /* response/torus/torus_list.c - see hawser/torus.h: options, conditions and storage of a curve
  * of invariant circles. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 

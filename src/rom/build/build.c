@@ -10,8 +10,6 @@
  * (Bertrand 2022, 2.75-2.77; doc/theory-rom.md.)
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

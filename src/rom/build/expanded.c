@@ -1,8 +1,6 @@
 /* rom/build/expanded.c - entries of Q and C from an expanded energy, and the second-order displacement:
  * see expanded.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "core/grow.h"

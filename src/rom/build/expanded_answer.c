@@ -9,8 +9,6 @@
  * HAWSER__FAINT_FIELD, this is left out, as in rom/condense/load_fields.c.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 

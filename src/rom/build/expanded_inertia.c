@@ -14,8 +14,6 @@
  *    1/2 kappa^2 (v - 1/2 sum m_jk u_j u_k)^2.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <lapacke.h>
 #include <math.h>

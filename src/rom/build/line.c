@@ -1,8 +1,6 @@
 /* rom/build/line.c - the reduced model of a rope over sheaves: tensors of the expanded energy
  * (ropeway/expand/expand.h), damping, labels and shape points.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,8 +1,6 @@
 /* rom/build/line_answer.c - the expansion of a rope over sheaves at the places of its model, and what
  * the modes that the model does not keep do under its load (ropeway/expand/expand_answer.c).
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <math.h>
 #include <stdlib.h>

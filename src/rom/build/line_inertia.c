@@ -2,8 +2,6 @@
  * follows lifts the ends of the free rope from where they are on the sheaves, which no vibration does:
  * the shapes are static responses to its inertia.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <math.h>
 #include <stdlib.h>

@@ -9,8 +9,6 @@
  * zero is wrong by that.)
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

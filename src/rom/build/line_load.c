@@ -20,8 +20,6 @@
  * carriers pass, nu = Omega d/2 pi, so that the forces are a harmonic k = 0 with a factor Omega.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 

@@ -1,7 +1,5 @@
 /* rom/build/model.c - allocation and release of models.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 

@@ -7,8 +7,6 @@
  * The error of second order in the length of elements is taken out by net_finer.c.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <math.h>
 #include <stdlib.h>

@@ -1,8 +1,6 @@
 /* rom/build/net_damped.c - damped modes of a net: eigenvalues of u'' + D u' + K u = 0 in the basis of
  * its lowest modes, with some more than are asked for. The error is estimated by a smaller basis.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <lapacke.h>
 #include <math.h>
 #include <stdlib.h>

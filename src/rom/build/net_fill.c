@@ -1,7 +1,5 @@
 /* rom/build/net_fill.c - the entries of a net's model from its expansion.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <math.h>
 #include <stdio.h>

@@ -7,8 +7,6 @@
  * motions (modes/driven.h) are not paired: they stay those of the first mesh.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <lapacke.h>
 #include <math.h>

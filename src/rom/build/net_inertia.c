@@ -2,8 +2,6 @@
  * what remains static, so that a shape has the force - 1/2 T_jkpsi u_j u_k alone.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <math.h>
 

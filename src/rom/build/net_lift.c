@@ -7,8 +7,6 @@
  * equations, for which this is a start, are linear in it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <math.h>
 #include <stdlib.h>

@@ -7,8 +7,6 @@
  * psi, - M psi'' - D psi'.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <math.h>
 #include <string.h>

@@ -5,8 +5,6 @@
  * sqrt(r g'/g) of b and c give the tension of the cable, to second order too.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,7 +1,5 @@
 /* rom/build/net_water.c - the water of a net, as a force of its model (rom/terms/morison.h).
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <string.h>
 
 #include "core/hot.h"

@@ -6,8 +6,6 @@
  *   F_j      L0 f.w_j time/(the energy's unit over the unit of time)
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include <hawser/scene.h>

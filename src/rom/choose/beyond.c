@@ -1,7 +1,5 @@
 /* rom/choose/beyond.c - what the modes above the candidates add, by the measures of the highest ones.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "rom/choose/weigh.h"

@@ -11,8 +11,6 @@
  * Computed orbits replace them later (hawser_choice_weigh).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <complex.h>
 #include <limits.h>
 #include <math.h>

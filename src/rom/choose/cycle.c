@@ -10,8 +10,6 @@
  * twelve. L. N. Trefethen, Spectral Methods in MATLAB (2000), ch. 3.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <lapacke.h>
 #include <math.h>
 #include <stdlib.h>

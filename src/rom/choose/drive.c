@@ -4,8 +4,6 @@
  *   F_j   sum of f_j Omega^power over the harmonics k; a sine contributes -i f_j
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <lapacke.h>
 #include <math.h>
 #include <stdlib.h>

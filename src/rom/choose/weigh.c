@@ -36,8 +36,6 @@
  * of left over right side. The frequencies are those about the motion, from the mean of J.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <complex.h>
 #include <math.h>
 #include <string.h>

@@ -1,8 +1,6 @@
 /* rom/condense/answer.c - displacement and strain of the modes that are not kept, at an instant. See
  * answer_make.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <complex.h>
 #include <math.h>
 #include <string.h>

@@ -6,8 +6,6 @@
  * instant takes as many terms as there are multiples of the frequency, and not as many as known modes.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -20,8 +20,6 @@
  * the grid of the modes; elements are divided where a load begins and ends, and at forces at points.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,5 @@
 /* rom/condense/basis.c - see basis.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <math.h>
 #include <stdlib.h>

@@ -19,8 +19,6 @@
  * resolve the layers, as those of the modes do (modes/bending/flexure_solve.c).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <lapacke.h>
 #include <math.h>

@@ -7,8 +7,6 @@
  * P jumps at a force at a point.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <string.h>
 
 #include "rom/condense/follow.h"

@@ -4,8 +4,6 @@
  * modes, so that dx/du_s = X_s + sum over j of X_sj u_j.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

@@ -24,8 +24,6 @@
  * their dynamics (choose.h), which a single shape with one frequency represents badly.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <math.h>
 #include <stdlib.h>

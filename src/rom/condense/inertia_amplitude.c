@@ -1,7 +1,5 @@
 /* rom/condense/inertia_amplitude.c - how far a mode moves at most, for the weights of inertia.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "rom/condense/inertia.h"

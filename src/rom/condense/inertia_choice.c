@@ -1,7 +1,5 @@
 /* rom/condense/inertia_choice.c - see inertia.h; of motions it knows their products alone.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <lapacke.h>
 #include <math.h>

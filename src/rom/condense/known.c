@@ -15,8 +15,6 @@
  *    omega_s^2 H_s = -i W D_s/omega_s^2 + q^2/(1 - q).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

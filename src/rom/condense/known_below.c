@@ -1,7 +1,5 @@
 /* rom/condense/known_below.c - the condensed modes below a frequency, computed for a model that
  * keeps others. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

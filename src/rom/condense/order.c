@@ -44,8 +44,6 @@
  * resonance. Displacements change by dx and by the difference of y and (u, v).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <string.h>
 

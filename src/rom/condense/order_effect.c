@@ -1,7 +1,5 @@
 /* rom/condense/order_effect.c - the force that a condensed model omits, and its effect on the
  * response. Symbols as in order.c. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <complex.h>
 #include <lapacke.h>

@@ -20,8 +20,6 @@
  * K (s u) is that of condense_load.c and is left out here. Its inertia is neglected.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,5 @@
 /* rom/condense/twin.c - modes are the same if their frequencies and the slopes of their shapes agree.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <math.h>
 

@@ -8,8 +8,6 @@
  * once for four or eight states and four rows, and there are no sums across a vector.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <string.h>
 
 #include "core/hot.h"

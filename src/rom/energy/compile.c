@@ -6,8 +6,6 @@
  * has a potential) and not of this division; it is measured here.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>

@@ -8,8 +8,6 @@
  *    products  multiplications of the matrix products in a tangent (quartic_tangent.c)
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include "rom/energy/kernel.h"
 
 /* Nanoseconds per call, per n^2, and per operation. Measured with bench/kernel on a Xeon of 2.5 GHz

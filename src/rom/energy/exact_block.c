@@ -10,8 +10,6 @@
  * is zero if all states of a batch are in the plane, and is then skipped.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <string.h>
 

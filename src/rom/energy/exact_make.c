@@ -1,8 +1,6 @@
 /* rom/energy/exact_make.c - the tables of exact.h, from modes on a grid by any method. Slopes are
  * interpolated from the grid of the modes to the quadrature points of the energy.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 

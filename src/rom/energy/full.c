@@ -5,8 +5,6 @@
  * that of the cable as the basis is refined. Reduced models are compared with it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "core/report.h"

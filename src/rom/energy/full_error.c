@@ -12,8 +12,6 @@
  * the basis, which grows with the basis and is compared with that of the largest.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

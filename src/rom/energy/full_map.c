@@ -8,8 +8,6 @@
  * same elements holds the smaller one, and nothing is lost.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <lapacke.h>
 #include <math.h>

@@ -9,8 +9,6 @@
  * quadratic form takes about a third of the work, and rows with the same u_k have the same columns.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 

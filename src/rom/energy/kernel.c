@@ -5,8 +5,6 @@
  * register, four at a time, and the tangent costs little in addition.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 

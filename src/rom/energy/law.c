@@ -14,8 +14,6 @@
  * the only one. Where the cable is slack it is not, and the law of a real cable would be another one.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -12,8 +12,6 @@
  * What is found with one basis is confirmed with the next one, or sought again with that.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 

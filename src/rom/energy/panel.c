@@ -1,7 +1,5 @@
 /* rom/energy/panel.c - rows of a kernel with the same columns, combined in fours; see kernel.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 

@@ -30,8 +30,6 @@
  * grows as n^4.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <string.h>
 
 #include "core/hot.h"

@@ -7,8 +7,6 @@
  * cancel exactly. Under reflection a symmetric mode keeps a and reverses b and c; an antisymmetric mode
  * reverses a and keeps b and c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <math.h>
 #include <stdlib.h>

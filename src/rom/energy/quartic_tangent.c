@@ -15,8 +15,6 @@
  * as many operations and more memory to read.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <stdlib.h>
 #include <string.h>

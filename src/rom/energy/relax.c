@@ -8,8 +8,6 @@
  * step with a shifted T descends, and a line search halves steps that do not reduce the energy.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <lapacke.h>
 #include <string.h>

@@ -16,8 +16,6 @@
  * The strain of a full-order model is that at its quadrature points, interpolated: see exact.c.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "modes/grid.h"

@@ -3,8 +3,6 @@
  * coordinates, so that the energy is exact in both. The springs of attachments pull at the coordinates
  * with that displacement, too, and those of elastic supports with that relative to their foundations.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

@@ -18,8 +18,6 @@
  * E. J. Doedel et al., AUTO-07P (2012), ch. 3, 10 and the demonstration `frc`.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <ctype.h>
 #include <math.h>
 #include <stdio.h>

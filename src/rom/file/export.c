@@ -15,8 +15,6 @@
  * MATCONT; R. Veltz, BifurcationKit.jl (2020).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -8,8 +8,6 @@
  *
  * Names are parameters, pi, and the functions below.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <ctype.h>
 #include <math.h>
 #include <stdio.h>

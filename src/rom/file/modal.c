@@ -4,8 +4,6 @@
  * and each coordinate of a product a sum over the modes.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

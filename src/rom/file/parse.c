@@ -1,7 +1,5 @@
 /* rom/file/parse.c - the JSON text of a reduced-model file, and its parameters.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <jansson.h>
 #include <string.h>
 

@@ -11,8 +11,6 @@
  * with them, since a wrong one would show only as bad convergence and wrong stability.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <math.h>
 #include <stdlib.h>

@@ -1,7 +1,5 @@
 /* rom/file/read_ends.c - the given motions of the ends in a reduced-model file (hawser-rom(5), `ends`).
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdio.h>
 
 #include "rom/terms/ends.h"

@@ -1,7 +1,5 @@
 /* rom/file/read_known.c - the known condensed modes of a reduced-model file (known.c).
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdio.h>
 #include <stdlib.h>
 

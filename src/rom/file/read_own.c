@@ -8,8 +8,6 @@
  *                       others are exp(-r T), of perturbations of c, and always stable
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <jansson.h>
 #include <lapacke.h>
 #include <math.h>

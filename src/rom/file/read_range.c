@@ -1,7 +1,5 @@
 /* rom/file/read_range.c - the ranges of coordinates in a reduced-model file (law_range.c).
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,5 @@
 /* rom/file/rows.c - see auto.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 

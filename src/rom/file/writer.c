@@ -4,8 +4,6 @@
  * Errors of the stream are not looked at: its owner finds them with ferror().
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <jansson.h>
 #include <math.h>
 #include <string.h>

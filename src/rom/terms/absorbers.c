@@ -21,8 +21,6 @@
  * (as in modes --damped, damped.c.)
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,5 @@
 /* rom/terms/contacts.c - see dampers.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 

@@ -1,7 +1,5 @@
 /* rom/terms/damping.c - the damping of a scene as the matrix D of a model.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "modes/label.h"

@@ -22,8 +22,6 @@
  * velocity of modes that are not kept is left out.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <math.h>
 #include <stdlib.h>

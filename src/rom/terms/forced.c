@@ -5,8 +5,6 @@
  * adds the same with s, s^2 and ds/dt of a time.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "rom/terms/drag.h"

@@ -15,8 +15,6 @@
  * an error of d is one of the initial velocity.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

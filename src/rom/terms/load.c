@@ -11,8 +11,6 @@
  * once for all modes. A force F at a point is a piece without length: its work is F . Phi_j there.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 

@@ -12,8 +12,6 @@
  * The wave is that of the frequency of the model, whatever it is: k and the flow follow it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <math.h>
 #include <string.h>

@@ -7,8 +7,6 @@
  * with all states of an orbit at once, some hundred times as fast as one by one.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <stdlib.h>
 #include <string.h>

@@ -8,8 +8,6 @@
  * coordinates, and those of winds (terms.h). Others are the exception and are evaluated one by one.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <math.h>
 #include <stdio.h>

@@ -21,8 +21,6 @@
  * support is the limit without loss.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <lapacke.h>
 #include <math.h>

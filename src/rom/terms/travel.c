@@ -22,8 +22,6 @@
  * gyroscopic forces too (travel_modes.c). Neglected are those of second order.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

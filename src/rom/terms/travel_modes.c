@@ -13,8 +13,6 @@
  * for modes. Each takes the place of the mode that it has most of, and its plane, number and symmetry.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <lapacke.h>
 #include <math.h>

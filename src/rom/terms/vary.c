@@ -1,8 +1,6 @@
 /* rom/terms/vary.c - terms of the restoring force that vary with the phase and are not linear: the Q of
  * harmonics, and the moving supports of a model with the exact energy. See vary.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "core/hot.h"

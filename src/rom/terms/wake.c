@@ -17,8 +17,6 @@
  * matrix [1 0; -c 1], by whose inverse [1 0; c 1] all equations are multiplied.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -10,8 +10,6 @@
  * of the rope follows statically (expand_follow.c).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include "core/report.h"

@@ -1,8 +1,6 @@
 /* ropeway/expand/expand_answer.c - what the modes that are not kept do under a force that oscillates
  * (modes/driven.h). A displacement of the whole rope is a row of states and strains.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <math.h>
 #include <stdlib.h>

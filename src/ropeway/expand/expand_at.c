@@ -1,7 +1,5 @@
 /* ropeway/expand/expand_at.c - a displacement of the whole rope at a point of it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "ropeway/expand/expand.h"

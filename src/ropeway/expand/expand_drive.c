@@ -9,8 +9,6 @@
  * F_s r/omega_s^2 Phi_s.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <math.h>
 #include <stdlib.h>

@@ -20,8 +20,6 @@
  * (doc/theory-ropeway-response.md)
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include "ropeway/expand/expand.h"
 
 static double at(const struct hawser__lexpand_end *end, enum hawser__lexpand_form form, int j)

@@ -17,8 +17,6 @@
  * tau/g^4 with the tension tau = (g - 1)/eps. All pairs are the product of two matrices.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <math.h>
 #include <stdlib.h>

@@ -1,7 +1,5 @@
 /* ropeway/expand/expand_modes.c - modes as the shapes of an expansion, on grids that resolve
  * products of four of them. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <math.h>
 #include <stdlib.h>

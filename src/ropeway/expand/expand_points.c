@@ -1,7 +1,5 @@
 /* ropeway/expand/expand_points.c - the statics and the shapes at the points of the free rope and
  * where it meets circles. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 

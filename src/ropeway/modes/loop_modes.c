@@ -10,8 +10,6 @@
  * stable there, at the top station it is not, and both together let a bare loop circulate freely.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 

@@ -1,7 +1,5 @@
 /* ropeway/modes/modes.c - real modes of a rope over sheaves: the lowest ones of all systems together.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -15,8 +15,6 @@
  * operator from loads to displacements is symmetric to round-off, and its eigenvalues are real.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <lapacke.h>
 #include <math.h>
 #include <stdlib.h>

@@ -1,7 +1,5 @@
 /* ropeway/modes/modes_fill.c - the public structure of modes of a rope over sheaves.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -10,8 +10,6 @@
  * wave are Bessel functions J_m(a)), and those of the statics fall by 1/radius each.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <complex.h>
 #include <math.h>
 #include <stdlib.h>

@@ -14,8 +14,6 @@
  * iterated Galerkin method (compliance_refine.c) with grids in the place of a basis.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <lapacke.h>
 #include <math.h>

@@ -1,7 +1,5 @@
 /* ropeway/modes/modes_label.c - shares, family, sign and participation of modes of a rope over sheaves.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "ropeway/modes/modes.h"

@@ -6,8 +6,6 @@
  *            of slopes within a run have no cancellation
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "ropeway/modes/modes.h"

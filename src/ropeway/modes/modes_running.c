@@ -19,8 +19,6 @@
  * Carriers are at rest: they load the rope as they hang at this moment, and do not run with it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <complex.h>
 #include <lapacke.h>

@@ -1,7 +1,5 @@
 /* ropeway/modes/modes_segment.c - force, strain and displacement along one piece of rope
  * (modes_equations.c). SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <lapacke.h>
 #include <stdlib.h>

@@ -1,7 +1,5 @@
 /* ropeway/modes/modes_speed.c - complex modes of a rope that runs: the lowest ones of all
  * systems together. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 

@@ -1,7 +1,5 @@
 /* ropeway/modes/modes_static.c - the displacements of a rope over sheaves under static loads:
  * solutions of the equations of modes_equations.c. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <lapacke.h>
 #include <math.h>

@@ -1,7 +1,5 @@
 /* ropeway/modes/modes_systems.c - divide what moves into systems that do not interact.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include "core/grow.h"

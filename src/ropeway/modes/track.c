@@ -4,8 +4,6 @@
  * where a carrier passes a tower, and where two branches veer.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 

@@ -11,8 +11,6 @@
  * exchange their shapes, however short the step in which they do.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 

@@ -7,8 +7,6 @@
  * enough to find each mode again at the next value.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 

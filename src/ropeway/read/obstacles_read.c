@@ -4,8 +4,6 @@
  * refused by name: nothing of a scene is silently left out.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,5 @@
 /* ropeway/read/obstacles_rows.c - the keys of spans over obstacles. See scene/tree_rows.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <hawser/obstacles.h>
 #include "ropeway/read/read.h"
 #include "scene/tree_rows.h"

@@ -1,8 +1,6 @@
 /* ropeway/read/read.c - read a scene of kind `ropeway`: rope, stations, carriers, load cases, and the
  * rules that involve several of them. Towers are read in towers.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,5 @@
 /* ropeway/read/ropeway_rows.c - the keys of scenes of kind `ropeway`. See scene/tree_rows.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <hawser/ropeway.h>
 #include "scene/tree_rows.h"
 

@@ -1,8 +1,6 @@
 /* ropeway/read/towers.c - read the towers of a ropeway.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

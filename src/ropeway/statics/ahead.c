@@ -7,8 +7,6 @@
  * the funnel algorithm for shortest paths of Lee and Preparata, Networks 14, 1984.)
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <limits.h>
 
 #include <math.h>

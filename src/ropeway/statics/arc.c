@@ -13,8 +13,6 @@
  * through the strain alone, so that a few substitutions solve the equations of a step.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <float.h>
 #include <math.h>
 

@@ -1,7 +1,5 @@
 /* ropeway/statics/at.c - the state of a solved line at S.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "ropeway/statics/line.h"

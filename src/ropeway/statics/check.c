@@ -1,7 +1,5 @@
 /* ropeway/statics/check.c - is a line one that can be solved?
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 

@@ -12,8 +12,6 @@
  * dx is the change of the rope's nearest point.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <float.h>
 #include <math.h>
 #include <string.h>

@@ -21,8 +21,6 @@
  * mu*wrap*T/EA of the arc's length.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

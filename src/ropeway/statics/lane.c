@@ -1,8 +1,6 @@
 /* ropeway/statics/lane.c - one lane of a ropeway as a line: its sheaves, its carriers, its tension.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -12,8 +12,6 @@
  * either may be the one without contact; hawser__march_ahead() decides.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -8,8 +8,6 @@
  * begins to slide; on single circles it may be held beyond them.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>

@@ -20,8 +20,6 @@
  * cancels, since it is one along the rope.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

@@ -3,8 +3,6 @@
  * All of it is of the rope at rest (rope.h); solution.c converts it at the end.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

@@ -3,8 +3,6 @@
  * point of contact with its kink, on the arc, or at the last point (struct hawser_line_carrier).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

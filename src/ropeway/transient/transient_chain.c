@@ -18,8 +18,6 @@
  * equations (transient_step.c), and a wave passes a span in a small part of the period of the sag.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

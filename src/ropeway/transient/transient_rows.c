@@ -2,8 +2,6 @@
  * extremes, and what is refused.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "core/report.h"

@@ -10,8 +10,6 @@
  * The flexibility is that of the exact catenaries (flight.c), not of a parabola.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

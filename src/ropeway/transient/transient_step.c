@@ -15,8 +15,6 @@
  * step (Moreau-Jean) and means for all else: the balance of energy holds to round-off for any step.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

@@ -1,7 +1,5 @@
 /* scene/page/example.c - the complete scene that hawser-scene(5) shows.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include "scene/page/schema.h"
 
 const char hawser__scene_example[] =

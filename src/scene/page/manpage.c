@@ -9,8 +9,6 @@
  * and of "@VERSION@", and "@most span.attach@", the largest number of items.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <ctype.h>
 #include <stdio.h>
 #include <string.h>

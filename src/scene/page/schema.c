@@ -5,8 +5,6 @@
  * the program does, so that a mistake is reported for one kind and not for all.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <string.h>
 
 #include <hawser/schema.h>

@@ -1,8 +1,6 @@
 /* scene/page/schema_span.c - the part of the JSON Schema about spans: the table of keys has those of
  * cables and of beams, which exclude each other.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,7 +1,5 @@
 /* scene/page/schema_value.c - values in the JSON Schema of scenes.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

@@ -31,8 +31,6 @@
  *    foreseen work of the whole search and its response; above options->bearable it ends
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "core/progress.h"

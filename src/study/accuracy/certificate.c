@@ -9,8 +9,6 @@
  * other points are not corrected: their error is that of the sizes in the motion at the largest one.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <hawser/certificate.h>
 #include <hawser/integrate.h>

@@ -1,7 +1,5 @@
 /* study/accuracy/certificate_mesh.c - the meshes in which a model is corrected, and their motions: see
  * certificate.h. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <math.h>
 #include <stdlib.h>

@@ -5,8 +5,6 @@
  *   X_ij    part of mode i of the mesh in mode j of the span, by the mass of the mesh
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <math.h>
 #include <stdlib.h>

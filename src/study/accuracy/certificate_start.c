@@ -1,7 +1,5 @@
 /* study/accuracy/certificate_start.c - where the corrections of certificate.c begin: motions of the
  * model, lifted to its mesh. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <hawser/integrate.h>
 #include <math.h>

@@ -8,8 +8,6 @@
  * g^2/(2 bend), which is known better than that.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <cblas.h>
 #include <math.h>
 #include <stdlib.h>

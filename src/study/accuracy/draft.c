@@ -1,6 +1,4 @@
 /* study/accuracy/draft.c - see draft.h. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

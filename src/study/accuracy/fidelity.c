@@ -1,7 +1,5 @@
 /* study/accuracy/fidelity.c - the table of fidelities: how each builds its model and computes
  * its response; and the parser of lists of fidelities. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -20,8 +20,6 @@
  * once.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 #include <time.h>

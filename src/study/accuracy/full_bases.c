@@ -6,8 +6,6 @@
  * of them may give the same model.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include "study/accuracy/accuracy.h"
 
 #define RESOLVED 0.1     /* largest error of the frequencies in the range, relative to the accuracy;

@@ -1,7 +1,5 @@
 /* study/accuracy/run.c - one fidelity on one scene: its model, its response, its landmarks, and
  * their cost. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -29,8 +29,6 @@
  * the minimum separates them, and both are bracketed.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "study/accuracy/scales.h"

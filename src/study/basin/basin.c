@@ -6,8 +6,6 @@
  * so that the result for a state does not depend on those before.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -5,8 +5,6 @@
  * has between nothing and all. The share is the middle of these bounds, the error half their distance.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

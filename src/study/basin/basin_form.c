@@ -15,8 +15,6 @@
  * Reference: W. Hahn, Stability of Motion, 1967, section 26.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

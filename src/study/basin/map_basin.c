@@ -4,8 +4,6 @@
  * thread and in one order, so that every point of the map refers to the same list.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <ctype.h>
 #include <math.h>
 #include <stdio.h>

@@ -7,8 +7,6 @@
  * its distance from the other curve is part of the second number.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

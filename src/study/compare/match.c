@@ -11,8 +11,6 @@
  * therefore never both left without a partner if pairing them is possible.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 

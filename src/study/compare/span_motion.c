@@ -6,8 +6,6 @@
  * a cable, condensed modes have none. They decay as slowly as all motions with a small alpha.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

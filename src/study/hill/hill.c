@@ -15,8 +15,6 @@
  * other parameter, unless the boundary is nearly parallel to it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -7,8 +7,6 @@
  *    s       position on the line, 0 to 1
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 

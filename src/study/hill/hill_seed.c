@@ -3,8 +3,6 @@
  * has a minimum. Roots are first found with the rough multipliers, then with the exact test
  * function of the boundary.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

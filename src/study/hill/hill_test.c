@@ -11,8 +11,6 @@
  * monodromy matrix, while the eigenvalues themselves lose half of their digits.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <complex.h>
 #include <math.h>
 

@@ -14,8 +14,6 @@
  * determinant would need too many harmonics.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <complex.h>
 #include <math.h>
 #include <stdio.h>

@@ -7,8 +7,6 @@
  * 20.2.25).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <float.h>
 #include <lapacke.h>
 #include <math.h>

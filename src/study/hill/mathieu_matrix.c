@@ -29,8 +29,6 @@
  * Reference: McLachlan, Theory and Application of Mathieu Functions, 1947, ch. III and IV.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <complex.h>
 #include <math.h>
 

@@ -9,8 +9,6 @@
  * rectangle, a point lies on the edge.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

@@ -42,8 +42,6 @@
  * (hawser__half_hidden): for 240 single modes with noise of 0.1 to 3 % 0.6 of the ratio.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

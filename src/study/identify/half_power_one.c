@@ -1,7 +1,5 @@
 /* study/identify/half_power_one.c - the amplitudes of one mode: 1/a^2 by a parabola, and by what
  * adds to it. The glossary is in half_power.c. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <float.h>
 #include <math.h>
 

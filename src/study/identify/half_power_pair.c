@@ -1,7 +1,5 @@
 /* study/identify/half_power_pair.c - the amplitudes of two close modes; see half_power.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <complex.h>
 #include <float.h>
 #include <math.h>

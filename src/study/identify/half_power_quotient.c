@@ -15,8 +15,6 @@
  * Noise disturbs D more than the modes: the result is where their fit begins (half_power_pair.c).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <complex.h>
 #include <math.h>
 #include <string.h>

@@ -8,8 +8,6 @@
  * the second measurement; after a fit modes are assigned again until nothing changes.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -9,8 +9,6 @@
  * For a sum of convex functions of the difference of logarithms, no crossing assignment is better.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 

@@ -9,8 +9,6 @@
  * their error is round-off, and with the step below a derivative has about eight digits.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

@@ -5,8 +5,6 @@
  *           mean square of the residuals if the deviations of the measurements are not known
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 

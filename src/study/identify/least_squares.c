@@ -11,8 +11,6 @@
  * MINPACK for C cannot be linked statically.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>

@@ -1,7 +1,5 @@
 /* study/map/map.c - a map from its options to its result.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

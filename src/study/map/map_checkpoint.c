@@ -8,8 +8,6 @@
  * flock(2) is used, not fcntl(2), since it also locks against another map of the same process.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <ctype.h>
 #include <errno.h>
 #include <fcntl.h>

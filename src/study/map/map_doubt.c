@@ -12,8 +12,6 @@
  * have ends that differ by less than their errors, which give no information.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <string.h>
 

@@ -9,8 +9,6 @@
  *    g    value minus threshold; its sign identifies the side if one side has no instability
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 

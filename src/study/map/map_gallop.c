@@ -2,8 +2,6 @@
  * on a mode grows (modes/complex/damped_trace.c), all modes together.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

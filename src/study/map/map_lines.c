@@ -1,7 +1,5 @@
 /* study/map/map_lines.c - boundary points, and the line segments between them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

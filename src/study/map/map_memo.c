@@ -5,8 +5,6 @@
  * a file. A map that is continued requests the same points in the same order and finds them here.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>

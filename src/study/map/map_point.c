@@ -1,8 +1,6 @@
 /* study/map/map_point.c - a point of the field of a scene or a model: the model at this point, with the
  * factors of load and damping, and its quantity.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,7 +1,5 @@
 /* study/map/map_quantity.c - the table of quantities.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

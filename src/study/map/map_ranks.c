@@ -4,8 +4,6 @@
  * there is no value. Rank 0 has the cells and the checkpoint; workers have the field only.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -10,8 +10,6 @@
  *    t       position on a line, in nodes
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 

@@ -11,8 +11,6 @@
  * parameter, curves over the frequency at both of its ends lead to further ones.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,7 +1,5 @@
 /* study/map/map_row_model.c - the model of a row of a map of responses, and its family where the
  * parameter that is followed is not Omega. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,5 @@
 /* study/map/map_row_result.c - the answers of a row, and why some have no value.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

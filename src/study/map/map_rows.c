@@ -3,8 +3,6 @@
  * Rows are independent: they are tasks (map_rows_ranks.c) of the threads and of other processes.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

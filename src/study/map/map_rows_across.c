@@ -3,8 +3,6 @@
  * same over the frequency, at one point.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 

@@ -5,8 +5,6 @@
  * have no partner in the next row, meet in a cusp before it and are joined.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include "core/grow.h"

@@ -4,8 +4,6 @@
  * and the reasons. Rows of which a part is in the checkpoint are computed whole.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include "core/report.h"

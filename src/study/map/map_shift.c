@@ -11,8 +11,6 @@
  * models with the exact energy and all functions showed is a seventh. Models about rest lack all of it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 
 #include <hawser/map.h>

@@ -1,8 +1,6 @@
 /* study/map/map_structure.c - statics and modes along the parameters of a map: computed where they
  * change, and stored.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 #include <string.h>
 

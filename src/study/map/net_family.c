@@ -1,8 +1,6 @@
 /* study/map/net_family.c - the models of a net over one of its keys; see hawser/scene_family.h. The
  * modes at a value are those most like the modes at the first one, by their products with its masses.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <stdlib.h>
 
 #include <hawser/scene_family.h>

@@ -1,7 +1,5 @@
 /* study/map/ridge.c - see ridge.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

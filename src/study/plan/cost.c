@@ -14,8 +14,6 @@
  * the energy with an odd number of out-of-plane coordinates is zero. All other entries count.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <lapacke.h>
 #include <math.h>
 #include <stdio.h>

@@ -1,7 +1,5 @@
 /* study/plan/decide.c - which effects a scene's models include, which they omit, and why: the
  * texts of a plan. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>

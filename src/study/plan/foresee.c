@@ -14,8 +14,6 @@
  * foreseen (the column `meets` names such modes).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <complex.h>
 #include <math.h>
 #include <stdlib.h>

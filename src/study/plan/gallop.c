@@ -8,8 +8,6 @@
  * wind, and U may be far from U_1. On flat spans every pair above the first is one.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -2,8 +2,6 @@
  * whether it takes the exact energy in place of the scene's modes (accuracy/instead.c), by the error of
  * the modes that is foreseen.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

@@ -1,8 +1,6 @@
 /* study/plan/plan.c - a plan: compute the modes, build the two models on which estimates rest, and call
  * the estimate function of each fidelity.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "config.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
