@@ -19,10 +19,9 @@ static const double much = 0.02, rough = 0.1;
  * may need as many. */
 static const double asked = 0.01;
 enum { FUNCTIONS = 24 };
-/* Seconds of processor time, as counted (hawser_orbit_work), that nobody has to ask for: where
- * no number of modes is good enough, and where more of them, or model.modes: auto, may be;
- * chosen. */
-static const double bearable = 15.0, bearable_else = 20.0;
+/* Seconds of processor time, as counted (hawser_orbit_work), that nobody has to ask for; chosen: with
+ * it the ranges of conductor, inclined and rope.yaml have both of their largest peaks. */
+static const double bearable = 15.0;
 
 int hawser_accuracy_truncated(double truncation)
 {
@@ -43,10 +42,8 @@ struct hawser_accuracy_options hawser_accuracy_instead(const struct hawser_accur
 		.accuracy = own ? 0.0 : asked, .near = own ? 0.0 : much, .bearable = bearable,
 		.most_functions = FUNCTIONS};
 
-	if (fixed && !hawser_accuracy_truncated(fixed->truncation)) {
-		choice.bearable = bearable_else;
+	if (fixed && !hawser_accuracy_truncated(fixed->truncation))
 		choice.partial = fixed->estimated > rough;
-	}
 	choice.frf.most_work = 0.0;
 	if (choice.frf.max_points == 0 || choice.frf.max_points > HAWSER_INSTEAD_POINTS)
 		choice.frf.max_points = HAWSER_INSTEAD_POINTS;
