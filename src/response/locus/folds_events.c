@@ -50,6 +50,8 @@ static enum hawser_status place(struct hawser__fold_walk *walk, double s, int *f
 	if (status || *failed || (status = hawser__fold_evaluate(walk->fold, &residual, at->z,
 	                                                         walk->report)))
 		return status;
+	if ((*failed = !isfinite(residual)))
+		return HAWSER_OK;
 	hawser__walk_finish(walk, at, walk->plane);
 	at->arc = walk->lo.arc + s*(walk->hi.arc - walk->lo.arc);
 	return HAWSER_OK;

@@ -187,8 +187,6 @@ double hawser__locus_lyapunov(struct hawser__locus *locus);
 /* locus_system.c: everything at z. *residual is infinite where it cannot be computed. */
 enum hawser_status hawser__locus_evaluate(struct hawser__locus *locus, double *residual,
                                           const double *z);
-/* *residual of F alone; all derivatives, v, w and g remain those of the last evaluation. */
-enum hawser_status hawser__locus_check(struct hawser__locus *locus, double *residual, const double *z);
 /* The step dz of Newton's method with <row, dz> = last, or with `homogeneous` the vector of the
  * kernel. 1 where it is singular. */
 int hawser__locus_solve(struct hawser__locus *locus, double *dz, const double *z, const double *row,

@@ -192,8 +192,8 @@ static enum hawser_status at(struct hawser__locus_walk *walk, double s, int *fai
 		walk->spare[k] = walk->weight[k]*to->t[k];
 	to->arc = walk->here.arc + s*(walk->next.arc - walk->here.arc);
 	status = hawser__locus_correct(walk, to, walk->spare, failed);
-	if (!status && !*failed)
-		status = hawser__locus_evaluate(walk->locus, &residual, to->z);
+	if (!status && !*failed && !(status = hawser__locus_evaluate(walk->locus, &residual, to->z)))
+		*failed = !isfinite(residual);
 	walk->locus->closeness = INFINITY;
 	return status || *failed ? status : hawser__locus_finish(walk, to, walk->here.t);
 }

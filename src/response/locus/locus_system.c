@@ -300,13 +300,6 @@ enum hawser_status hawser__locus_evaluate(struct hawser__locus *locus, double *r
 	return status;
 }
 
-enum hawser_status hawser__locus_check(struct hawser__locus *locus, double *residual, const double *z)
-{
-	*residual = forces_at(locus, z, 0) ? INFINITY : defect(locus);
-	locus->closeness = 0.0; /* M has the derivatives that remain */
-	return HAWSER_OK;
-}
-
 /* Divide every row of the system by its largest entry. */
 static void balance(struct hawser__locus *locus)
 {

@@ -121,11 +121,6 @@ static enum hawser_status evaluate(void *owner, double *residual, double *z)
 	return hawser__locus_evaluate(((struct hawser__locus_walk *)owner)->locus, residual, z);
 }
 
-static enum hawser_status check_forces(void *owner, double *residual, const double *z)
-{
-	return hawser__locus_check(((struct hawser__locus_walk *)owner)->locus, residual, z);
-}
-
 static int solve(void *owner, double *dz, const double *z, const double *row)
 {
 	return hawser__locus_solve(((struct hawser__locus_walk *)owner)->locus, dz, z, row, 0, 0.0);
@@ -150,7 +145,7 @@ enum hawser_status hawser__locus_correct(struct hawser__locus_walk *walk,
 		int order = (int)ceil(MORE*locus->order) + 1;
 		struct hawser__metric metric = metric_at(walk, station->z);
 		const struct hawser__newton newton = {walk, &metric, walk->options->tolerance, evaluate,
-		                                      check_forces, solve, moved};
+		                                      NULL, solve, moved};
 		enum hawser_status status = hawser__newton_correct(&newton, station->z, walk->dz, row,
 		                                                   &station->correction, failed);
 
@@ -355,6 +350,7 @@ static enum hawser_status to_bound(struct hawser__locus_walk *walk, int *ended)
 			return status; /* the point beyond is kept */
 		walk->scratch.z[k] = bound;
 		walk->scratch.arc = walk->here.arc + part*(walk->next.arc - walk->here.arc);
+		walk->locus->closeness = INFINITY; /* M has the row of the bound */
 		if ((status = hawser__locus_finish(walk, &walk->scratch, walk->here.t)))
 			return status;
 		hawser__locus_station_copy(walk, &walk->next, &walk->scratch);

@@ -267,7 +267,7 @@ enum hawser_status hawser__about_way(struct hawser__way *way, const struct hawse
                                      struct hawser_report *report)
 {
 	struct hawser__raised raised = {.way = way, .guide = guide};
-	struct hawser__about about = {.counts = 1}; /* a way behind a fold misleads no such response */
+	struct hawser__about about = {.counts = 1}; /* each response is checked itself */
 	enum hawser_status status = find(&about, &raised, HAWSER__ON_THE_WAY, rom, omega, report);
 
 	hawser__about_clear(&about);

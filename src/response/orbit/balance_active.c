@@ -152,7 +152,7 @@ static int make_room(struct hawser__balance *balance, int unknowns)
 		free(balance->top_pivot);
 		free(balance->top_factors);
 		balance->top_pivot = malloc(square*sizeof(int));
-		balance->top_factors = malloc((top + 1)*top*sizeof(float));
+		balance->top_factors = malloc(((top + 1)*top + 1)*sizeof(float));
 		if (room(&balance->top_block, top*top) | !balance->top_pivot | !balance->top_factors)
 			return 1;
 	}

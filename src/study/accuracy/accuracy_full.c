@@ -32,6 +32,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
+#include <string.h>
 
 #include "core/progress.h"
 #include "core/report.h"
@@ -182,17 +183,35 @@ static enum hawser_status guide(struct hawser__draft *chosen, struct hawser__tra
                                 struct hawser_frf_options *frf, double *work,
                                 struct hawser_report *report)
 {
+	const struct hawser__draft before = *chosen;
 	struct hawser__draft none = {.functions = 0};
+	struct hawser_report why;
 	double moved;
 	enum hawser_status status;
 
-	if (hawser__accuracy_cut(a) || options->after > 0.0 || is_costly(a, chosen, options, *work))
+	if (hawser__accuracy_cut(a) || is_costly(a, chosen, options, *work))
 		return HAWSER_OK;
-	status = hawser__draft_draw(chosen, &moved, traced, &none, a, options, frf, *work, report);
+	status = hawser__draft_draw(chosen, &moved, traced, &none, a, options, frf, *work, &why);
 	*work += chosen->work;
 	if (isfinite(a->until))
 		frf->to = a->until;
-	return status == HAWSER_ERR_CONVERGENCE ? HAWSER_OK : status;
+	if (status == HAWSER_ERR_CONVERGENCE) { /* without one, then */
+		chosen->points = before.points;
+		chosen->work = before.work;
+		chosen->until = before.until;
+		return HAWSER_OK;
+	}
+	if (status && report)
+		*report = why;
+	return status;
+}
+
+/* Points and work of a draft of which a part remains. */
+static void shrink(struct hawser__draft *draft, int points, double share)
+{
+	draft->points = points;
+	draft->work *= share;
+	draft->until *= share;
 }
 
 /* The first bases of which two agree: *chosen is the smaller one, *moved the distance of the two,
@@ -210,12 +229,12 @@ static enum hawser_status choose(struct hawser__draft *chosen, double *moved, do
 	                                         options->most_functions};
 	struct hawser__traced traced = {.functions = 0};
 	enum hawser_status status = HAWSER_OK;
-	int functions = condensed->lent ? EACH*(a->modes.statics.attachments + 1) : 0;
+	int functions = condensed->lent ? EACH*(a->modes.statics.attachments + 1) : 0, largest[2];
 
 	while (!status) {
 		struct hawser__draft next = {.functions = 0};
 		double away = INFINITY;
-		int again = 0, partial;
+		int again = 0, partial, points = traced.curve.points;
 
 		status = hawser_accuracy_basis(&next.rom, &functions, &of, chosen->rom.n, report);
 		if (status || next.rom.n == 0)
@@ -227,7 +246,6 @@ static enum hawser_status choose(struct hawser__draft *chosen, double *moved, do
 			                             partial ? CHECKING*options->bearable : 0.0, report);
 		*work += next.work;
 		if (traced.functions) { /* as many points, each of which takes longer */
-			chosen->points = traced.curve.points;
 			next.points = chosen->points;
 			next.work = chosen->work*pow((double)next.rom.n/chosen->rom.n, 2.0);
 			next.until = chosen->until*pow((double)next.rom.n/chosen->rom.n, 2.0);
@@ -241,6 +259,10 @@ static enum hawser_status choose(struct hawser__draft *chosen, double *moved, do
 			                               enough/HAWSER__SAFETY_BASIS, frf, report);
 		if (isfinite(a->until))
 			frf->to = a->until;
+		if (traced.curve.points < points) {
+			shrink(chosen, traced.curve.points, (double)traced.curve.points/points);
+			shrink(&next, traced.curve.points, (double)traced.curve.points/points);
+		}
 		if (!status && isfinite(away) &&
 		    !is_rough(condensed, *moved, chosen, &next, *work, options->bearable)) {
 			condensed->off += *moved;
@@ -279,10 +301,12 @@ static enum hawser_status choose(struct hawser__draft *chosen, double *moved, do
 		if (ends_search(a, chosen, options, *work)) /* and so is any larger basis */
 			break;
 	}
+	memcpy(largest, traced.curve.largest, sizeof largest); /* of which the second error is */
 	if (!status && chosen->functions && chosen->functions != traced.functions &&
-	    chosen->orbits.count == 0)
+	    chosen->orbits.count == 0 && !options->response && options->after == 0.0 && *error <= enough)
 		status = guide(chosen, &traced, a, options, frf, work, report);
 	hawser__traced_give(&traced, chosen);
+	memcpy(chosen->largest, largest, sizeof largest);
 	hawser__traced_clear(&traced);
 	return status;
 }
@@ -333,7 +357,7 @@ static int is_right(struct hawser_accuracy *a, struct condensed *condensed, doub
 {
 	error += condensed->off;
 
-	if (!condensed->marks || !(error + hawser__marks_located(condensed->marks) <= condensed->near))
+	if (!condensed->marks || isfinite(a->until) || !(error + hawser__marks_located(condensed->marks) <= condensed->near))
 		return 0;
 	take_back(&a->rom, condensed);
 	hawser_frf_clear(&a->frf);

@@ -353,17 +353,19 @@ enum hawser_status hawser__draft_carry(struct hawser__draft *draft, double *away
 	draft->work = hawser_orbit_work(&found.cost, &draft->rom);
 	if (found.end == HAWSER_END_INTERRUPTED)
 		a->frf.end = HAWSER_END_INTERRUPTED;
-	else if (!status && lost && most > 0.0)
-		lost = !hawser__traced_part(traced, a, found.points, settled);
-	if (!status && !lost)
+	else if (lost && !(most > 0.0))
+		found.points = 0;
+	if (!status && found.points > 0)
 		status = hawser__curve_copy(&draft->curve, &found, report);
-	if (!status && !lost)
-		draft->curve.points = traced->marks;
-	if (!status && !lost)
+	if (!status && found.points > 0)
 		status = hawser__curve_points_distance(away, &traced->curve, traced->mark, NULL,
 		                                       &draft->curve, 0, report);
-	if (!(*away <= NEAR))
+	if (!(*away <= NEAR) || (lost && !hawser__traced_part(traced, a, found.points, settled)))
 		*away = INFINITY;
+	if (isfinite(*away))
+		draft->curve.points = traced->marks;
+	else
+		hawser__curve_clear(&draft->curve);
 	hawser_frf_clear(&found);
 	return status;
 }

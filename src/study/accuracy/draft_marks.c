@@ -6,11 +6,12 @@
 
 #define ABOUT 4 /* marks before and behind the one that is moved farthest; chosen */
 
-/* The first of the few marks about the one that the next basis moves farthest, *count of them. */
-static enum hawser_status find_farthest(int *first, int *count, const struct hawser__traced *traced,
+/* The mark that the next basis moves farthest, by `moved`. peaks: of the components of the largest ones
+ * alone. */
+static enum hawser_status find_farthest(int *farthest, const struct hawser__traced *traced,
                                         const struct hawser__drawn_curve *chosen,
                                         const struct hawser__drawn_curve *next, double moved,
-                                        struct hawser_report *report)
+                                        int peaks, struct hawser_report *report)
 {
 	struct hawser__drawn_curve so_far = *next;
 	int less = 0, whole = next->points;
@@ -21,11 +22,10 @@ static enum hawser_status find_farthest(int *first, int *count, const struct haw
 
 		so_far.points = (less + whole)/2;
 		status = hawser__curve_points_distance(&most, &traced->curve, traced->mark, chosen, &so_far,
-		                                       0, report);
+		                                       peaks, report);
 		*(most < moved ? &less : &whole) = so_far.points;
 	}
-	*first = whole - ABOUT > 0 ? whole - ABOUT : 0;
-	*count = whole + ABOUT < next->points ? whole + ABOUT - *first : next->points - *first;
+	*farthest = whole - 1;
 	return status;
 }
 
@@ -41,27 +41,34 @@ enum hawser_status hawser__marks_error(double *error, struct hawser_accuracy *a,
 	struct hawser__drawn_curve there = next->curve;
 	struct hawser__traced few = *traced;
 	struct hawser__draft last = {.functions = 0};
-	double away = INFINITY, beyond = INFINITY;
-	int first = 0;
+	double away = INFINITY;
+	int first, farthest = 0, end;
 	enum hawser_status status = hawser_accuracy_basis(&last.rom, &functions, of, next->rom.n, report);
 
 	last.functions = functions;
 	if (!status)
-		status = find_farthest(&first, &few.marks, traced, own, &next->curve, moved, report);
+		status = find_farthest(&farthest, traced, own, &next->curve, moved, 0, report);
+	first = farthest > ABOUT ? farthest - ABOUT : 0;
+	end = farthest + ABOUT < traced->marks ? farthest + ABOUT + 1 : traced->marks;
 	few.mark += first;
+	few.marks = there.points = end - first;
 	there.value += (size_t)first*((size_t)there.width + 1);
 	there.arc += first;
-	there.points = few.marks;
 	if (!status && last.rom.n > 0)
 		status = hawser__draft_carry(&last, &away, &few, a, settled, 0.0, report);
 	for (int k = 0; k < 2; k++) {
+		double beyond = INFINITY;
+
 		if (!status && k)
 			status = hawser__curve_points_distance(&moved, curve, traced->mark, own, &next->curve,
 			                                       k, report);
-		if (!status && isfinite(away))
+		if (!status && k)
+			status = find_farthest(&farthest, traced, own, &next->curve, moved, k, report);
+		if (!status && isfinite(away) && farthest >= first && farthest < end)
 			status = hawser__curve_points_distance(&beyond, curve, few.mark, &there, &last.curve, k,
 			                                       report);
-		error[k] = fmin(HAWSER__SAFETY_BASIS*moved, HAWSER__MARGIN*moved + HAWSER__SAFETY_BASIS*beyond);
+		error[k] = fmin(HAWSER__SAFETY_BASIS*moved,
+		                HAWSER__MARGIN*moved + HAWSER__SAFETY_BASIS*beyond);
 	}
 	hawser__draft_clear(&last);
 	return status;

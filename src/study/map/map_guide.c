@@ -97,9 +97,9 @@ static int is_plain(const struct hawser__way *way)
 /* The last orbit of a way that leads to the whole load, or NULL. */
 static const struct hawser__passed *whole(const struct hawser__way *way)
 {
-	const struct hawser__passed *last = way->passed + way->count - 1;
+	const struct hawser__passed *last = way->count > 0 ? way->passed + way->count - 1 : NULL;
 
-	return way->count > 0 && last->load == 1.0 ? last : NULL;
+	return last && last->load == 1.0 ? last : NULL;
 }
 
 /* Whether both differ by no more than CALM. */

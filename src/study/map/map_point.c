@@ -450,7 +450,9 @@ enum hawser_status hawser__map_worker_point(void *context, struct hawser_map_sam
 		status = model_at(&rom, &omega, &steady, worker, at, report);
 		if (!status)
 			status = measure(worker, sample, marks, rom, omega, report);
-		again = !status && worker->cable->moves && worker->about.unsure && is_odd(&worker->room);
+		again = worker->cable->moves && worker->about.unsure && !worker->about.slow &&
+		        ((!status && is_odd(&worker->room)) ||
+		         (status == HAWSER_ERR_CONVERGENCE && !steady));
 	}
 	if (status && hawser__map_own_failure(sample, status, steady)) {
 		sample->value = 0.0;
