@@ -152,6 +152,33 @@ static void check_large(void)
 	hawser_rom_clear(&rom);
 }
 
+/* A cusp just inside an end of the range, which a step of a fold curve outside it might pass. */
+static void check_shallow(void)
+{
+	for (int i = 0; i < 12; i++) {
+		double d = 0.03421, c = i%2 ? -0.2507 : 0.2507, depth = d*pow(10.0, -1.0 - i/2);
+		double end = cusp_omega(d, c) + (c > 0.0 ? depth : -depth), want;
+		double lo = c > 0.0 ? end - 0.12 : end, hi = lo + 0.12;
+		struct hawser_report report = {.message = ""};
+		struct hawser_folds folds;
+		struct hawser_rom rom;
+		int cusp;
+
+		want = least_load(d, c, lo, hi, &cusp);
+		if (!ok(cusp && !rotating(&rom, d, c, want/1.10591), "a cusp %.3g inside", depth))
+			return;
+		if (ok(!trace(&folds, &rom, lo, hi, &report), "traced %s", report.message)) {
+			close_to(folds.least_load, 1.10591, 1e-7, "its load");
+			ok(folds.curves == 1 && folds.events == 1 && folds.points > 1 &&
+			   folds.least_kind == HAWSER_FOLDS_LEAST_CUSP, "%d curves, %d events, %d points: %s",
+			   folds.curves, folds.events, folds.points,
+			   hawser_folds_least_name(folds.least_kind));
+		}
+		hawser_folds_clear(&folds);
+		hawser_rom_clear(&rom);
+	}
+}
+
 /* A model whose response from 0.8 leaves the range on its upper branch. */
 static void check_duffing(void)
 {
@@ -282,6 +309,7 @@ CASE(property_folds_least)
 
 	check_duffing();
 	check_large();
+	check_shallow();
 	for (int i = 0; i < (more ? 200 : 8); i++)
 		check_rotating(i);
 	for (int i = 0; i < (more ? 200 : 2); i++)

@@ -154,7 +154,22 @@ static enum hawser_status passage(struct hawser__fold_walk *walk,
 	return record(walk, &walk->scratch, HAWSER_FOLDS_NOMINAL, 0.0);
 }
 
-enum hawser_status hawser__fold_events(struct hawser__fold_walk *walk, int *missed)
+/* Whether a place of a step lies within the range of Omega, of which its ends are outside or at a
+ * bound: the curve turns there. */
+static int dips(const struct hawser__fold_walk *walk, const struct hawser__fold_station *place)
+{
+	const struct hawser__fold_station *at[] = {place, &walk->here, &walk->next};
+	int inside[3];
+
+	for (int i = 0; i < 3; i++) {
+		double omega = at[i]->z[walk->fold->size - 2];
+
+		inside[i] = omega > walk->omega_lo && omega < walk->omega_hi;
+	}
+	return inside[0] && !inside[1] && !inside[2];
+}
+
+enum hawser_status hawser__fold_events(struct hawser__fold_walk *walk, int *missed, int *cut)
 {
 	static const enum hawser_folds_kind kind[] = {HAWSER_FOLDS_CUSP, HAWSER_FOLDS_ISOLA};
 	struct hawser__fold_station *here = &walk->here, *next = &walk->next;
@@ -162,8 +177,7 @@ enum hawser_status hawser__fold_events(struct hawser__fold_walk *walk, int *miss
 	int size = walk->fold->size, first = list->events, turned = 0;
 	enum hawser_status status;
 
-	*missed = 0;
-
+	*missed = *cut = 0;
 	for (int k = 0; k < HAWSER_FOLD_TESTS; k++) {
 		double residual;
 		int failed;
@@ -178,6 +192,11 @@ enum hawser_status hawser__fold_events(struct hawser__fold_walk *walk, int *miss
 			*missed = 1;
 			miss(walk, kind[k]);
 			continue;
+		}
+		if (dips(walk, &walk->scratch)) {
+			hawser__fold_swap(&walk->scratch, next);
+			*cut = 1;
+			return HAWSER_OK;
 		}
 		if ((status = record(walk, &walk->scratch, kind[k], residual)))
 			return status;

@@ -8,6 +8,8 @@
 #include "core/report.h"
 #include "response/locus/folds_walk.h"
 
+#define ROUNDING 1e-12 /* relative difference of the loads of two corrections of one fold; chosen */
+
 enum hawser_status hawser__list_point(struct hawser__fold_list *list,
                                       struct hawser__fold_walk *walk,
                                       const struct hawser__fold_station *station)
@@ -105,7 +107,8 @@ static void put_event(struct hawser_folds *folds, const struct hawser__fold_list
 	memcpy(folds->event_state + e*m, list->event_state + (size_t)i*m, m*sizeof(double));
 }
 
-/* The least load of the curve: if the load has a minimum there, that of an event. */
+/* The least load of the curve: if the load has a minimum there, that of an event, even where a step
+ * ends at it. */
 static void find_least(const struct hawser_folds *folds, struct hawser_folds_curve *curve)
 {
 	curve->least_load = INFINITY;
@@ -116,7 +119,7 @@ static void find_least(const struct hawser_folds *folds, struct hawser_folds_cur
 			curve->least_omega = folds->point[i].omega;
 		}
 	for (int e = curve->first_event; e < curve->first_event + curve->events; e++)
-		if (folds->event[e].load <= curve->least_load) {
+		if (folds->event[e].load <= curve->least_load*(1.0 + ROUNDING)) {
 			curve->least_load = folds->event[e].load;
 			curve->least_omega = folds->event[e].omega;
 			curve->least_event = e;

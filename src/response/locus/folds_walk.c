@@ -315,23 +315,25 @@ static void add_place(struct hawser__fold_walk *walk)
 }
 
 /* Store next and the events before it. If an event cannot be located, next probably lies on another
- * curve nearby: the step is repeated with half the length, down to SURE_STEP. */
-static enum hawser_status accept(struct hawser__fold_walk *walk, int *again, double *ds)
+ * curve nearby: the step is repeated with half the length, down to SURE_STEP. *cut: 1, and nothing is
+ * stored, if next has become an event within the range, which the step would leave out. */
+static enum hawser_status accept(struct hawser__fold_walk *walk, int *again, int *cut, double *ds)
 {
 	struct hawser__fold_list *list = walk->list;
 	double taken = walk->next.arc - walk->here.arc;
 	int points = list->points, events = list->events, missed;
 	enum hawser_status status = hawser__list_point(list, walk, &walk->next);
 
-	*again = 0;
-	if (status || (status = hawser__fold_events(walk, &missed)) || !missed ||
-	    taken < SURE_STEP)
+	*again = *cut = 0;
+	if (status || (status = hawser__fold_events(walk, &missed, cut)))
 		return status;
+	*again = !*cut && missed && taken >= SURE_STEP;
+	if (!*cut && !*again)
+		return HAWSER_OK;
 	list->points = points;
 	list->events = events;
 	list->message[0] = '\0';
-	*ds = 0.5*taken;
-	*again = 1;
+	*ds = *again ? 0.5*taken : *ds;
 	return HAWSER_OK;
 }
 
@@ -339,15 +341,18 @@ static enum hawser_status arrive(void *owner, enum hawser__arrival *arrival, dou
 {
 	struct hawser__fold_walk *walk = owner;
 	struct hawser__orbit *orbit = hawser__fold_orbit(walk->fold);
-	int ended, failed, again;
-	enum hawser_status status = hawser__walk_end(walk, &ended, &failed);
+	int ended, failed, again, cut;
 
 	(void)taken;
 	*arrival = HAWSER__AT_END;
-	if (!status && failed)
-		add_place(walk);
-	if (status || failed || (status = accept(walk, &again, ds)))
-		return status;
+	do {
+		enum hawser_status status = hawser__walk_end(walk, &ended, &failed);
+
+		if (!status && failed)
+			add_place(walk);
+		if (status || failed || (status = accept(walk, &again, &cut, ds)))
+			return status;
+	} while (cut);
 	*arrival = again ? HAWSER__AGAIN : ended ? HAWSER__AT_END : HAWSER__GO_ON;
 	if (*arrival != HAWSER__GO_ON)
 		return HAWSER_OK;

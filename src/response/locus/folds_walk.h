@@ -143,8 +143,9 @@ enum hawser_status hawser__walk_begin_between(struct hawser__fold_walk *walk, co
 
 /* --- folds_events.c --- */
 
-/* Store the events between here and next; *missed: 1: an event was not located. */
-enum hawser_status hawser__fold_events(struct hawser__fold_walk *walk, int *missed);
+/* Store the events between here and next; *missed: 1: an event was not located. *cut: 1: the step turns
+ * at an event within the range, outside which it begins and ends: next is now that event. */
+enum hawser_status hawser__fold_events(struct hawser__fold_walk *walk, int *missed, int *cut);
 
 /* --- folds_list.c --- */
 
