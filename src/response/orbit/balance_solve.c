@@ -466,12 +466,6 @@ static void improve(struct hawser__balance *balance, double *x, double *base, co
 	cblas_dscal(P + 1, -1.0, x, 1);
 	x[P] = 0.0;
 	length = cblas_dnrm2(P + 1, x, 1);
-	if (!(length < fabs(last))) { /* the estimate is no better than none */
-		memset(x, 0, ((size_t)P + 1)*sizeof *x);
-		x[P] = last;
-		hawser__balance_invert(balance, x, goal);
-		return;
-	}
 	if (length > goal*fabs(last))
 		hawser__balance_invert(balance, x, goal*fabs(last)/length);
 	else

@@ -21,8 +21,8 @@ struct hawser__collocation {
 
 void hawser__collocation_make(struct hawser__collocation *table);
 
-/* The same with so many nodes, s, 1 to HAWSER__NODES, of the Radau rule whose last node is the end of the
- * step. With hawser__collocation_indirect this is the method Radau IIA, of order 2s - 1. It is L-stable:
+/* The same with s `nodes`, 1 to HAWSER__NODES, of the Radau rule whose last node is the end of the
+ * step. With hawser__collocation_indirect this is the method Radau IIA, of order 2s - 1, L-stable:
  * components that are too fast for the step decay at once. */
 void hawser__collocation_make_radau(struct hawser__collocation *table, int nodes);
 

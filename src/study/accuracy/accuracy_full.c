@@ -47,7 +47,6 @@
 #define OF_BASIS 0.3    /* of the distance of a response from a draft, by the basis of that; chosen */
 #define CHECKING 0.2    /* of what can be borne, for the marks in a larger basis, where the range may
                          * be shortened; chosen */
-#define OF_A_PART 0.5   /* of what can be borne, for a range that may be shortened; chosen */
 #define PART 0.1        /* of the accuracy: error of a basis, and */
 #define EACH 6          /* fewest functions between attachments, where the error of a response is
                          * wanted, which is mostly far below the accuracy; chosen */
@@ -114,12 +113,6 @@ static int is_rough(const struct condensed *condensed, double moved,
 	return condensed->lent && moved > OF_BASIS*condensed->off && work + drawn < AT_LEAST*bearable;
 }
 
-/* The error of a basis that is small enough. */
-static double enough_of(const struct condensed *condensed, const struct hawser_accuracy *a)
-{
-	return condensed->lent ? PART*a->asked : a->asked;
-}
-
 /* The distance of the condensed response from the draft a->frf, peaks of which are located as well as
  * those of a response. */
 static enum hawser_status compare_condensed(struct condensed *condensed,
@@ -137,7 +130,7 @@ static enum hawser_status compare_condensed(struct condensed *condensed,
 	if (!condensed->marks || hawser__accuracy_cut(a) || isfinite(a->until))
 		return HAWSER_OK;
 	status = hawser__marks_find(&found, &a->frf, rom, &located,
-	                            HAWSER__LOCATED*enough_of(condensed, a), report);
+	                            HAWSER__LOCATED*(condensed->lent ? PART : 1.0)*a->asked, report);
 	if (!status)
 		status = hawser__marks_distance(&condensed->off, condensed->marks, &found, report);
 	condensed->off = (condensed->lent ? HAWSER__MARGIN : 1.0)*condensed->off +
@@ -160,19 +153,6 @@ static int ends_search(struct hawser_accuracy *a, const struct hawser__draft *dr
                        const struct hawser_accuracy_options *options, double work)
 {
 	return !options->response && !options->partial && is_costly(a, draft, options, work);
-}
-
-/* Whether the range ends where marks have no counterparts in the next basis, of n coordinates, or where
- * that is too far away: two larger bases, one to be drawn and one that it agrees with, and the response
- * would take more than can be borne. */
-static int is_partial(const struct hawser_accuracy_options *options,
-                      const struct hawser__traced *traced, int own, int n, double work)
-{
-	double next = traced->work*pow((double)n/own, 3.0), last = next*pow((double)n/own, 3.0);
-
-	return options->partial && traced->functions &&
-	       work + next + last + hawser__draft_follows(options, n, traced->curve.points, next) >
-	       OF_A_PART*options->bearable;
 }
 
 /* A draft of the chosen basis, which has none: a response through the orbits of its draft is traced in
@@ -224,7 +204,7 @@ static enum hawser_status choose(struct hawser__draft *chosen, double *moved, do
                                  struct hawser_frf_options *frf, double *work,
                                  struct hawser_report *report)
 {
-	const double enough = enough_of(condensed, a);
+	const double enough = condensed->lent ? PART*a->asked : a->asked; /* error of a basis */
 	const struct hawser_accuracy_bases of = {&a->modes, scene, a->choice.to, enough,
 	                                         options->most_functions};
 	struct hawser__traced traced = {.functions = 0};
@@ -240,7 +220,7 @@ static enum hawser_status choose(struct hawser__draft *chosen, double *moved, do
 		if (status || next.rom.n == 0)
 			break;
 		a->functions = next.functions = functions;
-		partial = is_partial(options, &traced, chosen->rom.n, next.rom.n, *work);
+		partial = hawser__marks_partial(options, &traced, chosen->rom.n, next.rom.n, *work);
 		if (traced.functions)
 			status = hawser__draft_carry(&next, &away, &traced, a, frf,
 			                             partial ? CHECKING*options->bearable : 0.0, report);
@@ -356,8 +336,8 @@ static void take_back(struct hawser_rom *rom, struct condensed *condensed)
 static int is_right(struct hawser_accuracy *a, struct condensed *condensed, double error, int checked)
 {
 	error += condensed->off;
-
-	if (!condensed->marks || isfinite(a->until) || !(error + hawser__marks_located(condensed->marks) <= condensed->near))
+	if (!condensed->marks || isfinite(a->until) ||
+	    !(error + hawser__marks_located(condensed->marks) <= condensed->near))
 		return 0;
 	take_back(&a->rom, condensed);
 	hawser_frf_clear(&a->frf);

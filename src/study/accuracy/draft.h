@@ -89,6 +89,11 @@ enum hawser_status hawser__draft_carry(struct hawser__draft *draft, double *away
                                        const struct hawser_frf_options *settled, double most,
                                        struct hawser_report *report);
 
+/* draft_marks.c: whether the range ends where marks have no counterparts in the next basis, of n
+ * coordinates after `own`, or where that is too far away: two larger bases, one to be drawn and one
+ * that it agrees with, and the response would take more than can be borne. */
+int hawser__marks_partial(const struct hawser_accuracy_options *options,
+                          const struct hawser__traced *traced, int own, int n, double work);
 /* draft_marks.c: error [2] of a basis whose marks are moved by the next one: that, and with the factor
  * of safety by what the one after it moves them further where they are moved farthest, if there is
  * one. The second one is that of the displacements with the largest peaks. */

@@ -4,6 +4,7 @@
 
 #include "study/accuracy/draft.h"
 
+#define OF_A_PART 0.5   /* of what can be borne, for a range that may be shortened; chosen */
 #define ABOUT 4 /* marks before and behind the one that is moved farthest; chosen */
 
 /* The mark that the next basis moves farthest, by `moved`. peaks: of the components of the largest ones
@@ -103,4 +104,14 @@ enum hawser_status hawser__marks_shorten(double *moved, struct hawser__traced *t
 		*moved = most;
 	}
 	return status;
+}
+
+int hawser__marks_partial(const struct hawser_accuracy_options *options,
+                          const struct hawser__traced *traced, int own, int n, double work)
+{
+	double next = traced->work*pow((double)n/own, 3.0), last = next*pow((double)n/own, 3.0);
+
+	return options->partial && traced->functions &&
+	       work + next + last + hawser__draft_follows(options, n, traced->curve.points, next) >
+	       OF_A_PART*options->bearable;
 }
