@@ -27,7 +27,7 @@
                                 * points of the branch, where there is no other branch: the second
                                 * one has the second-order response of stiff coordinates, and may be
                                 * larger than the first; chosen */
-#define TANGENT_RESIDUAL 1e-5  /* relative, of the tangents of the points of a large model's curve,
+#define TANGENT_RESIDUAL 1e-5  /* relative, of the tangents of the points of a curve,
                                 * which serve for predictions; not of a branch that may meet another
                                 * one: it went on over that place unnoticed in 4 of 12 cases */
 #define WORST_ERROR 0.05       /* largest estimated relative error of an accepted orbit; chosen */
@@ -245,7 +245,7 @@ enum hawser_status hawser__trace_finish(void *owner, double ds, double *angle)
 	int nodes = last_nodes(node, trace);
 
 	hawser__curve_slope(trace->direction, trace->next.y, node, nodes, ds, &metric);
-	if (trace->rom->exact && !trace->options.along) {
+	if (!trace->options.along) {
 		trace->orbit->estimate = trace->direction;
 		trace->orbit->goal = TANGENT_RESIDUAL;
 	}
