@@ -8,6 +8,7 @@
 #include <hawser/accuracy.h>
 
 #include "study/accuracy/carry.h"
+#include "response/orbit/balance.h"
 #include "rom/energy/full_map.h"
 #include "study/compare/curve.h"
 #include "tests/tap.h"
@@ -55,6 +56,50 @@ static int stop(void *data, const struct hawser_progress_state *state)
 	return 1;
 }
 
+/* Root of the sum of squares of the defects of the fast coordinates at y. */
+static double fast_defects(struct hawser__balance *balance, const double *y)
+{
+	int n = balance->base.n;
+	double sum = 0.0;
+
+	hawser__balance_evaluate(balance, y, 0);
+	for (int i = 0; i < (2*balance->order + 1)*n; i++)
+		if (hawser__balance_fast(balance, i%n) && balance->active[(i/n + 1)/2*n + i%n])
+			sum += balance->defect[i]*balance->defect[i];
+	return sqrt(sum);
+}
+
+/* An orbit of another model that is taken as it is stretches the cable; balanced at each sample, the
+ * fast coordinates do not. */
+static void settle(const struct hawser_rom *rom, const struct hawser__series *from, int n,
+                   const double *map)
+{
+	struct hawser_frf_options options = range(sqrt(rom->K[0]));
+	struct hawser__orbit *orbit;
+	struct hawser__balance *balance;
+	double *y, before, after, omega = from->y[(2*from->order + 1)*n];
+
+	if (!ok(!hawser__balance_method.open(&orbit, rom, &options, &report), "opened: %s", report.message))
+		return;
+	balance = (struct hawser__balance *)orbit;
+	y = calloc((size_t)orbit->size, sizeof *y);
+	for (int i = 0; y && i < (2*from->order + 1)*rom->n; i++)
+		for (int j = 0; j < n; j++)
+			y[i] += map[i%rom->n*n + j]*from->y[i/rom->n*n + j];
+	if (ok(y != NULL, "memory")) {
+		y[orbit->size - 1] = omega;
+		hawser__balance_adopt(balance, y, from->order, 0.0);
+		ok(!hawser__balance_arrange(balance, &report), "arranged");
+		hawser__balance_evaluate(balance, y, 1);
+		before = fast_defects(balance, y);
+		ok(!hawser__balance_settle(balance, y, &report), "settled");
+		after = fast_defects(balance, y);
+		ok(after < 1e-2*before && before > 0.0, "defects along the cable %.1e, of %.1e", after, before);
+	}
+	free(y);
+	orbit->ops->clear(orbit);
+}
+
 static void compare(struct hawser_rom *rom, const double *map)
 {
 	struct hawser_frf_options options = range(sqrt(rom[1].K[0])), finer = options;
@@ -86,6 +131,7 @@ static void compare(struct hawser_rom *rom, const double *map)
 	/* the curves also differ by what is between their points; three times the distance is stated */
 	ok(carried < 1.1*apart && apart < 2.0*carried, "%.3e by marks, %.3e by curves", carried, apart);
 	ok(peaks > carried && peaks < 2.0*apart, "%.3e with the change of peaks", peaks);
+	settle(&rom[1], &orbits.item[frf[0].points/2], orbits.n, map);
 	ok(again < 0.1*apart, "counterparts are %.1e off the curve of their model", again);
 	for (int k = 0; k < 3; k++) {
 		hawser__curve_clear(&curve[k]);

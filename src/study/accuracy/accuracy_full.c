@@ -13,10 +13,10 @@
  * the time of a response. Its folds, peaks and some points between them are its marks, and larger
  * bases are asked for the counterparts of these alone (carry.h), a tenth of the time of a draft:
  * what the curve is moved by there is its error. Of the first two bases that agree the smaller one
- * is taken, and its response traced, through the orbits of its draft. Where a counterpart is not
- * found or is far away, the larger basis has a draft of its own, with which the next ones are
- * compared, and the two curves are compared as a whole (curve.c). A resonance that the draft lacks
- * has no marks; but it lies above the modes that each of these bases holds.
+ * is taken, and its response traced, through the orbits of its draft, which is traced then if it has
+ * none. Where a counterpart is not found or is far away, the larger basis has a draft of its own, with
+ * which the next ones are compared, and the two curves are compared as a whole (curve.c). A resonance
+ * that the draft lacks has no marks; but it lies above the modes that each of these bases holds.
  *
  * Where the curve of a condensed model is near enough to the draft and its bases to each other, that
  * response is the answer, and the sum of the distances its error: an estimate of first order, which
@@ -24,7 +24,8 @@
  *
  * With options->partial a draft ends where its response would take more than can be borne, or where
  * the motion cannot be followed, and the range then ends there: a right answer to a part of the
- * question.
+ * question. So it does at the last mark that has a counterpart near enough, if more drafts would take
+ * too much.
  *
  *    work     seconds of a trace, as hawser_orbit_work counts them: what is chosen does not depend
  *             on the machine and what else it does

@@ -12,14 +12,13 @@
 #define LONG 0.2        /* largest step of a curve for comparison, relative to the range; chosen */
 #define CARRIED 0.3     /* work of the marks in the next basis over that of a draft; chosen */
 /* For the time left alone, relative to the work of a draft: the work after the first draft until two
- * bases agree (0.8 with rope.yaml and b-table-5.6.yaml, 1.8 with deep-sag.yaml, 6 with conductor.yaml),
- * and that after a further draft (0 to 0.9 with them). */
+ * bases agree (0.3 with deep-sag.yaml, 0.5 with rope.yaml and inclined.yaml, 4 with conductor.yaml),
+ * and that after a further draft. */
 #define AGAIN 1.0
 #define CHECKED 0.5
 #define ROUGH 1e-5      /* least tolerance of orbits at marks; chosen, far below the distances */
 #define JUDGING 1.5e-7  /* s of a set of multipliers, over the cube of the number of coordinates */
 #define DOUBT 2.0       /* factor of what is foreseen of a draft that has not ended; chosen */
-#define A_PART 0.5      /* of what can be borne, for a part of the range; chosen */
 #define ASIDE 2         /* points before the one from which the curve cannot be followed; chosen */
 #define SLACK_POINTS 50 /* fewest points of which slackness is judged; chosen */
 #define UNSEEN 0.035    /* distance of two drafts, relative to the accuracy, that is not seen between
@@ -127,7 +126,7 @@ static void foretell(struct hawser_progress_state *state, const struct hawser__d
 	if (watch->drafts)
 		all += (chosen->functions ? CHECKED : AGAIN)*whole;
 	if (watch->drafts && watch->options->partial) /* where it takes more, the range ends */
-		all = fmax(done, fmin(all, bearable*(watch->a->foreseen > bearable ? A_PART : 1.0)));
+		all = fmax(done, fmin(all, bearable*(watch->a->foreseen > bearable ? HAWSER__A_PART : 1.0)));
 	state->fraction = fmin(done/all, 1.0);
 	state->left = (hawser__wall_seconds() - watch->began)*fmax(all/done - 1.0, 0.0);
 }
@@ -164,7 +163,7 @@ int hawser__draft_watch_trace(void *data, const struct hawser_progress_state *st
 	                  ((isfinite(watch->a->until)
 	                    ? watch->before + work > DOUBT*watch->options->bearable
 	                    : so_far(watch, points, work) > watch->options->bearable*
-	                      (watch->a->foreseen > watch->options->bearable ? A_PART : 1.0)) ||
+	                      (watch->a->foreseen > watch->options->bearable ? HAWSER__A_PART : 1.0)) ||
 	                   wanders(watch, frf, work));
 	if (watch->afforded)
 		return 1;
@@ -353,7 +352,7 @@ enum hawser_status hawser__draft_carry(struct hawser__draft *draft, double *away
 	draft->work = hawser_orbit_work(&found.cost, &draft->rom);
 	if (found.end == HAWSER_END_INTERRUPTED)
 		a->frf.end = HAWSER_END_INTERRUPTED;
-	else if (lost && !(most > 0.0))
+	if (lost && (found.end == HAWSER_END_INTERRUPTED || !(most > 0.0)))
 		found.points = 0;
 	if (!status && found.points > 0)
 		status = hawser__curve_copy(&draft->curve, &found, report);

@@ -11,6 +11,7 @@
 #define HAWSER__MARGIN 1.3 /* on the distance of two bases at the marks, and on that of a response whose
                             * error is wanted, by bench/practical.py: there are points between, and
                             * peaks are read there */
+#define HAWSER__A_PART 0.5 /* of what can be borne, for a part of the range; chosen */
 #define HAWSER__MIDDLING 12      /* functions per component from which on a failure is not attributed to
                                   * the basis, but to the tolerance or the motion; chosen */
 #define HAWSER__MORE_POINTS 1.2  /* of a response, over those of its draft or of the modes; chosen */

@@ -4,11 +4,10 @@
 
 #include "study/accuracy/draft.h"
 
-#define OF_A_PART 0.5   /* of what can be borne, for a range that may be shortened; chosen */
 #define ABOUT 4 /* marks before and behind the one that is moved farthest; chosen */
 
-/* The mark that the next basis moves farthest, by `moved`. peaks: of the components of the largest ones
- * alone. */
+/* The mark that the next basis moves farthest, by `moved`. peaks: 1: only the components with the two
+ * largest peaks count. */
 static enum hawser_status find_farthest(int *farthest, const struct hawser__traced *traced,
                                         const struct hawser__drawn_curve *chosen,
                                         const struct hawser__drawn_curve *next, double moved,
@@ -31,12 +30,12 @@ static enum hawser_status find_farthest(int *farthest, const struct hawser__trac
 }
 
 enum hawser_status hawser__marks_error(double *error, struct hawser_accuracy *a,
-                                      const struct hawser__traced *traced,
-                                      const struct hawser__drawn_curve *chosen,
-                                      const struct hawser__draft *next, double moved, int functions,
-                                      const struct hawser_accuracy_bases *of,
-                                      const struct hawser_frf_options *settled,
-                                      struct hawser_report *report)
+                                       const struct hawser__traced *traced,
+                                       const struct hawser__drawn_curve *chosen,
+                                       const struct hawser__draft *next, double moved, int functions,
+                                       const struct hawser_accuracy_bases *of,
+                                       const struct hawser_frf_options *settled,
+                                       struct hawser_report *report)
 {
 	const struct hawser__drawn_curve *curve = &traced->curve, *own = chosen->points ? chosen : NULL;
 	struct hawser__drawn_curve there = next->curve;
@@ -76,9 +75,10 @@ enum hawser_status hawser__marks_error(double *error, struct hawser_accuracy *a,
 }
 
 enum hawser_status hawser__marks_shorten(double *moved, struct hawser__traced *traced,
-                                  struct hawser_accuracy *a, struct hawser__draft *next,
-                                  const struct hawser__drawn_curve *chosen, double enough,
-                                  const struct hawser_frf_options *frf, struct hawser_report *report)
+                                         struct hawser_accuracy *a, struct hawser__draft *next,
+                                         const struct hawser__drawn_curve *chosen, double enough,
+                                         const struct hawser_frf_options *frf,
+                                         struct hawser_report *report)
 {
 	const struct hawser__drawn_curve *own = chosen->points ? chosen : NULL;
 	int good = 0, bad = next->curve.points;
@@ -113,5 +113,5 @@ int hawser__marks_partial(const struct hawser_accuracy_options *options,
 
 	return options->partial && traced->functions &&
 	       work + next + last + hawser__draft_follows(options, n, traced->curve.points, next) >
-	       OF_A_PART*options->bearable;
+	       HAWSER__A_PART*options->bearable;
 }

@@ -19,8 +19,8 @@ static const double much = 0.02, rough = 0.1;
  * may need as many. */
 static const double asked = 0.01;
 enum { FUNCTIONS = 24 };
-/* Seconds of processor time, as counted (hawser_orbit_work), that nobody has to ask for; chosen: with
- * it the ranges of conductor, inclined and rope.yaml have both of their largest peaks. */
+/* Seconds of processor time, as counted (hawser_orbit_work), that nobody has to ask for; chosen, so
+ * that the range reaches beyond the first resonance of conductor.yaml and inclined.yaml. */
 static const double bearable = 15.0;
 
 int hawser_accuracy_truncated(double truncation)
