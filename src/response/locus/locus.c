@@ -368,7 +368,7 @@ static enum hawser_status trace_locus(struct hawser_locus *locus,
 	struct across line = {own.plane, own.at};
 	struct hawser_rom_family across = {own.plane ? own.plane->omega : 0.0, model_across, &line};
 	struct hawser__locus system = {.n = 0};
-	struct hawser__locus_walk walk = {.span = {hawser__wall_seconds(), 0.0, FIRST, 0.0}};
+	struct hawser__locus_walk walk = {.span = {.began = hawser__wall_seconds(), .to = FIRST}};
 	struct told told = {&own.progress, &walk.span};
 	struct hawser__locus_responses all = {.first = &locus->response};
 	enum hawser_status status;
