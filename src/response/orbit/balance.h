@@ -194,6 +194,15 @@ enum hawser_status hawser__balance_enrich(struct hawser__orbit *orbit, int most,
 enum hawser_status hawser__balance_sharpen(struct hawser__orbit *orbit, int on,
                                            struct hawser_report *report);
 
+/* balance_fast.c: a coordinate is fast if its frequency exceeds three times that of the
+ * highest harmonic; of a model with exact energy that at rest, since the moved cable stretches by a
+ * motion across (monodromy_rest.c). */
+int hawser__balance_fast(const struct hawser__balance *balance, int j);
+/* y [size]: the fast coordinates in static balance with the others at each sample, as far as their
+ * active pairs can: one step of Newton's method. */
+enum hawser_status hawser__balance_settle(struct hawser__balance *balance, double *y,
+                                          struct hawser_report *report);
+
 /* balance_state.c: make the harmonics of y up to `order` active that are not small;
  * hawser__balance_arrange() follows. */
 void hawser__balance_adopt(struct hawser__balance *balance, const double *y, int order, double part);

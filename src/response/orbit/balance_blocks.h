@@ -120,15 +120,6 @@ void hawser__blocks_evaluate(struct hawser__blocks *blocks, const struct hawser_
 
 /* --- balance_fast.c --- */
 
-/* A coordinate is fast if its frequency exceeds three times that of the highest harmonic; of a model
- * with exact energy that at rest, since the moved cable stretches by a motion across
- * (monodromy_rest.c). */
-int hawser__balance_fast(const struct hawser__balance *balance, int j);
-/* y [size]: the fast coordinates in static balance with the others at each sample, as far as their
- * active pairs can: one step of Newton's method. */
-enum hawser_status hawser__balance_settle(struct hawser__balance *balance, double *y,
-                                          struct hawser_report *report);
-
 /* slow [S][w][w]: the condensed stiffness from K [S][n][n] at the nodes of a step. Also stores the
  * matrices for the calls below. Returns 1 if the stiffness of the fast coordinates is singular. */
 int hawser__blocks_condense(struct hawser__blocks *blocks, float *slow, const float *K, int n,
