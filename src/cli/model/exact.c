@@ -186,7 +186,7 @@ static enum hawser_status search(struct hawser_accuracy *better, struct cli_mode
 	if (unweighed)
 		choice.bearable = HAWSER_INSTEAD_FOR_ERROR;
 	else if (after > 0.0)
-		choice.bearable = CLI_BEARABLE;
+		choice.bearable = fmin(choice.bearable, CLI_BEARABLE);
 	told = (struct told){options->progress, cli_processor_seconds(), choice.bearable};
 	choice.frf.progress = (struct hawser_progress){tell, &told};
 	status = hawser_accuracy_exact(better, &model->statics, &model->scene, &choice, &why);
