@@ -205,7 +205,7 @@ enum hawser_status hawser_accuracy_once(struct hawser_accuracy_fixed *fixed,
 /* What answers in place of a response of a reduced model that is not good enough, as model.energy: auto
  * does in hawser frf: hawser_accuracy_exact, with these options. */
 enum { HAWSER_INSTEAD_POINTS = 1500 }; /* of its response, at most */
-#define HAWSER_INSTEAD_FOR_ERROR 6.0 /* s: most work of full-order models for the error of a
+#define HAWSER_INSTEAD_FOR_ERROR 3.0 /* s: most work of full-order models for the error of a
                                       * response that nothing else tells; chosen */
 /* Whether such an error is reason enough; limit: of the whole error, 0: 0.02. */
 int hawser_accuracy_poor(const struct hawser_accuracy_fixed *fixed, double limit);
