@@ -252,20 +252,7 @@ static double length_of(const double *x, int count)
 	return count > 0 ? cblas_dnrm2(count, x, 1) : 0.0;
 }
 
-/* F at z; 1: it cannot be computed. */
-static int forces_at(struct hawser__locus *locus, const double *z, int derive)
-{
-	if (locus->kind == HAWSER_TORUS) /* for the others it is exact */
-		locus->kappa = z[LOCUS_KAPPA];
-	locus->size_y = fmax(length_of(z + LOCUS_FIRST, locus->coefficients), AT_REST);
-	if (!(locus->plane || z[LOCUS_OMEGA] > 0.0) || hawser__locus_place(locus, z[0], z[1]))
-		return 1;
-	hawser__locus_orbit(locus, z);
-	hawser__locus_fields(locus, locus->F, z, derive);
-	return !isfinite(length_of(locus->F, locus->coefficients));
-}
-
-/* The largest part of F, relative, with the tangents of the last evaluation. */
+/* The largest part of F, relative. */
 static double defect(const struct hawser__locus *locus)
 {
 	int n = locus->n;
@@ -286,7 +273,14 @@ enum hawser_status hawser__locus_evaluate(struct hawser__locus *locus, double *r
 	enum hawser_status status;
 
 	*residual = INFINITY;
-	if (forces_at(locus, z, 1))
+	if (locus->kind == HAWSER_TORUS) /* for the others it is exact */
+		locus->kappa = z[LOCUS_KAPPA];
+	locus->size_y = fmax(length_of(z + LOCUS_FIRST, locus->coefficients), AT_REST);
+	if (!(locus->plane || z[LOCUS_OMEGA] > 0.0) || hawser__locus_place(locus, z[0], z[1]))
+		return HAWSER_OK;
+	hawser__locus_orbit(locus, z);
+	hawser__locus_fields(locus, locus->F, z, 1);
+	if (!isfinite(length_of(locus->F, locus->coefficients)))
 		return HAWSER_OK;
 	hawser__locus_series(locus);
 	hawser__locus_jacobian(locus);
