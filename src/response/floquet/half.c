@@ -17,8 +17,9 @@
 
 static const char where[] = "backbone";
 
-#define FIRST_STEPS_A_PERIOD 6 /* per period of the fastest coordinate: its frequency is off by 9e-8,
-                                * in which others' resonances with it are; chosen */
+#define FIRST_STEPS_A_PERIOD 6 /* per period of the fastest coordinate, whose frequency, and with it
+                                * those of resonances with it, then has a relative error of 9e-8;
+                                * chosen */
 #define MOST_STEPS 20000 /* enough for a coordinate 2500 times as fast as the motion */
 
 static struct hawser__half *of(struct hawser__orbit *orbit)
