@@ -36,7 +36,7 @@ struct hawser__fold {
 	                    * allocated */
 	double *A;         /* [P + 1][P + 1] by rows, or its LU */
 	int *pivot;        /* [P + 1] */
-	int sign;          /* of the determinant of A, */
+	double sign;       /* of the determinant of A, */
 	int orientation;   /* and of the whole system with its last row, when it was solved last */
 	double *b, *c;     /* [size] borders in the scaled unknowns, at the positions of the
 	                    * coefficients */

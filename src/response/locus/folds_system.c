@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/determinant.h"
 #include "core/report.h"
 #include "response/locus/folds.h"
 #include "rom/energy/kernel.h"
@@ -127,10 +128,7 @@ static int factor(struct hawser__fold *fold)
 	fold->balance.base.cost.dense += 2.0/3.0*pow(row, 3.0);
 	if (LAPACKE_dgetrf_work(LAPACK_COL_MAJOR, row, row, fold->A, row, fold->pivot) != 0)
 		return 1;
-	fold->sign = 1;
-	for (int i = 0; i < row; i++)
-		if ((fold->A[(size_t)i*(row + 1)] < 0.0) != (fold->pivot[i] != i + 1))
-			fold->sign = -fold->sign;
+	hawser__determinant(&fold->sign, fold->A, fold->pivot, row);
 	return 0;
 }
 
@@ -276,7 +274,7 @@ int hawser__fold_solve(struct hawser__fold *fold, double *dz, const double *row,
 
 	if (solve_three(m, x, &fold->orientation))
 		return 1;
-	fold->orientation *= fold->sign;
+	fold->orientation *= fold->sign < 0.0 ? -1 : 1;
 	/* a prediction from points with other active pairs has nonzero values at inactive positions */
 	for (int i = 0; i < at_omega; i++)
 		dz[i] = keep*(balance->at[i] - balance->given[i]);

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/determinant.h"
 #include "core/report.h"
 #include "response/locus/locus.h"
 #include "rom/energy/kernel.h"
@@ -351,7 +352,7 @@ int hawser__locus_solve(struct hawser__locus *locus, double *dz, const double *z
                         int homogeneous, double last)
 {
 	int size = locus->size, P = locus->coefficients;
-	double keep = homogeneous ? 0.0 : 1.0;
+	double keep = homogeneous ? 0.0 : 1.0, sign;
 
 	memset(locus->M, 0, (size_t)size*size*sizeof(double));
 	memset(locus->rhs, 0, (size_t)size*sizeof(double));
@@ -370,10 +371,8 @@ int hawser__locus_solve(struct hawser__locus *locus, double *dz, const double *z
 		return 1;
 	locus->solves++;
 	locus->dense += 2.0/3.0*pow(size, 3.0);
-	locus->orientation = 1;
-	for (int i = 0; i < size; i++)
-		if ((locus->M[(size_t)i*size + i] < 0.0) != (locus->pivot_M[i] != i + 1))
-			locus->orientation = -locus->orientation;
+	hawser__determinant(&sign, locus->M, locus->pivot_M, size);
+	locus->orientation = sign < 0.0 ? -1 : 1;
 	LAPACKE_dgetrs_work(LAPACK_COL_MAJOR, 'N', size, 1, locus->M, size, locus->pivot_M, locus->rhs,
 	                    size);
 	memcpy(dz, locus->rhs, (size_t)size*sizeof(double));
