@@ -43,7 +43,6 @@ struct hawser__fold {
 	double *x;         /* [4][P + 1] p_r, p_Omega, p_load, v, each with its last component */
 	double *w;         /* [P + 1] */
 	double *F;         /* [P] defects, scaled */
-	double defect;     /* their size relative to that of the orbit */
 	double *g_y;       /* [P] */
 	double g, g_omega, g_load;
 	double F_omega, F_load; /* w^T dF/dOmega and w^T dF/dload, scaled */

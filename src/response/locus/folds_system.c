@@ -169,7 +169,7 @@ static void fill_sides(struct hawser__fold *fold)
 double hawser__fold_defect(struct hawser__fold *fold, const double *z, int derive)
 {
 	hawser__load_set(&fold->load, z[fold->size - 1]);
-	return fold->defect = fold->balance.base.ops->defects(&fold->balance.base, z, derive);
+	return fold->balance.base.ops->defects(&fold->balance.base, z, derive);
 }
 
 enum hawser_status hawser__fold_evaluate(struct hawser__fold *fold, double *residual,
@@ -178,16 +178,17 @@ enum hawser_status hawser__fold_evaluate(struct hawser__fold *fold, double *resi
 	struct hawser__balance *balance = &fold->balance;
 	enum hawser_status status = reserve(fold, report);
 	int P = balance->unknowns;
+	double defect;
 
 	if (status)
 		return status;
 	*residual = NAN;
-	hawser__fold_defect(fold, z, 1);
+	defect = hawser__fold_defect(fold, z, 1);
 	balance->factored = 0; /* the scales are those of this orbit; the old factors are invalid */
 	hawser__balance_scale(balance);
 	hawser__balance_set_border(balance, fold->zero);
 	hawser__balance_assemble(balance);
-	if (!isfinite(fold->defect) || factor(fold))
+	if (!isfinite(defect) || factor(fold))
 		return HAWSER_OK;
 	fill_sides(fold);
 	memset(fold->w, 0, (size_t)P*sizeof(double));
@@ -198,7 +199,7 @@ enum hawser_status hawser__fold_evaluate(struct hawser__fold *fold, double *resi
 	solve(fold, fold->x, SIDES, 0);
 	fold->g = side(fold, KERNEL)[P];
 	hawser__fold_differentiate(fold);
-	*residual = fold->defect;
+	*residual = defect;
 	return HAWSER_OK;
 }
 
