@@ -110,8 +110,9 @@ void hawser__curve_ahead(double *y, const struct hawser__node *node, int nodes, 
 	}
 }
 
-/* Hermite's basis with y as a simple node: the polynomial of y has the slope `sum over the nodes of
- * 2/back`, those of a node, with `basis` the square of its quotients of distances, what t is less. */
+/* Hermite's interpolation with y as a further node without a slope. With d_k = ds - s_k, and l_k the
+ * product of (ds - s_o)/(s_k - s_o) over the other nodes o,
+ *   t = sum_k 2 y/d_k - l_k^2 ((2 + sum_o 2 d_k/(s_o - s_k)) y_k/d_k + t_k) */
 void hawser__curve_slope(double *t, const double *y, const struct hawser__node *node, int nodes,
                          double ds, const struct hawser__metric *metric)
 {

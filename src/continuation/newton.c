@@ -5,9 +5,11 @@
 #include "continuation/newton.h"
 
 #define MAX_ITERATIONS 10     /* with the worst contraction, the step is halved before; chosen */
-#define NEAR 1e-5             /* a last step from which derivatives are good enough for tangents and
-                               * signs of test functions; chosen */
-#define NEARER 1e-6           /* the same of a first step: several of them follow each other; chosen */
+#define NEAR 1e-5             /* length of a last step before which derivatives are good enough for
+                               * tangents and signs of test functions; chosen */
+#define NEARER 1e-6           /* the same of a step that does not show convergence yet, as the only
+                               * one of a point: many in a row may have the derivatives of their
+                               * predictions; chosen */
 #define WORST_CONTRACTION 0.7 /* largest ratio of successive steps; chosen */
 
 enum hawser_status hawser__newton_correct(const struct hawser__newton *newton, double *z, double *dz,

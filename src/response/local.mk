@@ -87,7 +87,6 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/floquet/linear.c \
 	%D%/time/lyapunov.c \
 	%D%/orbit/load.c \
-	%D%/orbit/load.h \
 	%D%/branch/event_error.c \
 	%D%/branch/locate.c \
 	%D%/orbit/methods.c \

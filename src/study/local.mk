@@ -9,7 +9,6 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/accuracy/closed.c \
 	%D%/accuracy/draft.c \
 	%D%/accuracy/draft_marks.c \
-	%D%/accuracy/draft.h \
 	%D%/identify/decay.c \
 	%D%/identify/half_power.c \
 	%D%/identify/half_power_one.c %D%/identify/half_power_pair.c %D%/identify/half_power_quotient.c \

@@ -21,8 +21,8 @@ static const char where[] = "backbone";
 
 #define FIRST_STEP 0.1    /* first step relative to the longest; chosen */
 #define PLANE 0.02        /* share of the smaller coordinate in quadrature, at least; chosen */
-#define LAST_STEP 50.0    /* reach of a correction with an extrapolated Jacobian, in tolerances: a
-                           * fiftieth of it is the last step */
+#define LAST_STEP 50.0    /* orbit->reach with an extrapolated Jacobian, in tolerances, such that the
+                           * corrector ends after a step below the tolerance: OFF_BRANCH of newton.c */
 #define WORST_ANGLE 0.45  /* largest angle between successive tangents, rad; chosen */
 
 void hawser_backbone_settle(struct hawser_backbone_options *options)

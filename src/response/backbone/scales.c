@@ -17,6 +17,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/determinant.h"
 #include "core/report.h"
 #include "response/orbit/method.h"
 #include "response/backbone/modulation.h"
@@ -118,15 +119,7 @@ static int factor(struct hawser__orbit *orbit, const double *row)
 	if (!isfinite(scales->norm) ||
 	    LAPACKE_dgetrf_work(LAPACK_COL_MAJOR, size, size, matrix, size, scales->pivot))
 		return 1;
-	orbit->det_sign = 1.0;
-	orbit->det_log = 0.0;
-	for (int i = 0; i < size; i++) {
-		double d = matrix[i*size + i];
-
-		orbit->det_log += log(fabs(d));
-		if ((d < 0.0) != (scales->pivot[i] != i + 1))
-			orbit->det_sign = -orbit->det_sign;
-	}
+	orbit->det_log = hawser__determinant(&orbit->det_sign, matrix, scales->pivot, size);
 	return 0;
 }
 

@@ -9,8 +9,8 @@
 
 /* Round-off of the logarithm of a product of multipliers. */
 #define NEUTRAL 1e-12
-/* Component along Omega of a unit tangent beside a fold, where its sign needs a solution to all digits;
- * relative to the width of Omega. */
+/* Component along Omega of a unit tangent, relative to the width of Omega, below which the tangent is
+ * solved again to the usual residual: its sign tells folds; chosen. */
 #define SURE_TURN 0.01
 /* Logarithm of a multiplier that is not computed. */
 #define INSIDE (-1.0)

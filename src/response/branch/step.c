@@ -27,9 +27,10 @@
                                 * points of the branch, where there is no other branch: the second
                                 * one has the second-order response of stiff coordinates, and may be
                                 * larger than the first; chosen */
-#define TANGENT_RESIDUAL 1e-5  /* relative, of the tangents of the points of a curve,
-                                * which serve for predictions; not of a branch that may meet another
-                                * one: it went on over that place unnoticed in 4 of 12 cases */
+#define PREDICTION 1e-5        /* relative residual of a tangent that serves for predictions only;
+                                * chosen. A branch that begins at an event may end at a branch point
+                                * of the curve it began at (closure.c), where Omega turns, and may
+                                * pass it unnoticed with tangents of this residual: not there */
 #define WORST_ERROR 0.05       /* largest estimated relative error of an accepted orbit; chosen */
 
 /* Part of the range that is done and time left: folds turn back, and the furthest place counts. Not
@@ -241,13 +242,14 @@ enum hawser_status hawser__trace_finish(void *owner, double ds, double *angle)
 {
 	struct hawser__trace *trace = owner;
 	const struct hawser__metric metric = hawser__orbit_metric(trace->orbit);
-	struct hawser__node node[3];
-	int nodes = last_nodes(node, trace);
 
-	hawser__curve_slope(trace->direction, trace->next.y, node, nodes, ds, &metric);
 	if (!trace->options.along) {
+		struct hawser__node node[3];
+		int nodes = last_nodes(node, trace);
+
+		hawser__curve_slope(trace->direction, trace->next.y, node, nodes, ds, &metric);
 		trace->orbit->estimate = trace->direction;
-		trace->orbit->goal = TANGENT_RESIDUAL;
+		trace->orbit->goal = PREDICTION;
 	}
 	hawser__station_turn(&trace->next, trace->orbit, hawser__known_side(trace, ds));
 	trace->orbit->goal = 0.0;

@@ -18,6 +18,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/determinant.h"
 #include "core/hold.h"
 #include "core/report.h"
 #include "response/cycle/cycle.h"
@@ -167,15 +168,7 @@ static int factor(struct hawser__orbit *orbit, const double *row)
 	of->matrix[(size_t)n*size + n] = row[n]/orbit->W;
 	of->norm = LAPACKE_dlange_work(LAPACK_COL_MAJOR, '1', size, size, of->matrix, size, NULL);
 	info = LAPACKE_dgetrf_work(LAPACK_COL_MAJOR, size, size, of->matrix, size, of->pivot);
-	orbit->det_sign = 1.0;
-	orbit->det_log = 0.0;
-	for (int i = 0; !info && i < size; i++) {
-		double d = of->matrix[(size_t)i*size + i];
-
-		orbit->det_log += log(fabs(d));
-		if ((d < 0.0) != (of->pivot[i] != i + 1))
-			orbit->det_sign = -orbit->det_sign;
-	}
+	orbit->det_log = hawser__determinant(&orbit->det_sign, of->matrix, of->pivot, info ? 0 : size);
 	return info != 0;
 }
 

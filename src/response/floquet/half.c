@@ -11,14 +11,16 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/determinant.h"
 #include "core/grow.h"
 #include "core/report.h"
 #include "response/floquet/half.h"
 
 static const char where[] = "backbone";
 
-#define FIRST_STEPS_A_PERIOD 6 /* per period of the fastest coordinate: its frequency is off by 9e-8,
-                                * in which others' resonances with it are; chosen */
+#define FIRST_STEPS_A_PERIOD 6 /* per period of the fastest coordinate, whose frequency, and with it
+                                * those of resonances with it, then has a relative error of 9e-8;
+                                * chosen */
 #define MOST_STEPS 20000 /* enough for a coordinate 2500 times as fast as the motion */
 
 static struct hawser__half *of(struct hawser__orbit *orbit)
@@ -192,18 +194,7 @@ static int guess(struct hawser__orbit *orbit, const double *y, const double *row
 
 double hawser__half_determinant(const struct hawser__half *half, double *sign)
 {
-	int size = half->base.n + 1;
-	double sum = 0.0;
-
-	*sign = 1.0;
-	for (int i = 0; i < size; i++) {
-		double entry = half->matrix[(size_t)i*size + i];
-
-		if ((entry < 0.0) != (half->pivot[i] != i + 1))
-			*sign = -*sign;
-		sum += log(fabs(entry));
-	}
-	return sum;
+	return hawser__determinant(sign, half->matrix, half->pivot, half->base.n + 1);
 }
 
 /* Product of a scaled vector with an unscaled one, in the metric. */

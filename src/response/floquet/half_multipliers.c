@@ -25,8 +25,8 @@
 
 static const char where[] = "backbone";
 
-/* Error of the derivatives of the half-period map over that of its orbit, by its steps and by what it
- * does not return by; an estimate. */
+/* Error of the derivatives of the half-period map over that of its orbit, which is that of integration
+ * and the residual; an estimate. */
 #define DERIVATIVES 10.0
 #define ROUND_OFF 1e-13 /* of the entries of the monodromy matrix */
 

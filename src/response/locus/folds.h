@@ -36,14 +36,13 @@ struct hawser__fold {
 	                    * allocated */
 	double *A;         /* [P + 1][P + 1] by rows, or its LU */
 	int *pivot;        /* [P + 1] */
-	int sign;          /* of the determinant of A, */
+	double sign;       /* of the determinant of A, */
 	int orientation;   /* and of the whole system with its last row, when it was solved last */
 	double *b, *c;     /* [size] borders in the scaled unknowns, at the positions of the
 	                    * coefficients */
 	double *x;         /* [4][P + 1] p_r, p_Omega, p_load, v, each with its last component */
 	double *w;         /* [P + 1] */
 	double *F;         /* [P] defects, scaled */
-	double defect;     /* their size relative to that of the orbit */
 	double *g_y;       /* [P] */
 	double g, g_omega, g_load;
 	double F_omega, F_load; /* w^T dF/dOmega and w^T dF/dload, scaled */

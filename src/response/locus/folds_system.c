@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/determinant.h"
 #include "core/report.h"
 #include "response/locus/folds.h"
 #include "rom/energy/kernel.h"
@@ -127,10 +128,7 @@ static int factor(struct hawser__fold *fold)
 	fold->balance.base.cost.dense += 2.0/3.0*pow(row, 3.0);
 	if (LAPACKE_dgetrf_work(LAPACK_COL_MAJOR, row, row, fold->A, row, fold->pivot) != 0)
 		return 1;
-	fold->sign = 1;
-	for (int i = 0; i < row; i++)
-		if ((fold->A[(size_t)i*(row + 1)] < 0.0) != (fold->pivot[i] != i + 1))
-			fold->sign = -fold->sign;
+	hawser__determinant(&fold->sign, fold->A, fold->pivot, row);
 	return 0;
 }
 
@@ -171,7 +169,7 @@ static void fill_sides(struct hawser__fold *fold)
 double hawser__fold_defect(struct hawser__fold *fold, const double *z, int derive)
 {
 	hawser__load_set(&fold->load, z[fold->size - 1]);
-	return fold->defect = fold->balance.base.ops->defects(&fold->balance.base, z, derive);
+	return fold->balance.base.ops->defects(&fold->balance.base, z, derive);
 }
 
 enum hawser_status hawser__fold_evaluate(struct hawser__fold *fold, double *residual,
@@ -180,16 +178,17 @@ enum hawser_status hawser__fold_evaluate(struct hawser__fold *fold, double *resi
 	struct hawser__balance *balance = &fold->balance;
 	enum hawser_status status = reserve(fold, report);
 	int P = balance->unknowns;
+	double defect;
 
 	if (status)
 		return status;
 	*residual = NAN;
-	hawser__fold_defect(fold, z, 1);
+	defect = hawser__fold_defect(fold, z, 1);
 	balance->factored = 0; /* the scales are those of this orbit; the old factors are invalid */
 	hawser__balance_scale(balance);
 	hawser__balance_set_border(balance, fold->zero);
 	hawser__balance_assemble(balance);
-	if (!isfinite(fold->defect) || factor(fold))
+	if (!isfinite(defect) || factor(fold))
 		return HAWSER_OK;
 	fill_sides(fold);
 	memset(fold->w, 0, (size_t)P*sizeof(double));
@@ -200,7 +199,7 @@ enum hawser_status hawser__fold_evaluate(struct hawser__fold *fold, double *resi
 	solve(fold, fold->x, SIDES, 0);
 	fold->g = side(fold, KERNEL)[P];
 	hawser__fold_differentiate(fold);
-	*residual = fold->defect;
+	*residual = defect;
 	return HAWSER_OK;
 }
 
@@ -276,7 +275,7 @@ int hawser__fold_solve(struct hawser__fold *fold, double *dz, const double *row,
 
 	if (solve_three(m, x, &fold->orientation))
 		return 1;
-	fold->orientation *= fold->sign;
+	fold->orientation *= fold->sign < 0.0 ? -1 : 1;
 	/* a prediction from points with other active pairs has nonzero values at inactive positions */
 	for (int i = 0; i < at_omega; i++)
 		dz[i] = keep*(balance->at[i] - balance->given[i]);

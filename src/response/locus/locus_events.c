@@ -180,7 +180,6 @@ static enum hawser_status at(struct hawser__locus_walk *walk, double s, int *fai
 	struct hawser__locus_station *to = &walk->scratch;
 	struct hawser__node a = {walk->here.z, walk->here.t}, b = {walk->next.z, walk->next.t};
 	struct hawser__metric metric;
-	double residual;
 	enum hawser_status status;
 
 	memset(to->z, 0, 2*(size_t)walk->room*sizeof(double));
@@ -192,9 +191,7 @@ static enum hawser_status at(struct hawser__locus_walk *walk, double s, int *fai
 		walk->spare[k] = walk->weight[k]*to->t[k];
 	to->arc = walk->here.arc + s*(walk->next.arc - walk->here.arc);
 	status = hawser__locus_correct(walk, to, walk->spare, failed);
-	if (!status && !*failed && !(status = hawser__locus_evaluate(walk->locus, &residual, to->z)))
-		*failed = !isfinite(residual);
-	walk->locus->closeness = INFINITY;
+	walk->locus->closeness = INFINITY; /* the tangent by the derivatives here, not those before */
 	return status || *failed ? status : hawser__locus_finish(walk, to, walk->here.t);
 }
 

@@ -12,6 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/determinant.h"
 #include "response/locus/locus.h"
 
 /* Complex coefficients of a series, d >= 0 */
@@ -208,19 +209,11 @@ int hawser__locus_hill(struct hawser__locus *locus, double kappa, int bordered)
 double hawser__locus_determinant(struct hawser__locus *locus, double kappa, double *sign)
 {
 	int row = scaled_real(locus, kappa, 0);
-	double size = 0.0;
 
 	if (LAPACKE_dgetrf_work(LAPACK_COL_MAJOR, row, row, locus->R, row, locus->pivot) < 0)
 		return NAN;
 	locus->solves++;
-	*sign = 1.0;
-	for (int k = 0; k < row; k++) {
-		double x = locus->R[(size_t)k*row + k];
-
-		size += log(fabs(x));
-		*sign *= (x < 0.0 ? -1.0 : 1.0)*(locus->pivot[k] != k + 1 ? -1.0 : 1.0);
-	}
-	return size;
+	return hawser__determinant(sign, locus->R, locus->pivot, row);
 }
 
 void hawser__locus_jacobian(struct hawser__locus *locus)

@@ -14,6 +14,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/determinant.h"
 #include "response/locus/locus.h"
 #include "rom/energy/kernel.h"
 
@@ -201,18 +202,14 @@ void hawser__locus_transform(const struct hawser__locus *locus, double *out, con
 static double factor(struct hawser__locus *locus, double *size_log)
 {
 	int row = locus->coefficients;
-	double sign = 1.0;
+	double sign;
 
 	*size_log = 0.0;
 	memcpy(locus->J_factors, locus->J, (size_t)row*row*sizeof(double));
 	if (LAPACKE_dgetrf_work(LAPACK_COL_MAJOR, row, row, locus->J_factors, row, locus->pivot) != 0)
 		return 0.0;
 	locus->solves++;
-	for (int k = 0; k < row; k++) {
-		*size_log += log(fabs(locus->J_factors[(size_t)k*row + k]));
-		sign *= (locus->J_factors[(size_t)k*row + k] < 0.0 ? -1.0 : 1.0)*
-		        (locus->pivot[k] != k + 1 ? -1.0 : 1.0);
-	}
+	*size_log = hawser__determinant(&sign, locus->J_factors, locus->pivot, row);
 	return sign;
 }
 

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/determinant.h"
 #include "core/report.h"
 #include "response/locus/locus.h"
 #include "rom/energy/kernel.h"
@@ -252,20 +253,7 @@ static double length_of(const double *x, int count)
 	return count > 0 ? cblas_dnrm2(count, x, 1) : 0.0;
 }
 
-/* F at z; 1: it cannot be computed. */
-static int forces_at(struct hawser__locus *locus, const double *z, int derive)
-{
-	if (locus->kind == HAWSER_TORUS) /* for the others it is exact */
-		locus->kappa = z[LOCUS_KAPPA];
-	locus->size_y = fmax(length_of(z + LOCUS_FIRST, locus->coefficients), AT_REST);
-	if (!(locus->plane || z[LOCUS_OMEGA] > 0.0) || hawser__locus_place(locus, z[0], z[1]))
-		return 1;
-	hawser__locus_orbit(locus, z);
-	hawser__locus_fields(locus, locus->F, z, derive);
-	return !isfinite(length_of(locus->F, locus->coefficients));
-}
-
-/* The largest part of F, relative, with the tangents of the last evaluation. */
+/* The largest part of F, relative. */
 static double defect(const struct hawser__locus *locus)
 {
 	int n = locus->n;
@@ -286,7 +274,14 @@ enum hawser_status hawser__locus_evaluate(struct hawser__locus *locus, double *r
 	enum hawser_status status;
 
 	*residual = INFINITY;
-	if (forces_at(locus, z, 1))
+	if (locus->kind == HAWSER_TORUS) /* for the others it is exact */
+		locus->kappa = z[LOCUS_KAPPA];
+	locus->size_y = fmax(length_of(z + LOCUS_FIRST, locus->coefficients), AT_REST);
+	if (!(locus->plane || z[LOCUS_OMEGA] > 0.0) || hawser__locus_place(locus, z[0], z[1]))
+		return HAWSER_OK;
+	hawser__locus_orbit(locus, z);
+	hawser__locus_fields(locus, locus->F, z, 1);
+	if (!isfinite(length_of(locus->F, locus->coefficients)))
 		return HAWSER_OK;
 	hawser__locus_series(locus);
 	hawser__locus_jacobian(locus);
@@ -357,7 +352,7 @@ int hawser__locus_solve(struct hawser__locus *locus, double *dz, const double *z
                         int homogeneous, double last)
 {
 	int size = locus->size, P = locus->coefficients;
-	double keep = homogeneous ? 0.0 : 1.0;
+	double keep = homogeneous ? 0.0 : 1.0, sign;
 
 	memset(locus->M, 0, (size_t)size*size*sizeof(double));
 	memset(locus->rhs, 0, (size_t)size*sizeof(double));
@@ -376,10 +371,8 @@ int hawser__locus_solve(struct hawser__locus *locus, double *dz, const double *z
 		return 1;
 	locus->solves++;
 	locus->dense += 2.0/3.0*pow(size, 3.0);
-	locus->orientation = 1;
-	for (int i = 0; i < size; i++)
-		if ((locus->M[(size_t)i*size + i] < 0.0) != (locus->pivot_M[i] != i + 1))
-			locus->orientation = -locus->orientation;
+	hawser__determinant(&sign, locus->M, locus->pivot_M, size);
+	locus->orientation = sign < 0.0 ? -1 : 1;
 	LAPACKE_dgetrs_work(LAPACK_COL_MAJOR, 'N', size, 1, locus->M, size, locus->pivot_M, locus->rhs,
 	                    size);
 	memcpy(dz, locus->rhs, (size_t)size*sizeof(double));

@@ -350,7 +350,7 @@ static enum hawser_status to_bound(struct hawser__locus_walk *walk, int *ended)
 			return status; /* the point beyond is kept */
 		walk->scratch.z[k] = bound;
 		walk->scratch.arc = walk->here.arc + part*(walk->next.arc - walk->here.arc);
-		walk->locus->closeness = INFINITY; /* M has the row of the bound */
+		walk->locus->closeness = INFINITY; /* M has the row of the bound, not of the tangent */
 		if ((status = hawser__locus_finish(walk, &walk->scratch, walk->here.t)))
 			return status;
 		hawser__locus_station_copy(walk, &walk->next, &walk->scratch);

@@ -28,8 +28,9 @@
 #define TOLERANCE 1e-8 /* of the orbit: well below the 1e-10 of multipliers; chosen */
 #define FINE 1e-5      /* of the orbits on the way where rough ones lose it; chosen */
 #define NOTHING 1e-13   /* harmonics of T below this times Omega^2 change no exponent by more than the
-                         * error of the orbit, and */
-#define LITTLE 1e-8     /* below this no sign of a determinant that is not within that error; chosen */
+                         * error of the orbit; chosen */
+#define LITTLE 1e-8     /* the same for the sign of a determinant, which these harmonics change only
+                         * where it is zero within that error; chosen */
 
 void hawser__about_clear(struct hawser__about *about)
 {
@@ -194,9 +195,9 @@ static enum hawser_status is_behind(int *behind, struct hawser__about *about, do
 	return status;
 }
 
-/* The model about the response. Where rough orbits on the way lose it, fine ones follow; and from rest
- * where an orbit was found that may lie behind a fold, from a guide or the linear response:
- * raised->slow. */
+/* The model about the response. Where rough orbits on the way lose it, fine ones follow. Where
+ * an orbit that was found from a guide or the linear response may lie behind a fold, the load is raised
+ * from zero instead (raised->slow). */
 static enum hawser_status find(struct hawser__about *about, struct hawser__raised *raised,
                                double tolerance, const struct hawser_rom *rom, double omega,
                                struct hawser_report *report)

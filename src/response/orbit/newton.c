@@ -41,9 +41,9 @@
 /* Relative residual to which the step that confirms an orbit is solved: of its length, the first digit
  * is used. */
 #define LENGTH_RESIDUAL 0.03
-/* Relative residual to which steps are solved: the defects that remain are this part of the tolerance,
- * unless that asks for less than a method's own residual. With larger ones (0.1, 0.03) the length of
- * the second step is that of the error of the first solution, and the control makes shorter steps. */
+/* Steps are solved until the defects that remain are STEP_PART of the tolerance, to a relative residual
+ * between the two below; chosen. With a larger part the second step corrects mostly what the first
+ * solution left, its length says little of the contraction, and the arclength steps become shorter. */
 #define STEP_PART 0.01
 #define STEP_RESIDUAL 1e-5
 #define STEP_LOOSEST 1e-3
@@ -253,12 +253,10 @@ static int approach(struct hawser__orbit *orbit, double *y, struct hawser__corre
 	return !*failed && correction->iterations > 0 && correction->residual <= 0.1*tolerance;
 }
 
-/* Relative residual of the next step after which the defects are as small as they must be. */
+/* Relative residual to which the next step is solved. */
 static double residual_needed(const struct hawser__correction *correction, double tolerance)
 {
-	double part = STEP_PART*tolerance/correction->residual;
-
-	return part < STEP_RESIDUAL ? 0.0 : fmin(part, STEP_LOOSEST);
+	return fmin(fmax(STEP_PART*tolerance/correction->residual, STEP_RESIDUAL), STEP_LOOSEST);
 }
 
 /* Newton's method from y with its Jacobian. */

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/determinant.h"
 #include "core/grow.h"
 #include "core/report.h"
 #include "response/floquet/floquet.h"
@@ -277,21 +278,6 @@ static void fill_segment(struct hawser__shooting *shooting, int i)
 	}
 }
 
-static void read_determinant(struct hawser__shooting *shooting)
-{
-	int size = shooting->base.size;
-
-	shooting->base.det_sign = 1.0;
-	shooting->base.det_log = 0.0;
-	for (int i = 0; i < size; i++) {
-		double d = shooting->matrix[(size_t)i*size + i];
-
-		shooting->base.det_log += log(fabs(d));
-		if ((d < 0.0) != (shooting->pivot[i] != i + 1))
-			shooting->base.det_sign = -shooting->base.det_sign;
-	}
-}
-
 static int factor(struct hawser__orbit *orbit, const double *row)
 {
 	struct hawser__shooting *shooting = (struct hawser__shooting *)orbit;
@@ -310,7 +296,7 @@ static int factor(struct hawser__orbit *orbit, const double *row)
 	info = LAPACKE_dgetrf_work(LAPACK_COL_MAJOR, size, size, shooting->matrix, size,
 	                           shooting->pivot);
 	if (info == 0)
-		read_determinant(shooting);
+		orbit->det_log = hawser__determinant(&orbit->det_sign, shooting->matrix, shooting->pivot, size);
 	shooting->factor_flops += 2.0/3.0*size*size*size;
 	return info != 0;
 }
