@@ -10,25 +10,15 @@
 #include <hawser/rom.h>
 
 #include "tests/modes-third.h"
+#include "tests/rom-entries.h"
 
-#define KEPT 4
+enum { KEPT = 4 };
 
 static inline int modes_of(struct hawser_modes *modes, const struct hawser_statics *st, int n)
 {
 	struct hawser_modes_options options = {.n = n, .tolerance = 1e-10};
 
 	return !hawser_modes_solve(modes, st, &options, NULL);
-}
-
-static inline double cubic_of(const struct hawser_rom *rom, const struct hawser_cubic *like)
-{
-	for (int i = 0; i < rom->cubics; i++) {
-		const struct hawser_cubic *c = &rom->C[i];
-
-		if (c->j == like->j && c->k == like->k && c->l == like->l && c->m == like->m)
-			return c->value;
-	}
-	return 0.0;
 }
 
 /* Effect of the modes KEPT..upto on the entry: the sum over the three pairings of its four
@@ -68,7 +58,7 @@ static inline double rest(const struct hawser_rom *condensed, const struct hawse
 
 	for (int i = 0; i < raw->cubics; i++) {
 		const struct hawser_cubic *c = &raw->C[i];
-		double value = cubic_of(condensed, c);
+		double value = cubic_of(condensed, c->j, c->k, c->l, c->m);
 
 		largest = fmax(largest, fabs(value));
 		worst = fmax(worst, fabs(value - c->value + given_back(T, many, upto, c)));

@@ -43,7 +43,8 @@ struct hawser__forecast {
 	int count;
 };
 
-/* Take the time left of a state, if it has one. To be called with each state. */
+/* Take the time left of a state, if it has one; INFINITY: forget those of the states before. To be
+ * called with each state. */
 void hawser__forecast_hear(struct hawser__forecast *forecast,
                            const struct hawser_progress_state *state);
 /* state->left and `fraction` become those of the run. `left` follows from the last state that had one,

@@ -74,9 +74,10 @@ else
 fi
 
 if command -v cppcheck >/dev/null; then
+	# with -D it examines one configuration, that of config.h
 	cppcheck -q -j "$jobs" --std=c11 --platform=unix64 --library=posix --inline-suppr \
-		--enable=warning,performance,portability -DHAVE_CONFIG_H -Iinclude -Isrc -I. src \
-		>"$out/cppcheck.log" 2>&1
+		--enable=warning,performance,portability -DHAVE_CONFIG_H --include="${out%/*}/config.h" \
+		-Iinclude -Isrc -I. src >"$out/cppcheck.log" 2>&1
 	grep -E '^[^ ]*: (error|warning|style|performance|portability): ' "$out/cppcheck.log" \
 		>"$out/cppcheck.new"
 	verdict cppcheck "$out/cppcheck.new" "$(annotated 'cppcheck-suppress')"

@@ -124,14 +124,14 @@ static void dragged(void)
 	const struct hawser_net_probe at = {.node = 1, .cable = -1};
 	const struct hawser_net_motion_options options = {.until = 3.0, .every = 0.5, .probe = &at,
 	                                                  .probes = 1};
-	char table[4096];
+	char table[5000];
 	const char *const set[] = {table};
 	struct hawser_net net;
 	struct hawser_net_motion motion;
 	const double h = 0.04, L = 1.2, w = 0.15*9.81, s = -h + sqrt(2.0*h*h + 2.0*h*L);
 
-	snprintf(table, sizeof table, "supports.B={table: '%s/notebooks-data/scenes/net-dragged.txt'}",
-	         getenv("SRCDIR"));
+	snprintf(table, sizeof table, "supports.B={table: '%s'}",
+	         source_file("notebooks-data/scenes/net-dragged.txt"));
 	if (moved(&net, &motion, &options, "net-dragged", set, 1)) {
 		int last = motion.rows - 1;
 

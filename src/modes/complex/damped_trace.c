@@ -13,6 +13,7 @@
 #include <string.h>
 
 #include "continuation/false_position.h"
+#include "core/order.h"
 #include "core/report.h"
 #include "core/share.h"
 #include "modes/cable.h"
@@ -267,13 +268,6 @@ static enum hawser_status locate_event(struct hawser_damped_event *event, const 
 	return status;
 }
 
-static int compare_events(const void *a, const void *b)
-{
-	const struct hawser_damped_event *x = a, *y = b;
-
-	return (x->value > y->value) - (x->value < y->value);
-}
-
 /* The events between points i and i + 1, which share their room with those before. */
 static enum hawser_status events_between(const struct sweep *sweep, int i, struct hawser_report *report)
 {
@@ -292,7 +286,7 @@ static enum hawser_status events_between(const struct sweep *sweep, int i, struc
 		status = locate_event(&grown[to->events++], sweep, i, k, report);
 	}
 	if (to->events > first)
-		qsort(to->event + first, (size_t)(to->events - first), sizeof *to->event, compare_events);
+		qsort(to->event + first, (size_t)(to->events - first), sizeof *to->event, hawser__ascending);
 	return status;
 }
 

@@ -167,17 +167,6 @@ void hawser__support_within(double x[3], double v[3], const struct hawser__suppo
 		v[k] = 0.0;
 }
 
-static int grow(struct hawser__support_table *table, int *room)
-{
-	int more = *room ? 2**room : 64;
-
-	if (table->rows < *room)
-		return 1;
-	*room = more;
-	return !hawser__resize(&table->t, (size_t)more, sizeof *table->t) &&
-	       !hawser__resize(&table->x, (size_t)more, sizeof *table->x);
-}
-
 /* One line; *blank is 1 if it has no numbers. */
 static int parse(double value[4], int *blank, char *line)
 {
@@ -198,7 +187,7 @@ static enum hawser_status rows(struct hawser__support_table *table, FILE *file, 
                                struct hawser_report *report)
 {
 	char line[512];
-	int number = 0, room = 0, blank;
+	int number = 0, blank;
 	double value[4];
 
 	while (fgets(line, sizeof line, file)) {
@@ -212,7 +201,8 @@ static enum hawser_status rows(struct hawser__support_table *table, FILE *file, 
 		if (table->rows && value[0] <= table->t[table->rows - 1])
 			return hawser__fail(report, HAWSER_ERR_SCENE, "net", "%s:%d: the time %g s is not after "
 			                    "that of the line before", path, number, value[0]);
-		if (!grow(table, &room))
+		if (hawser__more(&table->t, table->rows, sizeof *table->t) ||
+		    hawser__more(&table->x, table->rows, sizeof *table->x))
 			return hawser__no_memory(report, "net");
 		table->t[table->rows] = value[0];
 		memcpy(table->x[table->rows++], value + 1, sizeof *table->x);

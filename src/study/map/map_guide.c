@@ -4,16 +4,17 @@
  * passes orbits (response/orbit/start.h) that differ little from those of a near point, from which
  * they are corrected in a few steps: the loads on the way remain, so that what is found is what is
  * found from rest. Ways are computed at the places of a lattice over the ranges of the map, first
- * coarse ones, then finer ones from these where the linear response does not lead to the whole load:
+ * coarse ones, then finer ones from these around points whose cell is not calm:
  *
  *    place   indices (i, j), 0 to PLACES, of the finest lattice
  *    level   0: every SPACING-th index; the next one has half the distance
  *    cell    of a level: four places next to each other
  *
- * In a calm cell all four places have a response, and the four differ little: no fold over the load
- * is between them, and points start at the whole load, from the orbit that the four foretell. In other
- * cells points start from the way of the nearest place of the finest cell: from the whole load alone,
- * the motion behind a fold beside the cell was found at 110 of 5693 nodes (conductor.yaml).
+ * A cell is calm if its four places have responses, of which three differ little from the first, that
+ * at the lowest indices. A fold over the load between the four is then unlikely, and points start at
+ * the whole load, from the orbit interpolated between them. In other cells points start from the way of
+ * the nearest place of the finest cell: started at the whole load, some of them end on the motion
+ * behind a fold beside the cell (conductor.yaml).
  *
  * A place needs only places of lower levels, and a point only the cells that contain it down to the
  * first calm one, so that values depend on x and y alone. Only what a point needs is computed, before
@@ -28,7 +29,7 @@
 #include "study/map/map_cable.h"
 
 enum { PLACES = 96, SPACING = 8, ACROSS = PLACES + 1 };
-#define CALM 0.2 /* largest distance of the orbits of a calm cell, relative to their size; chosen */
+#define CALM 0.2 /* largest distance from the first orbit of a calm cell, in parts of it; chosen */
 
 struct hawser__map_guides {
 	struct hawser__way way[ACROSS*ACROSS];
@@ -102,7 +103,7 @@ static const struct hawser__passed *whole(const struct hawser__way *way)
 	return last && last->load == 1.0 ? last : NULL;
 }
 
-/* Whether both differ by no more than CALM. */
+/* Whether b differs from a by no more than CALM. */
 static int alike(const struct hawser__passed *a, const struct hawser__passed *b)
 {
 	double off = 0.0, all = 0.0;
@@ -153,7 +154,7 @@ static int cell_at(struct cell *cell, const struct hawser__map_cable *cable, dou
 	return 1;
 }
 
-/* The orbit at the whole load between those of the corners. */
+/* The orbit at the whole load, interpolated between those of the corners. */
 static enum hawser_status foretell(struct hawser__way *to, const struct hawser__map_guides *guides,
                                    const struct cell *cell)
 {
@@ -203,7 +204,7 @@ int hawser__map_guided(const struct hawser__map_cable *cable, double x, double y
 	return !cable->guides || cell_at(&cell, cable, x, y);
 }
 
-/* List the places of a level that the points need and that are not known. */
+/* List the places of a level that the points need and that were not listed before. */
 static int want(int *place, struct hawser__map_cable *cable, const double *x, const double *y,
                 int count, int spacing)
 {
@@ -216,7 +217,7 @@ static int want(int *place, struct hawser__map_cable *cable, const double *x, co
 			continue;
 		cell = cell_of(cable, x[p], y[p], spacing);
 		for (int c = 0; c < 4; c++)
-			if (!guides->known[cell.corner[c]] && !guides->wanted[cell.corner[c]]) {
+			if (!guides->wanted[cell.corner[c]]) {
 				guides->wanted[cell.corner[c]] = 1;
 				place[found++] = cell.corner[c];
 			}
@@ -236,13 +237,12 @@ static void guide(void *context, long item, int worker)
 	const struct guiding *g = context;
 	struct hawser__map_guides *guides = g->cable->guides;
 	int place = g->place[item], from = parent(place);
-	enum hawser_status status = HAWSER_OK;
+	const struct hawser__way *start = from < 0 || is_plain(&guides->way[from]) ? NULL
+	                                                                           : &guides->way[from];
+	enum hawser_status status = hawser__map_worker_way(g->worker[worker], &guides->way[place], start,
+	                                                   value_at(g->cable, 0, place%ACROSS),
+	                                                   value_at(g->cable, 1, place/ACROSS));
 
-	status = hawser__map_worker_way(g->worker[worker], &guides->way[place],
-	                                from < 0 || is_plain(&guides->way[from]) ? NULL
-	                                                                         : &guides->way[from],
-	                                value_at(g->cable, 0, place%ACROSS),
-	                                value_at(g->cable, 1, place/ACROSS));
 	guides->known[place] = 1;
 	if (status)
 		g->status[worker] = status;

@@ -133,14 +133,6 @@ struct hawser__structure *hawser__structure_find(const struct hawser__map_cable 
 	return low < cable->count && cable->kept[low].value == value ? &cable->kept[low] : NULL;
 }
 
-static int by_value(const void *a, const void *b)
-{
-	double x = ((const struct hawser__structure *)a)->value;
-	double y = ((const struct hawser__structure *)b)->value;
-
-	return (x > y) - (x < y);
-}
-
 /* Remove structures that the present preparation does not need, if too many are stored. */
 static void drop(struct hawser__map_cable *cable)
 {
@@ -227,7 +219,7 @@ static enum hawser_status add_structures(struct hawser__map_cable *cable, const 
 	hawser__share((long)fresh, threads, build, &(struct building){cable, added, value});
 	cable->count = need;
 	status = fatal(added, fresh, report);
-	qsort(cable->kept, cable->count, sizeof *cable->kept, by_value);
+	qsort(cable->kept, cable->count, sizeof *cable->kept, hawser__ascending);
 	return status;
 }
 
