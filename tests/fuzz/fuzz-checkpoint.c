@@ -13,7 +13,6 @@
  * checkpoint.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#define _GNU_SOURCE
 #include <inttypes.h>
 #include <sys/mman.h>
 #include <unistd.h>
