@@ -147,7 +147,8 @@ static int correct_lone(double *y, struct hawser__orbit *orbit, double *growth,
                         struct hawser_report *report)
 {
 	int failed = correct_at(y, orbit, correction, omega, fmax(tolerance, rough), report);
-	double off = failed ? 0.0 : hawser__orbit_distance(y, guess, orbit->size - 1);
+	double off = failed ? 0.0 : hawser__orbit_distance(y, guess, orbit->size - 1, orbit->n,
+	                                                  fmax(tolerance, rough));
 
 	if (failed || !(off <= NEAR))
 		return failed ? failed : 1;
@@ -304,20 +305,16 @@ static enum hawser_status settle(double *y, struct hawser__orbit *orbit,
 	return status || found ? status : HAWSER_ERR_CONVERGENCE;
 }
 
-/* Whether y is far from the linear response. */
+/* Whether y, known to `rough`, is far from the linear response. */
 static enum hawser_status strayed(int *far, const double *y, struct hawser__orbit *orbit, double omega,
-                                  struct hawser_report *report)
+                                  double rough, struct hawser_report *report)
 {
-	size_t size = (size_t)orbit->size;
-	double *linear = calloc(size, sizeof *linear), length;
+	double *linear = calloc((size_t)orbit->size, sizeof *linear);
 	enum hawser_status status = linear ? linear_response(linear, orbit, omega, report)
 	                                   : hawser__no_memory(report, "frf");
 
-	if (!status) {
-		length = cblas_dnrm2((int)size - 1, linear, 1);
-		cblas_daxpy((int)size - 1, -1.0, y, 1, linear, 1);
-		*far = !(cblas_dnrm2((int)size - 1, linear, 1) <= FAR*length);
-	}
+	if (!status)
+		*far = !(hawser__orbit_distance(y, linear, orbit->size - 1, orbit->n, rough) <= FAR);
 	free(linear);
 	return status;
 }
@@ -341,7 +338,7 @@ enum hawser_status hawser__start(double *y, struct hawser__orbit *orbit,
 	                                                              : tolerance, report);
 	if (failed == 3)
 		return HAWSER_ERR_MEMORY;
-	if (!failed && raised->lone && (status = strayed(&far, y, orbit, omega, report)))
+	if (!failed && raised->lone && (status = strayed(&far, y, orbit, omega, fmax(tolerance, raised->rough), report)))
 		return status;
 	if (!failed && raised->lone && !far)
 		failed = correct_at(y, orbit, correction, omega, tolerance, report);

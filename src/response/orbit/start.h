@@ -68,8 +68,10 @@ int hawser__climb_arc(double *y, struct hawser__climb *climb, struct hawser__orb
 /* Whether the load has fallen from its peak by more than in a dip: the curve has a fold there. */
 int hawser__climb_turned(const struct hawser__climb *climb);
 
-/* Distance of y from `from`, relative to it; both [count]. */
-double hawser__orbit_distance(const double *y, const double *from, int count);
+/* Distance of y from `from`, relative to it; both [count], of n coordinates. At least 1 if a coordinate
+ * has turned: it is farther from where it was than from 0, as behind a fold of its own, which may be
+ * small beside the others. Below `least`, relative to `from`, a coordinate is not determined. */
+double hawser__orbit_distance(const double *y, const double *from, int count, int n, double least);
 
 /* 1 if the orbits so far took more than raised->most. */
 int hawser__start_spent(const struct hawser__orbit *orbit, const struct hawser__raised *raised);

@@ -66,15 +66,29 @@ void hawser__way_clear(struct hawser__way *way)
 	*way = (struct hawser__way){.count = 0};
 }
 
-double hawser__orbit_distance(const double *y, const double *from, int count)
+/* Sum of the squares of coordinate j of y [count] less s from [count]. */
+static double squares(const double *y, double s, const double *from, int count, int n, int j)
 {
-	double off = 0.0, all = 0.0;
+	double sum = 0.0;
 
-	for (int i = 0; i < count; i++) {
-		off += pow(y[i] - from[i], 2);
-		all += from[i]*from[i];
+	for (int i = j; i < count; i += n)
+		sum += (y[i] - s*from[i])*(y[i] - s*from[i]);
+	return sum;
+}
+
+double hawser__orbit_distance(const double *y, const double *from, int count, int n, double least)
+{
+	double off = 0.0, all = squares(from, 0.0, from, count, 1, 0), turned = 0.0;
+
+	for (int j = 0; j < n; j++) {
+		double a = squares(y, 0.0, y, count, n, j), b = squares(from, 0.0, from, count, n, j);
+		double apart = squares(y, 1.0, from, count, n, j);
+
+		off += apart;
+		if (apart > fmax(a, b) && fmin(a, b) > least*least*all)
+			turned = 1.0;
 	}
-	return sqrt(off/fmax(all, DBL_MIN));
+	return fmax(turned, sqrt(off/fmax(all, DBL_MIN)));
 }
 
 enum hawser_status hawser__climb_open(struct hawser__climb *climb, const struct hawser__orbit *orbit,
@@ -117,20 +131,28 @@ int hawser__climb_pass(struct hawser__climb *climb, const double *y, double load
 	return raised->way && hawser__way_add(raised->way, load, y, orbit->size - 1) ? 3 : 0;
 }
 
-/* t of length 1, relative to the orbit and the load, and its dual. */
-static void direct(struct hawser__climb *climb, int count)
+/* t of length 1, relative to each coordinate of the orbit, of which those below `least` of it are not
+ * determined, and to the load; and its dual. */
+static void direct(struct hawser__climb *climb, int count, int n, double least)
 {
-	double size = cblas_dnrm2(count, climb->good, 1), *t = climb->t, length;
+	double *t = climb->t, length, sum = pow(t[count]/climb->load, 2);
+	double floor = least*least*squares(climb->good, 0.0, climb->good, count, 1, 0);
 
-	length = hypot(cblas_dnrm2(count, t, 1)/size, t[count]/climb->load);
-	cblas_dscal(count + 1, 1.0/length, t, 1);
-	for (int i = 0; i < count; i++)
-		climb->row[i] = t[i]/(size*size);
+	for (int j = 0; j < n; j++) {
+		double size = fmax(squares(climb->good, 0.0, climb->good, count, n, j), floor);
+
+		for (int i = j; i < count; i += n)
+			climb->row[i] = t[i]/size;
+		sum += squares(t, 0.0, t, count, n, j)/size;
+	}
 	climb->row[count] = t[count]/(climb->load*climb->load);
+	length = sqrt(sum);
+	cblas_dscal(count + 1, 1.0/length, t, 1);
+	cblas_dscal(count + 1, 1.0/length, climb->row, 1);
 }
 
 /* The direction at the last orbit in which the load rises. Not 0: there is none. */
-static int begin_arc(struct hawser__climb *climb, struct hawser__orbit *orbit)
+static int begin_arc(struct hawser__climb *climb, struct hawser__orbit *orbit, double rough)
 {
 	int count = orbit->size - 1;
 
@@ -141,7 +163,7 @@ static int begin_arc(struct hawser__climb *climb, struct hawser__orbit *orbit)
 	if (!isfinite(orbit->ops->defects(orbit, climb->good, 1)) || orbit->ops->factor(orbit, climb->row))
 		return 1;
 	hawser__orbit_tangent(orbit, climb->t);
-	direct(climb, count);
+	direct(climb, count, orbit->n, rough);
 	return 0;
 }
 
@@ -217,13 +239,13 @@ static int begin_again(double *y, struct hawser__climb *climb, struct hawser__or
 	failed = correct_arc(y, climb, orbit, correction, omega, rough, report);
 	if (failed > 1)
 		return failed;
-	if (failed || hawser__orbit_distance(y, climb->good, orbit->size - 1) > SHIFT) {
-		direct(climb, orbit->size - 1);
+	if (failed || hawser__orbit_distance(y, climb->good, orbit->size - 1, orbit->n, rough) > SHIFT) {
+		direct(climb, orbit->size - 1, orbit->n, rough);
 		return 0;
 	}
 	memcpy(climb->good, y, (size_t)orbit->size*sizeof *y);
 	memcpy(climb->guess, climb->t, (size_t)orbit->size*sizeof *y);
-	failed = begin_arc(climb, orbit);
+	failed = begin_arc(climb, orbit, rough);
 	if (!failed && cblas_ddot(orbit->size - 1, climb->t, 1, climb->guess, 1) < 0.0) {
 		cblas_dscal(orbit->size, -1.0, climb->t, 1);
 		cblas_dscal(orbit->size, -1.0, climb->row, 1);
@@ -236,13 +258,13 @@ static int follow_arc(double *y, struct hawser__climb *climb, struct hawser__orb
                       struct hawser__correction *correction, double omega,
                       const struct hawser__raised *raised, struct hawser_report *report)
 {
-	int count = orbit->size - 1, failed = begin_arc(climb, orbit);
+	int count = orbit->size - 1, failed = begin_arc(climb, orbit, raised->rough);
 	double least = raised->rough < HAWSER__ON_THE_WAY ? LEAST_FINE : LEAST_ARC;
 	double step = ARC, shift = INFINITY; /* by which the last step failed, relative to the orbit */
 
 	if (!failed && behind(climb, count)) {
 		step_back(climb, raised);
-		failed = begin_arc(climb, orbit);
+		failed = begin_arc(climb, orbit, raised->rough);
 	}
 	if (!failed && climb->load == 1.0) {
 		memcpy(y, climb->good, (size_t)count*sizeof *y);
@@ -254,7 +276,7 @@ static int follow_arc(double *y, struct hawser__climb *climb, struct hawser__orb
 		for (int k = 0; k <= count; k++)
 			y[k] = climb->guess[k] = climb->good[k] + step*climb->t[k];
 		failed = correct_arc(y, climb, orbit, correction, omega, raised->rough, report);
-		off = failed ? INFINITY : hawser__orbit_distance(y, climb->guess, count)/step;
+		off = failed ? INFINITY : hawser__orbit_distance(y, climb->guess, count, orbit->n, raised->rough)/step;
 		if (failed > 1)
 			return failed;
 		if (!failed)
@@ -280,7 +302,7 @@ static int follow_arc(double *y, struct hawser__climb *climb, struct hawser__orb
 		}
 		memcpy(climb->t, climb->guess, (size_t)orbit->size*sizeof *y);
 		failed = hawser__climb_pass(climb, y, y[count], orbit, raised);
-		direct(climb, count);
+		direct(climb, count, orbit->n, raised->rough);
 		step = fmin(ARC, step*fmin(2.0, sqrt(BEND/fmax(fmin(off, STRAY), DBL_EPSILON))));
 	}
 	return failed ? failed : 1;
