@@ -35,6 +35,11 @@ hawser__accuracy_settle(const struct hawser_accuracy_options *options, double ac
  * with bending. */
 int hawser__accuracy_largest(int asked, const struct hawser_statics *st);
 
+/* Where the error of a response is wanted: the bases that are compared have more functions per component
+ * than these, and what is asked of them is this part of the accuracy; chosen. */
+int hawser__accuracy_fewest(const struct hawser_statics *st);
+#define HAWSER__PART 0.1
+
 /* Trace the next response and compute its distance from the previous one, which *marks describes;
  * *marks then describes the new one. functions = 0: a model of the modes that are kept now is
  * built; otherwise a->rom is the full-order model with that number of functions. known: orbits of it,

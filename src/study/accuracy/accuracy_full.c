@@ -48,7 +48,6 @@
 #define OF_BASIS 0.3    /* of the distance of a response from a draft, by the basis of that; chosen */
 #define CHECKING 0.2    /* of what can be borne, for the marks in a larger basis, where the range may
                          * be shortened; chosen */
-#define PART 0.1        /* of the accuracy: error of a basis, and */
 #define EACH 6          /* fewest functions between attachments, where the error of a response is
                          * wanted, which is mostly far below the accuracy; chosen */
 
@@ -60,6 +59,11 @@ struct condensed {
 	double off, near; /* from the exact energy's; near enough to be the answer */
 	int lent;         /* 1: the response is the caller's */
 };
+
+int hawser__accuracy_fewest(const struct hawser_statics *st)
+{
+	return EACH*(st->attachments + 1);
+}
 
 /* In harmonic balance, the tolerance limits the error of every orbit, which is larger than that of
  * folds and peaks. A larger tolerance is therefore sufficient. */
@@ -131,7 +135,7 @@ static enum hawser_status compare_condensed(struct condensed *condensed,
 	if (!condensed->marks || hawser__accuracy_cut(a) || isfinite(a->until))
 		return HAWSER_OK;
 	status = hawser__marks_find(&found, &a->frf, rom, &located,
-	                            HAWSER__LOCATED*(condensed->lent ? PART : 1.0)*a->asked, report);
+	                            HAWSER__LOCATED*(condensed->lent ? HAWSER__PART : 1.0)*a->asked, report);
 	if (!status)
 		status = hawser__marks_distance(&condensed->off, condensed->marks, &found, report);
 	condensed->off = (condensed->lent ? HAWSER__MARGIN : 1.0)*condensed->off +
@@ -205,12 +209,12 @@ static enum hawser_status choose(struct hawser__draft *chosen, double *moved, do
                                  struct hawser_frf_options *frf, double *work,
                                  struct hawser_report *report)
 {
-	const double enough = condensed->lent ? PART*a->asked : a->asked; /* error of a basis */
+	const double enough = condensed->lent ? HAWSER__PART*a->asked : a->asked; /* error of a basis */
 	const struct hawser_accuracy_bases of = {&a->modes, scene, a->choice.to, enough,
 	                                         options->most_functions};
 	struct hawser__traced traced = {.functions = 0};
 	enum hawser_status status = HAWSER_OK;
-	int functions = condensed->lent ? EACH*(a->modes.statics.attachments + 1) : 0, largest[2];
+	int functions = condensed->lent ? hawser__accuracy_fewest(&a->modes.statics) : 0, largest[2];
 
 	while (!status) {
 		struct hawser__draft next = {.functions = 0};
