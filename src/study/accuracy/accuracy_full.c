@@ -48,8 +48,6 @@
 #define OF_BASIS 0.3    /* of the distance of a response from a draft, by the basis of that; chosen */
 #define CHECKING 0.2    /* of what can be borne, for the marks in a larger basis, where the range may
                          * be shortened; chosen */
-#define EACH 6          /* fewest functions between attachments, where the error of a response is
-                         * wanted, which is mostly far below the accuracy; chosen */
 
 /* The last condensed model, its response with its marks (NULL: none that counts), and its distance. */
 struct condensed {
@@ -59,11 +57,6 @@ struct condensed {
 	double off, near; /* from the exact energy's; near enough to be the answer */
 	int lent;         /* 1: the response is the caller's */
 };
-
-int hawser__accuracy_fewest(const struct hawser_statics *st)
-{
-	return EACH*(st->attachments + 1);
-}
 
 /* In harmonic balance, the tolerance limits the error of every orbit, which is larger than that of
  * folds and peaks. A larger tolerance is therefore sufficient. */
@@ -135,7 +128,8 @@ static enum hawser_status compare_condensed(struct condensed *condensed,
 	if (!condensed->marks || hawser__accuracy_cut(a) || isfinite(a->until))
 		return HAWSER_OK;
 	status = hawser__marks_find(&found, &a->frf, rom, &located,
-	                            HAWSER__LOCATED*(condensed->lent ? HAWSER__PART : 1.0)*a->asked, report);
+	                            HAWSER__LOCATED*(condensed->lent ? HAWSER__PART : 1.0)*a->asked,
+	                            report);
 	if (!status)
 		status = hawser__marks_distance(&condensed->off, condensed->marks, &found, report);
 	condensed->off = (condensed->lent ? HAWSER__MARGIN : 1.0)*condensed->off +

@@ -93,8 +93,8 @@ static double least_points(double from, double to, double longest)
 	return fmax(1.0/longest, fabs(log(to/from))*step/(0.01*longest));
 }
 
-/* Number of the resonances in the range, the factors e by which their bends there exceed the widths, and
- * the largest motion. */
+/* Number of the resonances in the range, the factors e by which their bends there exceed the widths,
+ * and the largest motion. */
 static int add_up(double *bends, double *motion, const struct hawser_survey *survey)
 {
 	const struct hawser_plan *plan = survey->plan;
@@ -180,7 +180,7 @@ void hawser__estimate_full_cost(struct hawser_plan_row *row, const struct hawser
 	state(row, survey, 0.0, 1.0, POINT_FULL);
 }
 
-/* Of full-order models after `row`, by their work: their response is the answer, or that of `row` is. */
+/* Of full-order models after `row`, by their work: their response is the answer, or that of `row`. */
 void hawser__estimate_work(struct hawser_plan_row *row, const struct hawser_survey *survey, double work,
                            double longest)
 {

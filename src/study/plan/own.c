@@ -10,7 +10,7 @@
 #include "study/accuracy/survey.h"
 
 /* Work, s (hawser_orbit_work): reading, statics, modes, model, its error and the peaks. */
-#define COMMAND 0.05
+#define COMMAND 0.06
 /* Work of a search over that of its first draft: the next bases, with the response and its peaks, and
  * alone, which tell an error; medians of 31 random and shipped scenes (bench/defaults.py), where it was
  * 2.0 to 9.0, and 1.1 to 2.0. */
