@@ -306,10 +306,10 @@ static enum hawser_status try_condense(struct hawser__condensation *work,
 	return HAWSER_OK;
 }
 
-/* N has infinitely many harmonics. Along a branch as many are included first as the last N needed, which
- * may be fewer than K has; there and in haste a few beyond those of K, and as many as for comparison
- * where the last ones are not negligible. The matrices at the phases have all harmonics of K: fewer
- * phases leave out nothing but harmonics of F. */
+/* N has infinitely many harmonics. Along a branch as many are included first as the last N needed,
+ * which may be fewer than K has; there and in haste a few beyond those of K, and as many as for
+ * comparison where the last ones are not negligible. The matrices at the phases have all harmonics of
+ * K: fewer phases leave out nothing but harmonics of F. */
 static enum hawser_status try_orders(struct hawser__condensation *work,
                                      struct hawser__monodromy *monodromy,
                                      const struct hawser__variational *system,
