@@ -221,7 +221,7 @@ static enum hawser_status choose(struct hawser__draft *chosen, double *moved, do
 		a->functions = next.functions = functions;
 		partial = hawser__marks_partial(options, &traced, chosen->rom.n, next.rom.n, *work);
 		if (traced.functions)
-			status = hawser__draft_carry(&next, &away, &traced, a, frf,
+			status = hawser__draft_carry(&next, &away, &traced, a, frf, enough,
 			                             partial ? CHECKING*options->bearable : 0.0, report);
 		*work += next.work;
 		if (traced.functions) { /* as many points, each of which takes longer */

@@ -16,7 +16,8 @@
  * and that after a further draft. */
 #define AGAIN 1.0
 #define CHECKED 0.5
-#define ROUGH 1e-5      /* least tolerance of orbits at marks; chosen, far below the distances */
+#define ROUGH 0.01      /* tolerance of orbits at marks over the error that a basis may have; chosen. The
+                         * largest distances of bases are the same with a tenth of it */
 #define JUDGING 1.5e-7  /* s of a set of multipliers, over the cube of the number of coordinates */
 #define DOUBT 2.0       /* factor of what is foreseen of a draft that has not ended; chosen */
 #define ASIDE 2         /* points before the one from which the curve cannot be followed; chosen */
@@ -329,8 +330,8 @@ int hawser__traced_part(struct hawser__traced *traced, struct hawser_accuracy *a
 enum hawser_status hawser__draft_carry(struct hawser__draft *draft, double *away,
                                        struct hawser__traced *traced,
                                        struct hawser_accuracy *a,
-                                       const struct hawser_frf_options *settled, double most,
-                                       struct hawser_report *report)
+                                       const struct hawser_frf_options *settled, double enough,
+                                       double most, struct hawser_report *report)
 {
 	struct hawser_frf_options frf = *settled;
 	struct hawser_frf found = {.n = 0};
@@ -339,7 +340,7 @@ enum hawser_status hawser__draft_carry(struct hawser__draft *draft, double *away
 	enum hawser_status status = HAWSER_OK;
 
 	*away = INFINITY;
-	frf.tolerance = fmax(frf.tolerance, ROUGH);
+	frf.tolerance = fmax(frf.tolerance, ROUGH*enough);
 	frf.most_work = most;
 	if (traced->orbits.count < traced->curve.points)
 		return HAWSER_OK;

@@ -82,13 +82,14 @@ int hawser__traced_part(struct hawser__traced *traced, struct hawser_accuracy *a
                         const struct hawser_frf_options *range);
 
 /* The counterparts of the marks in the model of *draft, if there are, and how far they are from the
- * curve; INFINITY: too far. most: 0, or work: where some have none, or it takes more than that, the
- * range may end before (a->until), and *traced with it. Told to stop, a->frf.end says so. */
+ * curve; INFINITY: too far. enough: error that a basis may have. most: 0, or work: where some have
+ * none, or it takes more than that, the range may end before (a->until), and *traced with it. Told to
+ * stop, a->frf.end says so. */
 enum hawser_status hawser__draft_carry(struct hawser__draft *draft, double *away,
                                        struct hawser__traced *traced,
                                        struct hawser_accuracy *a,
-                                       const struct hawser_frf_options *settled, double most,
-                                       struct hawser_report *report);
+                                       const struct hawser_frf_options *settled, double enough,
+                                       double most, struct hawser_report *report);
 
 /* draft_marks.c: whether the range ends where marks have no counterparts in the next basis, of n
  * coordinates after `own`, or where that is too far away: two larger bases, one to be drawn and one
