@@ -70,7 +70,7 @@ struct hawser_frf_point {
 	                   * coordinate */
 	int label;        /* hawser_frf_label; 0: none */
 	double contact;   /* smallest angle of contact on a sheave over the period, relative to that at rest
-	                   * (struct hawser_rom_contacts): below 0 the rope leaves it; INFINITY: no sheaves */
+	                   * (hawser_rom_contacts): below 0 the rope leaves it; INFINITY: no sheaves */
 	int sheave;       /* on which: index in rom->contacts; -1: none */
 };
 

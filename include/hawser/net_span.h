@@ -85,9 +85,9 @@ const char *hawser_net_span_probe(int probe); /* "quarter", "mid", "three_quarte
 struct hawser_net_span_motion_options {
 	struct hawser_net_span_options mesh;
 	double until, every; /* s: end, and interval of the rows; every 0: until/200 */
-	double step;         /* s, longest; negative: by the local error; 0: a 1000th of the period of the highest
-	                      * multiple of Omega in the load, or of the time in which a transverse wave runs
-	                      * to end B and back, if that is shorter */
+	double step;         /* s, longest; negative: by the local error; 0: a 1000th of the period of the
+	                      * highest multiple of Omega in the load, or of the time in which a
+	                      * transverse wave runs to end B and back, if that is shorter */
 	double tolerance;    /* as in struct hawser_net_motion_options */
 	const char *scheme;  /* row of hawser_net_scheme; NULL: the first */
 	int single;          /* 1: without the second mesh, so that no error is known */

@@ -11,12 +11,13 @@
  * nothing but the count need be known. Not 0: memory is short, and the array is as it was. */
 static inline int hawser__more(void *array, long count, size_t size)
 {
-	void *now, *larger;
+	void *larger;
 
 	if (count & (count - 1))
 		return 0;
-	memcpy(&now, array, sizeof now); /* a pointer to elements of any type */
-	larger = realloc(now, (count ? 2*(size_t)count : 1)*size + 1);
+	memcpy(&larger, array, sizeof larger); /* a pointer to elements of any type */
+	/* cppcheck-suppress memleakOnRealloc ; *array has it */
+	larger = realloc(larger, (count ? 2*(size_t)count : 1)*size + 1);
 	if (larger)
 		memcpy(array, &larger, sizeof larger);
 	return !larger;
@@ -25,10 +26,11 @@ static inline int hawser__more(void *array, long count, size_t size)
 /* Make room for `count` elements of `size` bytes; not 0: as above. */
 static inline int hawser__resize(void *array, size_t count, size_t size)
 {
-	void *now, *larger;
+	void *larger;
 
-	memcpy(&now, array, sizeof now);
-	larger = realloc(now, count*size + 1);
+	memcpy(&larger, array, sizeof larger);
+	/* cppcheck-suppress memleakOnRealloc ; *array has it */
+	larger = realloc(larger, count*size + 1);
 	if (larger)
 		memcpy(array, &larger, sizeof larger);
 	return !larger;

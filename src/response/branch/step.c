@@ -257,7 +257,7 @@ enum hawser_status hawser__trace_judge(void *owner, double ds, double angle,
 {
 	struct hawser__trace *trace = owner;
 	enum hawser_status status;
-	int hidden;
+	int hidden, sure;
 
 	*verdict = HAWSER__SHORTEN;
 	if (refused(trace, angle, ds))
@@ -265,7 +265,7 @@ enum hawser_status hawser__trace_judge(void *owner, double ds, double angle,
 	if ((status = hawser__trace_hides(trace, &hidden)) || hidden)
 		return status;
 	*verdict = HAWSER__KEEP;
-	if (hawser__account_crossings(&trace->here, &trace->next, &(int){0},
+	if (hawser__account_crossings(&trace->here, &trace->next, &sure,
 	                              hawser__station_unsure(&trace->here, &trace->next)))
 		return HAWSER_OK;
 	status = hawser__trace_determined(trace, &trace->next);

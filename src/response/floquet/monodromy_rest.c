@@ -19,7 +19,6 @@
 #include <lapacke.h>
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "core/report.h"
 #include "response/floquet/monodromy.h"

@@ -168,8 +168,8 @@ static enum hawser_status is_behind(int *behind, struct hawser__about *about, do
                                     struct hawser_report *report)
 {
 	const double zero[2] = {0.0, 0.0};
-	struct hawser__variational system;
-	double value[3];
+	struct hawser__variational system = {.n = 0};
+	double value[3] = {0.0};
 	int exponent, harmonics = 0;
 	enum hawser_status status = HAWSER_OK;
 

@@ -222,6 +222,7 @@ static enum hawser_status raise_load(double *y, struct hawser__orbit *orbit, int
 
 	if (status)
 		goto done;
+	/* cppcheck-suppress autoVariables ; until it has its own again, below */
 	orbit->rom = &climb.weak.rom;
 	*failed = !raised->guide ? 0 : follow(&climb, y, orbit, correction, omega, tolerance, raised,
 	                                      report);
