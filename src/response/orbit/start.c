@@ -325,6 +325,7 @@ enum hawser_status hawser__start(double *y, struct hawser__orbit *orbit,
                                  double omega, double tolerance, struct hawser__raised *raised,
                                  struct hawser_report *report)
 {
+	const double rough = raised->lone ? fmax(tolerance, raised->rough) : tolerance;
 	enum hawser_status status;
 	int failed, far = 0;
 
@@ -335,11 +336,10 @@ enum hawser_status hawser__start(double *y, struct hawser__orbit *orbit,
 	               : linear_response(y, orbit, omega, report);
 	if (status)
 		return status;
-	failed = correct_at(y, orbit, correction, omega, raised->lone ? fmax(tolerance, raised->rough)
-	                                                              : tolerance, report);
+	failed = correct_at(y, orbit, correction, omega, rough, report);
 	if (failed == 3)
 		return HAWSER_ERR_MEMORY;
-	if (!failed && raised->lone && (status = strayed(&far, y, orbit, omega, fmax(tolerance, raised->rough), report)))
+	if (!failed && raised->lone && (status = strayed(&far, y, orbit, omega, rough, report)))
 		return status;
 	if (!failed && raised->lone && !far)
 		failed = correct_at(y, orbit, correction, omega, tolerance, report);

@@ -276,7 +276,8 @@ static int follow_arc(double *y, struct hawser__climb *climb, struct hawser__orb
 		for (int k = 0; k <= count; k++)
 			y[k] = climb->guess[k] = climb->good[k] + step*climb->t[k];
 		failed = correct_arc(y, climb, orbit, correction, omega, raised->rough, report);
-		off = failed ? INFINITY : hawser__orbit_distance(y, climb->guess, count, orbit->n, raised->rough)/step;
+		off = failed ? INFINITY
+		             : hawser__orbit_distance(y, climb->guess, count, orbit->n, raised->rough)/step;
 		if (failed > 1)
 			return failed;
 		if (!failed)

@@ -128,7 +128,7 @@ static enum hawser_status compare_condensed(struct condensed *condensed,
 	if (!condensed->marks || hawser__accuracy_cut(a) || isfinite(a->until))
 		return HAWSER_OK;
 	status = hawser__marks_find(&found, &a->frf, rom, &located,
-	                            HAWSER__LOCATED*(condensed->lent ? HAWSER__PART : 1.0)*a->asked,
+	                            HAWSER__LOCATED*(condensed->lent ? HAWSER__BASIS_PART : 1.0)*a->asked,
 	                            report);
 	if (!status)
 		status = hawser__marks_distance(&condensed->off, condensed->marks, &found, report);
@@ -203,7 +203,8 @@ static enum hawser_status choose(struct hawser__draft *chosen, double *moved, do
                                  struct hawser_frf_options *frf, double *work,
                                  struct hawser_report *report)
 {
-	const double enough = condensed->lent ? HAWSER__PART*a->asked : a->asked; /* error of a basis */
+	/* error of a basis */
+	const double enough = condensed->lent ? HAWSER__BASIS_PART*a->asked : a->asked;
 	const struct hawser_accuracy_bases of = {&a->modes, scene, a->choice.to, enough,
 	                                         options->most_functions};
 	struct hawser__traced traced = {.functions = 0};

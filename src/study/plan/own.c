@@ -110,7 +110,7 @@ static enum hawser_status compare_unweighed(struct hawser_plan_row *row,
 
 	if (survey->scene->model.energy != HAWSER_ENERGY_AUTO || survey->raw.drag || isnan(row->seconds))
 		return HAWSER_OK;
-	status = first_basis(&functions, &n, survey, &asked, HAWSER__PART*asked.accuracy, report);
+	status = first_basis(&functions, &n, survey, &asked, HAWSER__BASIS_PART*asked.accuracy, report);
 	if (!status)
 		hawser__estimate_work(row, survey, fmin(COMPARED*hawser__draft_foreseen(survey, n),
 		                                        HAWSER_INSTEAD_FOR_ERROR), 0.0);
