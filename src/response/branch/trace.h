@@ -87,6 +87,11 @@ struct hawser__trace {
 	int enriched;           /* number of finer discretisations already used in this step */
 	double undetermined;    /* error of the orbit before the last of them */
 	struct hawser__shrinking shrinking;
+	/* The first of the last points between which Omega is the same but for an event's error: */
+	struct {
+		double omega, sign[2]; /* of the tests of a fold and a branch point */
+		int point;
+	} level;
 	int passed;             /* number of the known orbits that lie behind */
 	int aimed;              /* the one at which the next step ends, */
 	double aim;             /* if it has this length; 0: at none */
