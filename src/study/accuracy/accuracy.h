@@ -19,6 +19,10 @@
 /* The same on those that add all terms of first order with their signs; by bench/practical.py too. */
 #define HAWSER__SAFETY_ORDER 1.75
 
+#define HAWSER__FIRST 10 /* most modes of the first model: later ones depend on its motions; chosen */
+#define HAWSER__NEXT 0.2 /* rest of the next model, relative to the accuracy: a small one saves a
+                          * further model; chosen */
+
 /* Fewest candidates; chosen. */
 enum { HAWSER__FEWEST = 12 };
 

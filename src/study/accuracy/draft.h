@@ -54,6 +54,7 @@ struct hawser__draft_watch {
 	int vain;      /* or, 1, where the curve comes no farther */
 	double farthest, until; /* frequency that it has reached, work until there */
 	int turned;    /* and points */
+	double most;   /* work of all, after which the range ends; 0: not limited */
 };
 
 /* The orbits of the last curve become those of *chosen if it is that one's. */
@@ -82,11 +83,13 @@ int hawser__traced_part(struct hawser__traced *traced, struct hawser_accuracy *a
                         const struct hawser_frf_options *range);
 
 /* The counterparts of the marks in the model of *draft, if there are, and how far they are from the
- * curve; INFINITY: too far. most: 0, or work: where some have none, or it takes more than that, the
- * range may end before (a->until), and *traced with it. Told to stop, a->frf.end says so. */
+ * curve; INFINITY: too far. chosen: the basis before it, after this work, whose response follows if the
+ * two agree; NULL: no time left is told. most: 0, or work: where some have none, or it takes more than
+ * that, the range may end before (a->until), and *traced with it. Told to stop, a->frf.end says so. */
 enum hawser_status hawser__draft_carry(struct hawser__draft *draft, double *away,
-                                       struct hawser__traced *traced,
-                                       struct hawser_accuracy *a,
+                                       struct hawser__traced *traced, struct hawser_accuracy *a,
+                                       const struct hawser_accuracy_options *options,
+                                       const struct hawser__draft *chosen, double before,
                                        const struct hawser_frf_options *settled, double most,
                                        struct hawser_report *report);
 
