@@ -40,9 +40,9 @@
 
 /* --- candidates --- */
 
-/* Frequency up to which modes are candidates. The measure of a mode of frequency w that responds at
- * 2 Omega is about 0.13 (2 Omega/w)^3 in the scenes of bench/accuracy. */
-static double reach(double to, double accuracy)
+/* The measure of a mode of frequency w that responds at 2 Omega is about 0.13 (2 Omega/w)^3 in the
+ * scenes of bench/accuracy. */
+double hawser__accuracy_reach(double to, double accuracy)
 {
 	return 2.0*to*fmax(2.0, cbrt(0.3/accuracy));
 }
@@ -83,7 +83,7 @@ enum hawser_status hawser__accuracy_candidates(struct hawser_modes *modes,
                                                double to, double accuracy, int fewest,
                                                struct hawser_report *report)
 {
-	double top = reach(fmax(from, to), accuracy);
+	double top = hawser__accuracy_reach(fmax(from, to), accuracy);
 	struct hawser_modes_options options = settings(scene, fewest);
 	enum hawser_status status = hawser_modes_solve(modes, statics, &options, report);
 

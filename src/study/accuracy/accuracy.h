@@ -54,6 +54,9 @@ enum hawser_status hawser__accuracy_attempt(struct hawser_accuracy *a, struct ha
                                             const struct hawser__orbits *known,
                                             struct hawser_report *report) HAWSER_MUST_CHECK;
 
+/* Frequency up to which modes are candidates, where the range ends at `to`. */
+double hawser__accuracy_reach(double to, double accuracy);
+
 /* Compute the candidates, the modes among which hawser_accuracy_choose chooses: at least `fewest`. */
 enum hawser_status hawser__accuracy_candidates(struct hawser_modes *modes,
                                                const struct hawser_statics *statics,

@@ -329,22 +329,21 @@ void hawser__estimate_auto(struct hawser_plan_row *row, const struct hawser_surv
 	struct hawser_accuracy_options options = {.most = 0};
 	struct hawser_plan_row full = {.n = 0};
 	struct hawser_accuracy_fixed fixed;
-	struct hawser_modes among;
 
-	if (index && plan->chosen &&
-	    !hawser__accuracy_candidates(&among, &plan->modes.statics, survey->scene, plan->from, plan->to,
-	                                 asked, HAWSER__FEWEST, NULL)) {
+	if (index && plan->chosen) {
+		double last = plan->modes.mode[plan->modes.n - 1].omega;
+		double among = plan->modes.n*hawser__accuracy_reach(fmax(plan->from, plan->to), asked)/last;
+
 		row->omega_error = asked;
 		hawser__count_entries(row, survey, index,
 		                      first(index, plan, HAWSER__FIRST, HAWSER__NEXT*asked));
-		hawser__estimate_auto_cost(row, survey, among.n,
+		hawser__estimate_auto_cost(row, survey, among,
 		                           hawser__accuracy_settle(&options, asked).step_max);
 		if (!hawser__foresee(&fixed, survey, index, row->n, NULL) &&
 		    HAWSER__SAFETY_ORDER*fixed.truncation > asked)
 			hawser__estimate_work(row, survey,
 			                      HAWSER__SEARCHED*hawser__draft_of(&full, survey, 0, asked), 0.0);
 		snprintf(row->why, sizeof row->why, "what is asked for; modes as the first look has them");
-		hawser_modes_clear(&among);
 	} else {
 		unchosen(row, survey);
 	}

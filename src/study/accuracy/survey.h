@@ -69,7 +69,7 @@ double hawser__draft_of(struct hawser_plan_row *full, const struct hawser_survey
 #define HAWSER__SEARCHED 3.0
 void hawser__estimate_chosen_cost(struct hawser_plan_row *row, const struct hawser_survey *survey);
 void hawser__estimate_auto_cost(struct hawser_plan_row *row, const struct hawser_survey *survey,
-                                int candidates, /* modes among which it chooses */
+                                double candidates, /* modes among which it chooses */
                                 double longest); /* step of its curves, relative to the range */
 
 /* Find the resonances and their effective cubic coefficients. */

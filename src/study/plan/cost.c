@@ -195,9 +195,9 @@ void hawser__estimate_chosen_cost(struct hawser_plan_row *row, const struct haws
 }
 
 void hawser__estimate_auto_cost(struct hawser_plan_row *row, const struct hawser_survey *survey,
-                                int candidates, double longest)
+                                double candidates, double longest)
 {
-	state(row, survey, CHOICE*pow((double)candidates/CHOICES, 3.0), SEARCHED, POINT, longest);
+	state(row, survey, CHOICE*pow(candidates/CHOICES, 3.0), SEARCHED, POINT, longest);
 }
 
 void hawser__estimate_closed_cost(struct hawser_plan_row *row, const struct hawser_survey *survey)

@@ -37,20 +37,14 @@ double hawser__draft_of(struct hawser_plan_row *full, const struct hawser_survey
                         double accuracy)
 {
 	const struct hawser_plan *plan = survey->plan;
+	const struct hawser_accuracy_bases of = {&plan->modes, survey->scene, fmax(plan->from, plan->to),
+	                                         accuracy, most};
 	int functions = (int)full->choice.number;
-	struct hawser_modes modes = {.n = 0};
-	struct hawser_accuracy_bases of = {&modes, survey->scene, fmax(plan->from, plan->to), accuracy,
-	                                   most};
 	struct hawser_rom rom = {.n = 0};
 
-	if (!hawser__accuracy_candidates(&modes, &plan->modes.statics, survey->scene, plan->from, plan->to,
-	                                 accuracy, HAWSER__FEWEST, NULL) &&
-	    !hawser_accuracy_basis(&rom, &functions, &of, 0, NULL)) {
-		full->n = rom.n;
-		full->choice.number = functions;
-	}
+	full->n = hawser_accuracy_basis(&rom, &functions, &of, 0, NULL) ? 0 : rom.n;
+	full->choice.number = functions;
 	hawser_rom_clear(&rom);
-	hawser_modes_clear(&modes);
 	return hawser__draft_foreseen(survey, full->n);
 }
 
