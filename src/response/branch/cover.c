@@ -69,7 +69,8 @@ static int watch_gaps(void *data, const struct hawser_progress_state *state)
 {
 	struct hawser_progress_state told = *state;
 
-	told.fraction = told.left = NAN;
+	told.fraction = NAN;
+	told.left = INFINITY; /* nor does that of the curve before hold */
 	return hawser__told_to_stop(data, &told);
 }
 

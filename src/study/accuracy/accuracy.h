@@ -19,6 +19,10 @@
 /* The same on those that add all terms of first order with their signs; by bench/practical.py too. */
 #define HAWSER__SAFETY_ORDER 1.75
 
+#define HAWSER__FIRST 10 /* most modes of the first model: later ones depend on its motions; chosen */
+#define HAWSER__NEXT 0.2 /* rest of the next model, relative to the accuracy: a small one saves a
+                          * further model; chosen */
+
 /* Fewest candidates; chosen. */
 enum { HAWSER__FEWEST = 12 };
 
@@ -49,6 +53,9 @@ enum hawser_status hawser__accuracy_attempt(struct hawser_accuracy *a, struct ha
                                             const struct hawser_frf_options *options,
                                             const struct hawser__orbits *known,
                                             struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* Frequency up to which modes are candidates, where the range ends at `to`. */
+double hawser__accuracy_reach(double to, double accuracy);
 
 /* Compute the candidates, the modes among which hawser_accuracy_choose chooses: at least `fewest`. */
 enum hawser_status hawser__accuracy_candidates(struct hawser_modes *modes,

@@ -213,6 +213,7 @@ static enum hawser_status choose(struct hawser__draft *chosen, double *moved, do
 
 	while (!status) {
 		struct hawser__draft next = {.functions = 0};
+		const struct hawser__draft_told told = {options, chosen, *work};
 		double away = INFINITY;
 		int again = 0, partial, points = traced.curve.points;
 
@@ -222,7 +223,7 @@ static enum hawser_status choose(struct hawser__draft *chosen, double *moved, do
 		a->functions = next.functions = functions;
 		partial = hawser__marks_partial(options, &traced, chosen->rom.n, next.rom.n, *work);
 		if (traced.functions)
-			status = hawser__draft_carry(&next, &away, &traced, a, frf, enough,
+			status = hawser__draft_carry(&next, &away, &traced, a, &told, frf, enough,
 			                             partial ? CHECKING*options->bearable : 0.0, report);
 		*work += next.work;
 		if (traced.functions) { /* as many points, each of which takes longer */
@@ -308,6 +309,7 @@ static enum hawser_status follow(struct hawser_accuracy *a, struct hawser__marks
 	frf.progress = (struct hawser_progress){hawser__draft_watch_trace, &watch};
 	if (options->partial)
 		frf.most_work = fmax(options->bearable - work, AT_LEAST*options->bearable);
+	watch.most = options->partial ? work + frf.most_work : 0.0;
 	status = hawser__accuracy_attempt(a, marks, scene, chosen->functions, &frf,
 	                                  &chosen->orbits, report);
 	if (status == HAWSER_ERR_CONVERGENCE && options->frf.tolerance == 0.0 && frf.tolerance > FINEST) {

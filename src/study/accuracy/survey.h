@@ -58,10 +58,19 @@ void hawser__estimate_cost(struct hawser_plan_row *row, const struct hawser_surv
  * to the range; 0: the points are those of the row. */
 void hawser__estimate_work(struct hawser_plan_row *row, const struct hawser_survey *survey, double work,
                            double longest);
-/* Work of the first draft of full-order models, on n coordinates. */
+/* Work of a draft of full-order models, on n coordinates; and of the first one that is drafted for this
+ * accuracy, which *full becomes, with more functions a component than full->choice.number and at most
+ * `most` (0: the default). full->n is 0 if there is none. */
 double hawser__draft_foreseen(const struct hawser_survey *survey, int n);
+double hawser__draft_of(struct hawser_plan_row *full, const struct hawser_survey *survey, int most,
+                        double accuracy);
+/* Work of a search with its response and peaks over that of the first draft; median of 31 random and
+ * shipped scenes (bench/defaults.py), where it was 2.0 to 9.0. */
+#define HAWSER__SEARCHED 3.0
 void hawser__estimate_chosen_cost(struct hawser_plan_row *row, const struct hawser_survey *survey);
-void hawser__estimate_auto_cost(struct hawser_plan_row *row, const struct hawser_survey *survey);
+void hawser__estimate_auto_cost(struct hawser_plan_row *row, const struct hawser_survey *survey,
+                                double candidates, /* modes among which it chooses */
+                                double longest); /* step of its curves, relative to the range */
 
 /* Find the resonances and their effective cubic coefficients. */
 enum hawser_status hawser__find_resonances(struct hawser_plan *plan,

@@ -38,11 +38,12 @@ static const double each = 22.0, each_fold = 12.0;
 #define REFERENCE 5e-5  /* s: the reference matrix, where these were measured */
 #define DOUBT 3.0        /* factor of the times that are stated; bench/plan-times */
 /* Curves of a search for an accuracy, with the weighing of modes and the peaks that are traced again,
- * and of `chosen`, for the modes that are kept in the end; and the seconds of a choice of modes: in the
- * mean of those scenes. */
-#define SEARCHED 6.6
+ * and of `chosen`, for the modes that are kept in the end; and the seconds of a choice among CHOICES
+ * modes, with the cube of their number: in the mean of those scenes. */
+#define SEARCHED 5.0
 #define CHOSEN 2.6
 #define CHOICE 0.1
+#define CHOICES 26
 /* s of work: of this, 1.0 to 3.7e-5 in 31 responses of random and shipped scenes (bench/defaults.py),
  * but 0.6 and 0.8e-5 of two taut stays; where the motion is LARGE, relative to the distance. */
 #define DRAFT 2.5e-5
@@ -163,21 +164,21 @@ static void take(struct hawser_plan_row *row, double points, double seconds)
 }
 
 static void state(struct hawser_plan_row *row, const struct hawser_survey *survey, double before,
-                  double curves, double point)
+                  double curves, double point, double longest)
 {
-	double points = points_of(survey, step);
+	double points = points_of(survey, longest);
 
 	take(row, points, survey->slowness*(before + curves*points*point*row->n*row->n));
 }
 
 void hawser__estimate_cost(struct hawser_plan_row *row, const struct hawser_survey *survey)
 {
-	state(row, survey, 0.0, 1.0, POINT);
+	state(row, survey, 0.0, 1.0, POINT, step);
 }
 
 void hawser__estimate_full_cost(struct hawser_plan_row *row, const struct hawser_survey *survey)
 {
-	state(row, survey, 0.0, 1.0, POINT_FULL);
+	state(row, survey, 0.0, 1.0, POINT_FULL, step);
 }
 
 /* Of full-order models after `row`, by their work: their response is the answer, or that of `row`. */
@@ -190,12 +191,13 @@ void hawser__estimate_work(struct hawser_plan_row *row, const struct hawser_surv
 
 void hawser__estimate_chosen_cost(struct hawser_plan_row *row, const struct hawser_survey *survey)
 {
-	state(row, survey, CHOICE, CHOSEN, POINT);
+	state(row, survey, CHOICE, CHOSEN, POINT, step);
 }
 
-void hawser__estimate_auto_cost(struct hawser_plan_row *row, const struct hawser_survey *survey)
+void hawser__estimate_auto_cost(struct hawser_plan_row *row, const struct hawser_survey *survey,
+                                double candidates, double longest)
 {
-	state(row, survey, CHOICE, SEARCHED, POINT);
+	state(row, survey, CHOICE*pow(candidates/CHOICES, 3.0), SEARCHED, POINT, longest);
 }
 
 void hawser__estimate_closed_cost(struct hawser_plan_row *row, const struct hawser_survey *survey)

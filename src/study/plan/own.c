@@ -11,13 +11,10 @@
 
 /* Work, s (hawser_orbit_work): reading, statics, modes, model, its error and the peaks. */
 #define COMMAND 0.06
-/* Work of a search over that of its first draft: the next bases, with the response and its peaks, and
- * alone, which tell an error; medians of 31 random and shipped scenes (bench/defaults.py), where it was
- * 2.0 to 9.0, and 1.1 to 2.0. */
-#define SEARCHED 3.0
+/* Work of bases that tell an error over that of the first draft, 1.1 to 2.0 (bench/defaults.py). */
 #define COMPARED 1.5
-/* The same where it is ended once the first draft has shown that all takes too long: it does within
- * its first 10 to 100 %, by how far the range goes; the mean of their logarithms. */
+/* The same of a search that ends once the first draft has shown that all takes too long, within its
+ * first 10 to 100 %: the mean of their logarithms. */
 #define GIVEN_UP 0.3
 
 static const struct hawser_fidelity *named(const char *name)
@@ -36,34 +33,23 @@ static struct hawser_plan_row made(const char *fidelity, double number)
 		.points = NAN, .seconds = NAN, .least = NAN, .most = NAN, .omega_error = NAN, .worst = -1};
 }
 
-/* The first basis that is drafted, *functions a component after these and *n coordinates, which is 0 if
- * there is none. */
-static enum hawser_status first_basis(int *functions, int *n, const struct hawser_survey *survey,
-                                      const struct hawser_accuracy_options *asked, double accuracy,
-                                      struct hawser_report *report)
+double hawser__draft_of(struct hawser_plan_row *full, const struct hawser_survey *survey, int most,
+                        double accuracy)
 {
 	const struct hawser_plan *plan = survey->plan;
-	double to = fmax(plan->from, plan->to);
-	struct hawser_modes modes = {.n = 0};
-	struct hawser_accuracy_bases of = {&modes, survey->scene, to, accuracy, asked->most_functions};
-	struct hawser_report why = {.message = ""};
+	const struct hawser_accuracy_bases of = {&plan->modes, survey->scene, fmax(plan->from, plan->to),
+	                                         accuracy, most};
+	int functions = (int)full->choice.number;
 	struct hawser_rom rom = {.n = 0};
-	enum hawser_status status = hawser__accuracy_candidates(&modes, &plan->modes.statics,
-		survey->scene, plan->from, plan->to, accuracy, HAWSER__FEWEST, &why);
 
-	if (!status)
-		status = hawser_accuracy_basis(&rom, functions, &of, 0, &why);
-	*n = status ? 0 : rom.n;
+	full->n = hawser_accuracy_basis(&rom, &functions, &of, 0, NULL) ? 0 : rom.n;
+	full->choice.number = functions;
 	hawser_rom_clear(&rom);
-	hawser_modes_clear(&modes);
-	if (status == HAWSER_ERR_MEMORY && report)
-		*report = why;
-	return status == HAWSER_ERR_MEMORY ? status : HAWSER_OK;
+	return hawser__draft_foreseen(survey, full->n);
 }
 
 /* Whether full-order models answer in place of `row`, and what they cost. */
-static enum hawser_status exceed(struct hawser_plan_row *row, struct hawser_survey *survey,
-                                 struct hawser_report *report)
+static void exceed(struct hawser_plan_row *row, struct hawser_survey *survey)
 {
 	const struct hawser_scene *scene = survey->scene;
 	double limit = hawser_scene_written(scene, "model.accuracy") ? scene->model.accuracy : 0.0;
@@ -71,50 +57,41 @@ static enum hawser_status exceed(struct hawser_plan_row *row, struct hawser_surv
 	struct hawser_accuracy_options asked = hawser_accuracy_instead(&survey->fixed, limit > 0.0, &frf);
 	struct hawser_plan_row full = made("full", 0.0);
 	double accuracy = asked.accuracy > 0.0 ? asked.accuracy : scene->model.accuracy, work, drafted;
-	int functions = 0;
-	enum hawser_status status;
 
 	if (scene->model.energy != HAWSER_ENERGY_AUTO || !hawser_accuracy_poor(&survey->fixed, limit))
-		return HAWSER_OK;
-	status = first_basis(&functions, &full.n, survey, &asked, accuracy, report);
-	if (status || full.n == 0)
-		return status;
-	drafted = hawser__draft_foreseen(survey, full.n);
-	work = SEARCHED*drafted;
+		return;
+	drafted = hawser__draft_of(&full, survey, asked.most_functions, accuracy);
+	work = HAWSER__SEARCHED*drafted;
+	if (full.n == 0)
+		return;
 	survey->instead = work <= asked.bearable ? HAWSER__INSTEAD
 	                  : asked.partial ? HAWSER__PARTLY : HAWSER__TOO_LONG;
 	if (survey->instead == HAWSER__TOO_LONG) {
 		hawser__estimate_work(row, survey, GIVEN_UP*drafted, 0.0);
-		return HAWSER_OK;
+		return;
 	}
-	full.choice.number = functions;
 	full.seconds = row->seconds; /* of the modes, whose error tells */
 	hawser__estimate_work(&full, survey, fmin(work, asked.bearable),
 	                      hawser__accuracy_settle(&asked, accuracy).step_max);
 	full.omega_error = accuracy;
 	snprintf(full.why, sizeof full.why, "what is asked of full-order models, which agree to it");
 	*row = full;
-	return HAWSER_OK;
 }
 
 /* If the effect of modes that are left out cannot be estimated, full-order models are computed for the
  * error. */
-static enum hawser_status compare_unweighed(struct hawser_plan_row *row,
-                                            const struct hawser_survey *survey,
-                                            struct hawser_report *report)
+static void compare_unweighed(struct hawser_plan_row *row, const struct hawser_survey *survey)
 {
 	struct hawser_frf_options frf = {.method = NULL};
 	struct hawser_accuracy_options asked = hawser_accuracy_instead(NULL, 0, &frf);
-	int functions = hawser__accuracy_fewest(&survey->plan->modes.statics), n;
-	enum hawser_status status;
+	struct hawser_plan_row full = made("full", hawser__accuracy_fewest(&survey->plan->modes.statics));
+	double drafted;
 
 	if (survey->scene->model.energy != HAWSER_ENERGY_AUTO || survey->raw.drag || isnan(row->seconds))
-		return HAWSER_OK;
-	status = first_basis(&functions, &n, survey, &asked, HAWSER__BASIS_PART*asked.accuracy, report);
-	if (!status)
-		hawser__estimate_work(row, survey, fmin(COMPARED*hawser__draft_foreseen(survey, n),
-		                                        HAWSER_INSTEAD_FOR_ERROR), 0.0);
-	return status;
+		return;
+	drafted = hawser__draft_of(&full, survey, asked.most_functions,
+	                           HAWSER__BASIS_PART*asked.accuracy);
+	hawser__estimate_work(row, survey, fmin(COMPARED*drafted, HAWSER_INSTEAD_FOR_ERROR), 0.0);
 }
 
 enum hawser_status hawser__estimate_own(struct hawser_plan_row *row, struct hawser_survey *survey,
@@ -139,8 +116,12 @@ enum hawser_status hawser__estimate_own(struct hawser_plan_row *row, struct haws
 	survey->fixed.estimated = NAN;
 	if (strcmp(fidelity, "condensed") != 0)
 		return HAWSER_OK;
-	if (!survey->choice)
-		return compare_unweighed(row, survey, report);
+	if (!survey->choice) {
+		compare_unweighed(row, survey);
+		return HAWSER_OK;
+	}
 	status = hawser__foresee(&survey->fixed, survey, NULL, scene->model.modes, report);
-	return status ? status : exceed(row, survey, report);
+	if (!status)
+		exceed(row, survey);
+	return status;
 }
