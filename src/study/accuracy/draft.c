@@ -16,8 +16,8 @@
  * and that after a further draft. */
 #define AGAIN 1.0
 #define CHECKED 0.5
-#define ROUGH 0.01      /* tolerance of orbits at marks over the error that a basis may have; chosen. The
-                         * largest distances of bases are the same with a tenth of it */
+#define ROUGH 0.01      /* tolerance of orbits at marks over the error that a basis may have; chosen:
+                         * the largest distances of bases are the same with a tenth of it */
 #define JUDGING 1.5e-7  /* s of a set of multipliers, over the cube of the number of coordinates */
 #define DOUBT 2.0       /* factor of what is foreseen of a draft that has not ended; chosen */
 #define ASIDE 2         /* points before the one from which the curve cannot be followed; chosen */
