@@ -112,6 +112,8 @@ struct hawser_frf_event {
 	                  * another one */
 };
 
+struct hawser__orbits;
+
 struct hawser_frf {
 	int n;                          /* coordinates */
 	int points, capacity;
@@ -152,6 +154,8 @@ struct hawser_frf {
 	double sample_gap;
 	int sample_disagreements;
 	struct hawser_orbit_cost cost;
+	struct hawser__orbits *back;    /* internal: orbits of the curve from the other end of the range, if
+	                                 * it was followed there before; or NULL */
 };
 
 /* A method for periodic orbits: its name, a summary of one line, its source. */

@@ -7,6 +7,7 @@
 #include "core/grow.h"
 #include "core/report.h"
 #include "response/branch/record.h"
+#include "response/branch/trace.h"
 #include "response/cycle/cycle.h"
 
 #define ONE_ARC 0.05 /* largest arclength between a fold and a branch point that are one; chosen */
@@ -239,6 +240,7 @@ void hawser_frf_clear(struct hawser_frf *frf)
 	free(frf->state);
 	free(frf->event);
 	free(frf->event_state);
+	hawser__orbits_free(frf->back);
 	memset(frf, 0, sizeof *frf);
 }
 

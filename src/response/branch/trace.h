@@ -190,10 +190,14 @@ size_t hawser__series_length(const struct hawser__series *series, int n);
  * than harmonic balance, and of motions of several periods. Release with hawser__orbits_clear. */
 struct hawser__trace_watch hawser__orbits_watch(struct hawser__orbits *orbits);
 void hawser__orbits_clear(struct hawser__orbits *orbits);
+/* orbits.c: the orbits of the curve in the opposite direction, from the first one that has reached
+ * Omega = `from`; *orbits is cleared. NULL: there are none, or no memory. */
+struct hawser__orbits *hawser__orbits_back(struct hawser__orbits *orbits, double from);
+void hawser__orbits_free(struct hawser__orbits *orbits);
 /* orbits.c: the control of the steps of a trace. */
 const struct hawser__step_settings *hawser__known_settings(const struct hawser_rom *rom,
                                                            const struct hawser__trace_watch *watch);
-/* orbits.c: the first known orbit, *found, becomes that of `here`. */
+/* orbits.c: the first known orbit, if the trace begins at its Omega, *found, becomes that of `here`. */
 enum hawser_status hawser__known_first(struct hawser__trace *trace, int *found);
 /* orbits.c: the length of the next step, which ends at a known orbit if one is near enough; and whether
  * a step of this length does, whose orbit is then that of next. */

@@ -32,6 +32,7 @@
  *    foreseen work of the whole search and its response; above options->bearable it ends
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <hawser/cover.h>
 #include <math.h>
 #include <string.h>
 
@@ -297,7 +298,7 @@ static enum hawser_status follow(struct hawser_accuracy *a, struct hawser__marks
                                  const struct hawser_scene *scene,
                                  const struct hawser_accuracy_options *options,
                                  const struct hawser_frf_options *settled,
-                                 const struct hawser__draft *chosen, double work,
+                                 struct hawser__draft *chosen, double work,
                                  struct hawser_report *report)
 {
 	const int points = (int)(HAWSER__MORE_POINTS*chosen->points);
@@ -318,6 +319,8 @@ static enum hawser_status follow(struct hawser_accuracy *a, struct hawser__marks
 	                                  &chosen->orbits, report);
 	}
 	a->traced.progress = options->frf.progress;
+	if (!status && hawser_cover_needed(&a->frf, &a->traced))
+		a->frf.back = hawser__orbits_back(&chosen->orbits, settled->to);
 	if (!status && a->frf.end == HAWSER_END_WORK) {
 		a->until = a->traced.to = hawser__draft_reach(&a->frf, a->frf.points, settled);
 		a->beyond[0] = '\0';
