@@ -7,7 +7,7 @@
 
 /* Seconds of processor time, as counted (hawser_orbit_work), that nobody has to ask for: of a curve of
  * modes, and of a search for further branches; chosen. */
-#define CLI_BEARABLE 30.0
+#define CLI_BEARABLE 15.0
 /* The same of a search for bifurcations: less with a model that may be off by more than 100 %; 0, no
  * limit, of the exact energy. */
 double cli_exact_allowed(const struct cli_model *model);

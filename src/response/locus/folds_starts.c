@@ -36,7 +36,7 @@
 #define SETTLED 1e-3  /* relative change over a period of a settled motion: Newton's method goes on */
 #define FINER 2       /* steps of a period relative to those of small motions; chosen */
 #define FEWEST 8      /* frequencies; chosen */
-#define UNASKED 8.0   /* s, as counted (hawser_orbit_work): work to which a default number of motions is
+#define UNASKED 4.0   /* s, as counted (hawser_orbit_work): work to which a default number of motions is
                        * reduced, but not below FEWEST frequencies; chosen */
 #define ALIKE 1e-4    /* largest relative difference of amplitudes of the same orbit; chosen, above the
                        * errors of orbits and below their distances */

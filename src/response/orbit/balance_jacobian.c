@@ -18,6 +18,9 @@
 
 #include "response/orbit/balance.h"
 
+#define ASSEMBLED 10.0 /* operations for an element of the matrix, at the speed of a factorisation;
+                        * chosen */
+
 void hawser__balance_scale(struct hawser__balance *balance)
 {
 	int n = balance->base.n;
@@ -236,7 +239,9 @@ int hawser__balance_top(struct hawser__balance *balance, double *matrix, int fro
 void hawser__balance_assemble(struct hawser__balance *balance)
 {
 	const struct hawser_rom *rom = balance->base.rom;
+	double P = balance->unknowns;
 
+	balance->base.cost.dense += ASSEMBLED*P*P;
 	fill(balance, balance->matrix, balance->unknowns + 1, 0);
 	for (int p = 0; p < rom->harmonics; p++)
 		if (rom->harmonic[p].D)

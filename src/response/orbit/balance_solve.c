@@ -26,8 +26,8 @@
 
 #include "response/orbit/balance.h"
 
-#define ASSEMBLED 10.0 /* operations for an element of the matrix, */
-#define APPLIED 8.0    /* and for each in an iteration, at the speed of a factorisation; chosen */
+#define APPLIED 8.0 /* operations for an element of the matrix in an iteration, at the speed of a
+                     * factorisation; chosen */
 #define KRYLOV HAWSER__KRYLOV
 #define OLD_KRYLOV 24 /* the same with old factors, or with those of M itself; chosen */
 #define NEWTON_RESIDUAL 1e-5 /* relative: far below the contraction required of the corrector */
@@ -84,8 +84,11 @@ static int factorise_double(struct hawser__balance *balance)
 /* `exact`: in double precision for any size. */
 static int factorise(struct hawser__balance *balance, int exact)
 {
+	double P = balance->unknowns;
+
 	if (!multiplies_matrix(balance))
 		hawser__balance_assemble(balance);
+	balance->base.cost.dense += 2.0/3.0*P*P*P;
 	balance->single = !exact && balance->unknowns >= SINGLE_FROM && factorise_single(balance);
 	balance->factored = balance->single || factorise_double(balance);
 	balance->fresh = balance->factored;
@@ -96,13 +99,12 @@ static int factorise(struct hawser__balance *balance, int exact)
 	return !balance->factored;
 }
 
-/* What the last Jacobian took to assemble and to solve with, and what its factorisation takes now. */
-static double dense_cost(const struct hawser__balance *balance)
+/* Operations of an iteration. */
+static double applied(const struct hawser__balance *balance)
 {
 	double P = balance->unknowns;
 
-	return balance->blockwise ? 0.0
-	       : P*P*(ASSEMBLED + APPLIED*balance->spent + (balance->factored ? 0.0 : P*2.0/3.0));
+	return balance->blockwise ? hawser__blocks_applied(&balance->blocks, balance) : APPLIED*P*P;
 }
 
 /* Cost of a factorisation, in iterations. */
@@ -160,7 +162,6 @@ int hawser__balance_factor(struct hawser__orbit *orbit, const double *row)
 	/* compare the cost of the last Jacobian with the mean */
 	if (balance->spent*balance->jacobians > factor_cost(balance) + balance->iterations)
 		balance->factored = 0;
-	orbit->cost.dense += dense_cost(balance);
 	/* old factors remain a preconditioner only if the scales are the same */
 	if (!balance->factored)
 		hawser__balance_scale(balance);
@@ -399,8 +400,7 @@ static int gmres(struct hawser__balance *balance, double *x, double goal)
 	}
 	balance->spent += k;
 	balance->iterations += k;
-	if (balance->blockwise)
-		balance->base.cost.dense += k*hawser__blocks_applied(&balance->blocks, balance);
+	balance->base.cost.dense += k*applied(balance);
 	/* false for a NaN, too */
 	if (!(fabs(H.g[k]) <= goal*length))
 		return 1;
