@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/names.h"
 #include "core/report.h"
 #include "core/settle.h"
 #include "ropeway/modes/modes.h"
@@ -17,12 +18,7 @@ static const double default_tolerance = 1e-9;
 /* Modes up to this multiple of the highest one asked for are refined: two may change their order. */
 static const double margin = 1.05;
 
-const char *hawser_line_contact_name(enum hawser_line_contact_kind kind)
-{
-	static const char *const names[] = {"slip", "stick", "roll"};
-
-	return (unsigned)kind < sizeof names/sizeof *names ? names[kind] : "unknown";
-}
+HAWSER__NAMES(hawser_line_contact_name, enum hawser_line_contact_kind, "slip", "stick", "roll")
 
 /* --- how many modes of each system --- */
 
