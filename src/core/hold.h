@@ -32,7 +32,7 @@ static inline double *hawser__numbers(size_t a, size_t b)
 /* What is behind n numbers of an array, which may be NULL: to that C adds nothing. */
 static inline double *hawser__behind(double *array, size_t n)
 {
-	return array ? array + n : NULL;
+	return array + (array ? n : 0);
 }
 
 #endif
