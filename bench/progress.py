@@ -2,8 +2,8 @@
 # bench/progress.py HAWSER COMMAND...: how near the time left is that progress shows on a terminal. Each COMMAND is one
 # argument, such as "frf chairlift.yaml -n 16"; without any, those of RUNS, in notebooks-data/scenes. A line a run:
 # seconds, lines of progress from a tenth of the run on (and after the first second), the part of them with a time left,
-# the part of these within a factor of 2 of the time that was really left (or within 1 s), the longest time without a
-# line, and how often the percent fell. On a busy machine the times left are as uneven as what it gives to the run.
+# the part of these within a factor of 2 of the time that was really left (or within 1 s), the least, the median and the
+# largest of their ratios, the longest time without a line, and how often the percent fell. On a busy machine the times left are as uneven as what it gives to the run.
 # SPDX-License-Identifier: GPL-3.0-or-later
 import os
 import pty
@@ -66,9 +66,11 @@ def main():
         falls = sum(after < before for before, after in zip(percent, percent[1:]))
         lines = [(at, line) for at, line in lines if max(1, 0.1*seconds) <= at < seconds - 0.5]
         told = [(at, float(found.group(1))) for at, line in lines if (found := re.search(r"about (\d+) s left", line))]
+        ratios = sorted(left/(seconds - at) for at, left in told) or [float("nan")]
         near = sum(abs(left - (seconds - at)) <= 1 or 0.5 <= left/(seconds - at) <= 2 for at, left in told)
         print(f"{seconds:6.1f} s{'+' if seconds >= LIMIT else ' '} {len(lines):5d} lines, {len(told)/max(1, len(lines)):4.0%} with a "
-              f"time, {near/max(1, len(told)):4.0%} of these near, silent for {silent:.1f} s, {falls} falls  {run}", flush=True)
+              f"time, {near/max(1, len(told)):4.0%} of these near ({ratios[0]:.2f}, {ratios[len(ratios)//2]:.2f}, "
+              f"{ratios[-1]:.2f}), silent for {silent:.1f} s, {falls} falls  {run}", flush=True)
 
 
 if __name__ == "__main__":

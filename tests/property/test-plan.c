@@ -127,6 +127,30 @@ static void check_foreseen(void)
 	hawser_scene_clear(&scene);
 }
 
+/* The exact energy in place of modes: a smaller basis and less time where the range is narrower. */
+static void check_instead(void)
+{
+	struct hawser_plan plan[2] = {{.rows = 0}, {.rows = 0}};
+
+	if (!open_scene("conductor"))
+		return;
+	if (make(&plan[0], "raw 2", 0.87, 1.19) && make(&plan[1], "raw 2", 0.6, 3.3)) {
+		const struct hawser_plan_row *narrow = &plan[0].row[1], *wide = &plan[1].row[1];
+
+		for (int i = 0; i < 2; i++)
+			ok(plan[i].rows == 2 && !strcmp(plan[i].row[1].choice.fidelity->name, "full") &&
+			   plan[i].row[1].n == 3*(int)plan[i].row[1].choice.number, "full %g, %d coordinates",
+			   plan[i].row[1].choice.number, plan[i].row[1].n);
+		ok(narrow->n < wide->n && narrow->points < wide->points, "%d and %d of them, %.0f and %.0f "
+		   "points", narrow->n, wide->n, narrow->points, wide->points);
+		ok(2.0*narrow->seconds < wide->seconds, "%.2g s about one resonance, %.2g s over four of them",
+		   narrow->seconds, wide->seconds);
+	}
+	hawser_plan_clear(&plan[0]);
+	hawser_plan_clear(&plan[1]);
+	hawser_scene_clear(&scene);
+}
+
 CASE(property_plan)
 {
 	check_points("b-table-4.4-line-2", 3, 0.8, 1.15);
@@ -134,5 +158,6 @@ CASE(property_plan)
 	check_points("inclined", 3, 0.9, 1.1);
 	check_order();
 	check_foreseen();
+	check_instead();
 	return done_testing();
 }

@@ -355,7 +355,7 @@ void hawser__estimate_full(struct hawser_plan_row *row, const struct hawser_surv
 {
 	row->n = 3*(int)row->choice.number;
 	if (hawser__scene_driven(survey->scene))
-		hawser__estimate_full_cost(row, survey);
+		hawser__estimate_cost(row, survey);
 	snprintf(row->why, sizeof row->why, "reference of the other fidelities");
 }
 

@@ -49,9 +49,8 @@ enum hawser_status hawser__plan_gallop(char text[HAWSER__GALLOPS][HAWSER__GALLOP
                                        struct hawser_report *report) HAWSER_MUST_CHECK;
 
 double hawser__plan_slowness(void);
-/* Points and seconds of a row: one traced curve, of a full-order model, with a given number of chosen
- * modes, to an accuracy, and closed forms. */
-void hawser__estimate_full_cost(struct hawser_plan_row *row, const struct hawser_survey *survey);
+/* Points and seconds of a row: closed forms, one traced curve, with a given number of chosen modes, and
+ * to an accuracy. */
 void hawser__estimate_closed_cost(struct hawser_plan_row *row, const struct hawser_survey *survey);
 void hawser__estimate_cost(struct hawser_plan_row *row, const struct hawser_survey *survey);
 /* The row's seconds and this work, s as counted; longest: longest step of what is traced then, relative

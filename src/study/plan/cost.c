@@ -173,12 +173,9 @@ static void state(struct hawser_plan_row *row, const struct hawser_survey *surve
 
 void hawser__estimate_cost(struct hawser_plan_row *row, const struct hawser_survey *survey)
 {
-	state(row, survey, 0.0, 1.0, POINT, step);
-}
+	int full = row->choice.fidelity->counts == HAWSER_NUMBER_FUNCTIONS;
 
-void hawser__estimate_full_cost(struct hawser_plan_row *row, const struct hawser_survey *survey)
-{
-	state(row, survey, 0.0, 1.0, POINT_FULL, step);
+	state(row, survey, 0.0, 1.0, full ? POINT_FULL : POINT, step);
 }
 
 /* Of full-order models after `row`, by their work: their response is the answer, or that of `row`. */
