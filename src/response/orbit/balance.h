@@ -203,6 +203,11 @@ int hawser__balance_fast(const struct hawser__balance *balance, int j);
 enum hawser_status hawser__balance_settle(struct hawser__balance *balance, double *y,
                                           struct hawser_report *report);
 
+/* balance_active.c: in blocks a further pair costs nothing, and a pair that is omitted near its
+ * resonance costs iterations. All pairs up to the order become active, except those that symmetry
+ * excludes by the last defects; hawser__balance_arrange() follows. */
+void hawser__balance_fill_up(struct hawser__balance *balance, double omega);
+
 /* balance_state.c: make the harmonics of y up to `order` active that are not small;
  * hawser__balance_arrange() follows. */
 void hawser__balance_adopt(struct hawser__balance *balance, const double *y, int order, double part);

@@ -319,9 +319,7 @@ static enum hawser_status too_many(const struct hawser__balance *balance, double
 	                       part);
 }
 
-/* In blocks a further pair costs nothing, and a pair that is omitted near its resonance costs
- * iterations. All pairs up to the order become active, except those that symmetry excludes. */
-static void fill_up(struct hawser__balance *balance, double omega)
+void hawser__balance_fill_up(struct hawser__balance *balance, double omega)
 {
 	int n = balance->base.n, unknowns = list_pairs(balance);
 
@@ -357,7 +355,7 @@ enum hawser_status hawser__balance_refine(struct hawser__orbit *orbit, int *agai
 	if (!*again)
 		return HAWSER_OK;
 	activate(balance, omega, LEFT_OUT*balance->strict*tolerance*orbit->X);
-	fill_up(balance, omega);
+	hawser__balance_fill_up(balance, omega);
 	return hawser__balance_arrange(balance, report);
 }
 

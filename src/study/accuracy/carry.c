@@ -5,8 +5,9 @@
  *
  * Two models are compared at a few orbits, in place of two curves: Newton's method in the plane through
  * the first orbit that is normal to its curve finds the nearest one of the second, by two or three
- * Jacobians. A point that is far away is no counterpart: the curves then differ by more than what
- * this can tell.
+ * Jacobians, with all pairs at once where they cost nothing: it would begin again for those that the
+ * first orbit is found to lack. A point that is far away is no counterpart: the curves then differ by
+ * more than what this can tell.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <cblas.h>
@@ -56,6 +57,7 @@ static enum hawser_status begin(struct hawser__balance *balance, double *y, int 
 	memset(balance->active, 0, ((size_t)balance->top + 1)*balance->base.n);
 	hawser__balance_seed(balance);
 	hawser__balance_adopt(balance, y, order, KEPT);
+	hawser__balance_fill_up(balance, hawser__orbit_omega(&balance->base, y));
 	return hawser__balance_arrange(balance, report);
 }
 
