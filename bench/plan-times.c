@@ -210,7 +210,7 @@ static void study(struct tally *tally, const struct job *job, double limit, int 
 	if (hawser_plan_make(&plan, &job->statics, &job->scene, job->choice, FIDELITIES, job->from,
 	                     job->to, &report))
 		printf("  %4d plan: %s\n", scene, report.message);
-	for (int k = 0; k < plan.rows; k++) {
+	for (int k = 0; k < FIDELITIES && k < plan.rows; k++) {
 		struct outcome at;
 		int over = limit > 0.0 && run_apart(&at, job, &job->choice[k], limit);
 

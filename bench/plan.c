@@ -97,7 +97,7 @@ int main(int argc, char **argv)
 			printf("  %s\n", report.message);
 			wrong = 1;
 		} else {
-			for (int k = 0; k < job.plan.rows; k++)
+			for (int k = 0; k < rows; k++)
 				wrong |= measure(&job, &job.plan.row[k]);
 		}
 		hawser_study_clear(&job.reference);

@@ -18,7 +18,7 @@ REPO_CHECKS = \
 	%D%/checks/size.sh \
 	%D%/checks/symbols.sh \
 	%D%/checks/targets.sh
-EXTRA_DIST += %D%/checks/bindings/frf.cpp %D%/checks/bindings/frf.py %D%/checks/columns.py %D%/checks/lib.sh %D%/checks/messages.py %D%/checks/shapes.awk %D%/checks/shown.py examples/duffing.c examples/frf.c examples/statics.c
+EXTRA_DIST += %D%/checks/bindings/frf.cpp %D%/checks/bindings/frf.py %D%/checks/bindings/settle.py %D%/checks/columns.py %D%/checks/lib.sh %D%/checks/messages.py %D%/checks/shapes.awk %D%/checks/shown.py examples/duffing.c examples/frf.c examples/statics.c
 
 # They look at sources and at a plain build; one run of them is enough.
 if SANITIZERS

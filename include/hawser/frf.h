@@ -70,7 +70,7 @@ struct hawser_frf_point {
 	                   * coordinate */
 	int label;        /* hawser_frf_label; 0: none */
 	double contact;   /* smallest angle of contact on a sheave over the period, relative to that at rest
-	                   * (hawser_rom_contact): below 0 the rope leaves it; INFINITY: no sheaves */
+	                   * (hawser_rom_contacts): below 0 the rope leaves it; INFINITY: no sheaves */
 	int sheave;       /* on which: index in rom->contacts; -1: none */
 };
 
@@ -112,6 +112,8 @@ struct hawser_frf_event {
 	                  * another one */
 };
 
+struct hawser__orbits;
+
 struct hawser_frf {
 	int n;                          /* coordinates */
 	int points, capacity;
@@ -152,6 +154,8 @@ struct hawser_frf {
 	double sample_gap;
 	int sample_disagreements;
 	struct hawser_orbit_cost cost;
+	struct hawser__orbits *back;    /* internal: orbits of the curve from the other end of the range, if
+	                                 * it was followed there before; or NULL */
 };
 
 /* A method for periodic orbits: its name, a summary of one line, its source. */
@@ -182,7 +186,7 @@ struct hawser_frf_options {
 	                        * continue that trace */
 	double tolerance;      /* of the defect and of the integration error of an orbit, each relative
 	                        * to the size of the orbit; `error` of a point may be larger; 0: 1e-9 */
-	double event_tolerance; /* relative, in Omega; 0: 1e-10; with exact energy, or 12
+	double event_tolerance; /* relative, in Omega; 0: by the model, 1e-10, or with exact energy, or 12
 	                         * coordinates and more, 1e-7 */
 	int segments;          /* shooting: number of segments; 0: chosen from the growth of the flow */
 	int max_points;        /* 0: 20000 */

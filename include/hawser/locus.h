@@ -119,7 +119,8 @@ struct hawser_locus_options {
 	double at;                   /* the parameter of the response whose bifurcations begin the curves */
 	const struct hawser_frf_options *first; /* NULL, or where that response begins: its start, along and
 	                              * begin; it is then followed to both sides */
-	int periods;                 /* of the load in one of the motion; 0: 1. More need `first`, and no
+	int periods;                 /* of the load in one of the motion; 0: those of the model (1,
+	                              * or of its loads of several multiples). More need `first`, and no
 	                              * plane */
 	double near;                 /* scaled Omega: only the bifurcation next to it; 0: all */
 	double tolerance;            /* of the defect and of the truncation error, relative; 0: 1e-9 */

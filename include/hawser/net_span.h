@@ -39,10 +39,6 @@ enum hawser_status hawser_net_span(struct hawser_net *net, const struct hawser_s
                                    const struct hawser_net_span_options *options,
                                    struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* The place of the unstretched length S (m from end A) of the statics on that net: *cable, and *part
- * of its unstretched length, 0 to 1. */
-void hawser_net_span_place(int *cable, double *part, const struct hawser_net *net, double S);
-
 /* --- statics --- */
 
 /* Errors of a mesh against the elastic catenary; relative, `place` in m: the largest distance of a node
@@ -89,7 +85,9 @@ const char *hawser_net_span_probe(int probe); /* "quarter", "mid", "three_quarte
 struct hawser_net_span_motion_options {
 	struct hawser_net_span_options mesh;
 	double until, every; /* s: end, and interval of the rows; every 0: until/200 */
-	double step;         /* s, longest; 0: as hawser_net_span_step; negative: by the local error */
+	double step;         /* s, longest; negative: by the local error; 0: a 1000th of the period of the
+	                      * highest multiple of Omega in the load, or of the time in which a
+	                      * transverse wave runs to end B and back, if that is shorter */
 	double tolerance;    /* as in struct hawser_net_motion_options */
 	const char *scheme;  /* row of hawser_net_scheme; NULL: the first */
 	int single;          /* 1: without the second mesh, so that no error is known */
@@ -117,10 +115,6 @@ enum hawser_status hawser_net_span_integrate(struct hawser_net_span_motion *run,
                                              const struct hawser_net_span_motion_options *options,
                                              struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser_net_span_motion_clear(struct hawser_net_span_motion *run);
-/* The default of the step, s: a 1000th of the period of the highest multiple of Omega in the load, or
- * of the time in which a transverse wave runs to end B and back, if that is shorter. */
-double hawser_net_span_step(const struct hawser_scene *scene, const struct hawser_statics *statics,
-                            double Omega);
 
 #ifdef __cplusplus
 }

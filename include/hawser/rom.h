@@ -450,10 +450,6 @@ double hawser_rom_tension(const struct hawser_rom *rom, int p, const double *u);
  * *most are not changed. */
 int hawser_rom_tensions(const struct hawser_rom *rom, double *least, double *most, const double *u);
 
-/* The smallest angle of contact on a sheave of rom->contacts at u[n], relative to that at rest, and
- * *sheave, its index; INFINITY and -1 if there are none. */
-double hawser_rom_contact(const struct hawser_rom *rom, int *sheave, const double *u);
-
 /* An instant of a forced motion, from which the response of the modes that are not kept follows. */
 struct hawser_rom_moment {
 	double tau, omega; /* phase of the harmonics, and scaled frequency */

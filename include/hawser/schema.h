@@ -11,8 +11,6 @@
 extern "C" {
 #endif
 
-/* Name of a kind of scenes, from 0: "cable", "beam", "net", ...; NULL beyond the last. */
-const char *hawser_schema_kind(int index);
 /* Keys of scenes of all kinds as --set takes them, such as "cables.0.EA", those below names of the user
  * left out; into key [HAWSER_SCHEMA_KEY]. 0: there is none of this index. A key may come twice. */
 enum { HAWSER_SCHEMA_KEY = 128 };

@@ -17,7 +17,7 @@ struct hawser_motions_options {
 	double until, every; /* s: end, and interval of the rows */
 	double after;        /* s: differences and largest values are those of the rows from here on */
 	int elements;        /* 0: 120 */
-	double step;         /* s, of the mesh; 0: hawser_net_span_step; negative: by the local error */
+	double step;         /* s, of the mesh: as in struct hawser_net_span_motion_options */
 	const struct hawser_fidelity_choice *choice; /* [choices] raw, condensed or full */
 	int choices;
 	struct hawser_progress progress;

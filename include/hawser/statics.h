@@ -261,8 +261,6 @@ enum hawser_status hawser_statics_limit(double *limit, const struct hawser_span 
                                         enum hawser_branch branch, enum hawser_hold hold,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* The actual tension (N) that belongs to the apparent tension A (N). */
-double hawser_statics_actual_tension(const struct hawser_statics *statics, double A);
 /* The point of the profile at the actual arclength S (m), with the actual tension. */
 struct hawser_profile_point hawser_statics_actual_at(const struct hawser_statics *statics, double S);
 

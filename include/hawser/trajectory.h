@@ -91,15 +91,6 @@ enum hawser_status hawser_path_orbit(struct hawser_path *trajectory,
                                            double ramp_time, enum hawser_path_ramp ramp,
                                            struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* Read the waypoints t x y z (s, m) of a text file: a line each, separated by blanks or tabs; "#"
- * begins a comment. A first line of names (t_s x_m y_m z_m, and more columns, which are not read)
- * is that of hawser trajectory. *point [*count] is owned by the caller, who frees it; *count their
- * number. Failures name the line: HAWSER_ERR_SCENE, HAWSER_ERR_ARGUMENT (no such file),
- * HAWSER_ERR_IO, HAWSER_ERR_MEMORY. */
-enum hawser_status hawser_path_read(struct hawser_waypoint **point, int *count,
-                                          const char *path, struct hawser_report *report)
-	HAWSER_MUST_CHECK;
-
 /* Position and derivatives at a time, state [HAWSER_PATH_ORDERS][3]. At a waypoint, those after
  * it. HAWSER_ERR_ARGUMENT: a time outside of the path. */
 enum hawser_status hawser_path_at(double (*state)[3], const struct hawser_path *trajectory,

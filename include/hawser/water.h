@@ -49,11 +49,6 @@ struct hawser_water_buoy {
 	double added;  /* added mass over that of the water that it displaces */
 };
 
-/* Velocity u[3] (m/s) of current and waves and, unless NULL, acceleration du[3] (m/s^2) of the water at
- * a place x[3] (m) below the surface and a time t (s). */
-void hawser_water_at(double u[3], double du[3], const struct hawser_water *water, const double x[3],
-                     double t);
-
 /* Release what it owns; all is zero then. */
 void hawser_water_clear(struct hawser_water *water);
 

@@ -22,9 +22,6 @@ extern "C" {
  * water), to round-off. g: m/s^2 */
 double hawser_wave_number(double omega, double depth, double g);
 
-/* The largest height (m) of waves of the frequency omega > 0 (rad/s) in this depth, beyond which they
- * break (Miche 1944): 0.142 wavelengths times tanh(k h). It falls with omega. */
-double hawser_wave_highest(double omega, double depth, double g);
 /* The frequency (rad/s) above which waves of this height (m) break; 0: all do. */
 double hawser_wave_breaking(double height, double depth, double g);
 

@@ -22,6 +22,7 @@
 #include <lapacke.h>
 
 #include "beam/sample.h"
+#include "core/names.h"
 #include "core/order.h"
 #include "core/report.h"
 
@@ -398,10 +399,5 @@ enum hawser_status hawser_beam_size(int *size, double *error,
 	return status;
 }
 
-const char *hawser_beam_cause_name(enum hawser_beam_cause cause)
-{
-	static const char *const name[] = {"none", "buckling", "flux", "divergence", "flutter",
-	                                   "short-waves", "string"};
-
-	return (int)cause >= 0 && cause <= HAWSER_BEAM_STRING ? name[cause] : "unknown";
-}
+HAWSER__NAMES(hawser_beam_cause_name, enum hawser_beam_cause, "none", "buckling", "flux",
+	"divergence", "flutter", "short-waves", "string")

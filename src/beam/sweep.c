@@ -18,6 +18,7 @@
 
 #include "beam/sample.h"
 #include "core/grow.h"
+#include "core/names.h"
 #include "core/report.h"
 
 #define CLEAR 0.6          /* smallest share (of a row's sum) of a clear partner */
@@ -438,9 +439,5 @@ void hawser_beam_sweep_clear(struct hawser_beam_sweep *sweep)
 	memset(sweep, 0, sizeof *sweep);
 }
 
-const char *hawser_beam_event_name(enum hawser_beam_event_kind kind)
-{
-	static const char *const name[] = {"divergence", "flutter", "calm"};
-
-	return (int)kind >= 0 && kind <= HAWSER_BEAM_CALM ? name[kind] : "unknown";
-}
+HAWSER__NAMES(hawser_beam_event_name, enum hawser_beam_event_kind, "divergence", "flutter",
+	"calm")

@@ -5,16 +5,12 @@
 #include <string.h>
 
 #include "contact/friction.h"
+#include "core/names.h"
 #include "core/report.h"
 #include "core/settle.h"
 #include "core/vec3.h"
 
-const char *hawser_contact_state_name(enum hawser_contact_state state)
-{
-	static const char *const name[] = {"open", "stick", "slip"};
-
-	return state <= HAWSER_CONTACT_SLIP ? name[state] : "unknown";
-}
+HAWSER__NAMES(hawser_contact_state_name, enum hawser_contact_state, "open", "stick", "slip")
 
 void hawser_friction_options_settle(struct hawser_friction_options *options)
 {

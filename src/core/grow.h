@@ -16,6 +16,7 @@ static inline int hawser__more(void *array, long count, size_t size)
 	if (count & (count - 1))
 		return 0;
 	memcpy(&larger, array, sizeof larger); /* a pointer to elements of any type */
+	/* cppcheck-suppress memleakOnRealloc ; *array has it */
 	larger = realloc(larger, (count ? 2*(size_t)count : 1)*size + 1);
 	if (larger)
 		memcpy(array, &larger, sizeof larger);
@@ -28,6 +29,7 @@ static inline int hawser__resize(void *array, size_t count, size_t size)
 	void *larger;
 
 	memcpy(&larger, array, sizeof larger);
+	/* cppcheck-suppress memleakOnRealloc ; *array has it */
 	larger = realloc(larger, count*size + 1);
 	if (larger)
 		memcpy(array, &larger, sizeof larger);

@@ -29,4 +29,10 @@ static inline double *hawser__numbers(size_t a, size_t b)
 	return calloc(a*b + 1, sizeof(double));
 }
 
+/* What is behind n numbers of an array, which may be NULL: to that C adds nothing. */
+static inline double *hawser__behind(double *array, size_t n)
+{
+	return array + (array ? n : 0);
+}
+
 #endif

@@ -1,7 +1,6 @@
 /* rod/begin.c - the beginning of a motion: mass, moving ends, the state at t = 0.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <stdio.h>
-#include <string.h>
 
 #include "core/report.h"
 #include "rod/run.h"

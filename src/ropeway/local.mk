@@ -25,7 +25,6 @@ noinst_LTLIBRARIES += %D%/libropeway.la
 	%D%/modes/modes_plan.c \
 	%D%/modes/modes_running.c \
 	%D%/modes/modes_segment.c \
-	%D%/modes/modes_speed.c \
 	%D%/modes/modes_static.c \
 	%D%/modes/modes_systems.c \
 	%D%/statics/path.c \

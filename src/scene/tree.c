@@ -204,6 +204,7 @@ enum hawser_status hawser__tree_document(struct hawser__tree **tree, struct haws
 	memset(&yaml, 0, sizeof yaml);
 	if (!yaml_parser_initialize(&yaml))
 		return hawser__no_memory(reader->report, "scene");
+	/* cppcheck-suppress autoVariables ; until it is NULL again, below */
 	reader->yaml = &yaml;
 	yaml_parser_set_input_string(&yaml, (const unsigned char *)text, length);
 	for (int ended = 0; !status && !ended;) {

@@ -257,7 +257,8 @@ enum hawser_status hawser__travel_with(struct hawser_statics *st, const struct h
 	return status;
 }
 
-double hawser_statics_actual_tension(const struct hawser_statics *st, double A)
+/* The actual tension (N) that belongs to the apparent tension A (N). */
+static double actual_tension(const struct hawser_statics *st, double A)
 {
 	double m = st->motion.mach2;
 
@@ -269,7 +270,7 @@ struct hawser_profile_point hawser_statics_actual_at(const struct hawser_statics
 	struct hawser_profile_point point = hawser_statics_at(st, S/(1.0 - st->motion.mach2));
 
 	point.S = S;
-	point.T = hawser_statics_actual_tension(st, point.T);
+	point.T = actual_tension(st, point.T);
 	return point;
 }
 

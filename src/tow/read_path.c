@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "tow/read.h"
+#include "tow/trajectory.h"
 
 enum { WAYPOINTS, FILE_OF, SPEED, ORBIT, WAYS };
 static const char *const way_name[WAYS] = {"waypoints", "file", "speed", "orbit"};
@@ -95,7 +96,7 @@ enum hawser_status hawser__tow_file(struct hawser__reader *reader, struct hawser
 		return status;
 	snprintf(path, sizeof path, "%.*s%s", slash && *text != '/' ? (int)(slash + 1 - reader->name) : 0,
 	         reader->name, text);
-	return hawser_path_read(point, count, path, reader->report);
+	return hawser__path_read(point, count, path, reader->report);
 }
 
 enum hawser_status hawser__tow_path(struct hawser__reader *reader, struct hawser_tow *tow,

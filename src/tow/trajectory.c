@@ -11,6 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/names.h"
 #include "core/report.h"
 #include "tow/trajectory.h"
 
@@ -19,20 +20,12 @@
 #define CLOSEST 1e-10
 #define ERROR 1e-6 /* relative; beyond it the solution is refused */
 
-static const char *const minimise_name[] = {"snap", "jerk", "acceleration", "none"};
-static const char *const kind_name[] = {"waypoints", "straight", "orbit"};
 static const char *const order_name[HAWSER_PATH_GIVEN] = {
 	"position", "velocity", "acceleration", "jerk", "snap", "derivative 5", "derivative 6"};
 
-const char *hawser_minimise_name(enum hawser_minimise minimise)
-{
-	return minimise_name[minimise];
-}
+HAWSER__NAMES(hawser_minimise_name, enum hawser_minimise, "snap", "jerk", "acceleration", "none")
 
-const char *hawser_path_name(enum hawser_path_kind kind)
-{
-	return kind_name[kind];
-}
+HAWSER__NAMES(hawser_path_name, enum hawser_path_kind, "waypoints", "straight", "orbit")
 
 void hawser__trajectory_row(double *row, int degree, int order, double tau)
 {

@@ -25,4 +25,11 @@ int hawser__waypoint_orders(const struct hawser_waypoint *point);
  * s[2..4] its derivatives by x = t/T >= 0. */
 void hawser__ramp(double s[HAWSER_PATH_ORDERS], enum hawser_path_ramp ramp, double x);
 
+/* Read the waypoints t x y z (s, m) of a text file: a line each, separated by blanks or tabs; "#"
+ * begins a comment. A first line of names (t_s x_m y_m z_m, and more columns, which are not read)
+ * is that of hawser trajectory. *point [*count] is owned by the caller, who frees it. Failures name
+ * the line. */
+enum hawser_status hawser__path_read(struct hawser_waypoint **point, int *count, const char *path,
+                                     struct hawser_report *report) HAWSER_MUST_CHECK;
+
 #endif

@@ -132,8 +132,8 @@ static enum hawser_status read_line(struct table *table, const char *line, struc
 	return read_numbers(table, first, report);
 }
 
-enum hawser_status hawser_path_read(struct hawser_waypoint **point, int *count,
-                                          const char *path, struct hawser_report *report)
+enum hawser_status hawser__path_read(struct hawser_waypoint **point, int *count, const char *path,
+                                     struct hawser_report *report)
 {
 	struct table table = {.path = path, .column = {0, 1, 2, 3}};
 	FILE *stream = fopen(path, "r");

@@ -10,6 +10,7 @@
 #include "core/random.h"
 #include "core/report.h"
 #include "core/settle.h"
+#include "water/water.h"
 
 /* The form of the spectrum over w = omega/omega_p. */
 static double form(double gamma, double w)
@@ -100,7 +101,7 @@ static enum hawser_status check(const struct hawser_waves_given *given, struct h
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "waves", "waves need a height and a period, "
 		                    "or Hs and Tp of a sea, above 0");
 	if (!sea) {
-		double most = hawser_wave_highest(2.0*acos(-1.0)/given->period, given->depth, given->g);
+		double most = hawser__wave_highest(2.0*acos(-1.0)/given->period, given->depth, given->g);
 
 		if (given->height > most)
 			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "waves", "waves of %g s break at a "

@@ -34,18 +34,3 @@ void hawser__water_current(double u[3], double u_y[3], const struct hawser_water
 			u[k] = level[i].u[k] + (y - level[i].y)*u_y[k];
 		}
 }
-
-void hawser_water_at(double u[3], double du[3], const struct hawser_water *water, const double x[3],
-                     double t)
-{
-	struct hawser_wave_flow flow = {.u = {0.0}};
-	double u_y[3];
-
-	hawser__water_current(u, u_y, water, x[1]);
-	if (water->waves.count)
-		hawser_waves_at(&flow, &water->waves, x, t);
-	for (int k = 0; k < 3; k++)
-		u[k] += flow.u[k];
-	if (du)
-		memcpy(du, flow.du, sizeof flow.du);
-}

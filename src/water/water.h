@@ -7,6 +7,10 @@
 /* The current at a height y (m), and its derivative u_y[3] (1/s). */
 void hawser__water_current(double u[3], double u_y[3], const struct hawser_water *water, double y);
 
+/* The largest height (m) of waves of the frequency omega > 0 (rad/s) in this depth, beyond which they
+ * break (Miche 1944): 0.142 wavelengths times tanh(k h). It falls with omega. */
+double hawser__wave_highest(double omega, double depth, double g);
+
 /* What of an element is in the water, by its ends, and its derivatives by their heights y (m). With
  * the shape functions N, part[i] is the integral of N_i over what is wet, over the length: 1/2 of
  * an element below the surface. A line comes out of the water within the height `band` (m). */

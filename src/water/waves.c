@@ -9,6 +9,7 @@
 #include <hawser/waves.h>
 
 #include "water/near.h"
+#include "water/water.h"
 
 /* Newton's method for f(K) = K tanh K - v with K = k h, v = omega^2 h/g. f is convex below K = 1.2 and
  * nearly linear above, and both starts are above its root: K tanh K > v for K = v/sqrt(tanh v), as tanh
@@ -30,7 +31,7 @@ double hawser_wave_number(double omega, double depth, double g)
 	return K/depth;
 }
 
-double hawser_wave_highest(double omega, double depth, double g)
+double hawser__wave_highest(double omega, double depth, double g)
 {
 	double k = hawser_wave_number(omega, depth, g);
 
@@ -45,7 +46,7 @@ double hawser_wave_breaking(double height, double depth, double g)
 	for (int i = 0; i < 60; i++) {
 		double middle = 0.5*(from + to);
 
-		*(hawser_wave_highest(middle, depth, g) > height ? &from : &to) = middle;
+		*(hawser__wave_highest(middle, depth, g) > height ? &from : &to) = middle;
 	}
 	return from;
 }

@@ -1,16 +1,40 @@
 #!/bin/sh
 # tests/analyzers/run.sh - the sources through gcc -fanalyzer, clang-tidy and cppcheck; `make check-analyzers`
-# calls it. One line a tool: what it found and how many findings are annotated. What it said is in
-# analyzers/. A tool that is not installed is left out, which is said. The status is 0 where there is
-# nothing new.
+# calls it. It prints the table of doc/robustness.md: what is open, and how many findings are annotated.
+# What a tool said is in analyzers/. A tool that is not installed is left out, which is said. The status
+# is 0 where there is nothing new.
 #
 # What is found is mended, or annotated with why it is none: for gcc in tests/analyzers/gcc.txt, for
 # the others in the line above, NOLINTNEXTLINE(check): why, or cppcheck-suppress check ; why.
+# `run.sh counts` prints the annotations alone, which tests/checks/docs.sh compares with the document.
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -u
-: "${SRCDIR:?}" "${ANALYZER_FLAGS:?}"
+: "${SRCDIR:?}"
 LC_ALL=C
 export LC_ALL
+cd "$SRCDIR" || exit 1
+
+annotated() {
+	find src include -name '*.[ch]' -exec cat {} + | grep -c "$1"
+}
+
+# row TOOL OPEN: the annotations of a tool, and where they are.
+row() {
+	case $1 in
+		gcc*) where="$(grep -vc '^#' tests/analyzers/gcc.txt), in \`tests/analyzers/gcc.txt\`" ;;
+		clang*) where="$(annotated 'NOLINTNEXTLINE('), by \`NOLINTNEXTLINE\` in the line above" ;;
+		*) where="$(annotated 'cppcheck-suppress'), by \`cppcheck-suppress\` in the line above" ;;
+	esac
+	echo "| $1 | $2 | $where |"
+}
+if [ "${1-}" = counts ]; then
+	for tool in 'gcc -fanalyzer' clang-tidy cppcheck; do
+		row "$tool" 0
+	done
+	exit
+fi
+: "${ANALYZER_FLAGS:?}"
+cd - >/dev/null || exit 1
 jobs=${ANALYZER_JOBS:-$(nproc 2>/dev/null || echo 1)}
 gcc=${ANALYZER_GCC:-gcc}
 mkdir -p analyzers && cd analyzers || exit 1
@@ -25,18 +49,14 @@ each() {
 	find src -name '*.c' | sort | xargs -P "$jobs" -I '{}' "$@" >"$log" 2>&1
 }
 
-# verdict TOOL FINDINGS ANNOTATED: FINDINGS has one a line.
+# verdict TOOL FINDINGS: FINDINGS has one a line.
 verdict() {
 	found=$(wc -l <"$2")
-	echo "$1: $found findings, $3 annotated"
+	row "$1" "$found"
 	[ "$found" -eq 0 ] && return
 	bad=1
 	head -n 20 "$2"
 	echo "see $out"
-}
-
-annotated() {
-	find src include -name '*.[ch]' -exec cat {} + | grep -c "$1"
 }
 
 # "file function warning" of each finding of gcc's.
@@ -59,7 +79,7 @@ if $gcc -fanalyzer -c -o /dev/null "$out/try.c" 2>"$out/try.log" && [ ! -s "$out
 		12*) comm -13 "$out/gcc.findings" "$out/gcc.known" |
 			sed 's/$/: not found any more: take it off the list/' >>"$out/gcc.new" ;;
 	esac
-	verdict "gcc -fanalyzer" "$out/gcc.new" "$(wc -l <"$out/gcc.known")"
+	verdict "gcc -fanalyzer" "$out/gcc.new"
 else
 	echo "gcc -fanalyzer left out: $gcc has none (Debian: gcc)"
 fi
@@ -68,7 +88,7 @@ if command -v clang-tidy >/dev/null; then
 	# a process for each file: clang-tidy 14 loses track of va_start where it has several
 	each "$out/clang-tidy.log" clang-tidy --quiet '{}' -- $ANALYZER_FLAGS
 	grep -E '(error|warning): ' "$out/clang-tidy.log" | sed "s|^$PWD/||" | sort -u >"$out/clang-tidy.new"
-	verdict clang-tidy "$out/clang-tidy.new" "$(annotated 'NOLINTNEXTLINE(')"
+	verdict clang-tidy "$out/clang-tidy.new"
 else
 	echo "clang-tidy left out: it is not installed (Debian: clang-tidy)"
 fi
@@ -80,7 +100,7 @@ if command -v cppcheck >/dev/null; then
 		-Iinclude -Isrc -I. src >"$out/cppcheck.log" 2>&1
 	grep -E '^[^ ]*: (error|warning|style|performance|portability): ' "$out/cppcheck.log" \
 		>"$out/cppcheck.new"
-	verdict cppcheck "$out/cppcheck.new" "$(annotated 'cppcheck-suppress')"
+	verdict cppcheck "$out/cppcheck.new"
 else
 	echo "cppcheck left out: it is not installed (Debian: cppcheck)"
 fi

@@ -1,6 +1,6 @@
 #!/bin/sh
 # The library from other languages: a C++ program and a Python program (ctypes) compute the same, move
-# results and watch progress; hawser_sizeof knows every public structure.
+# results and watch progress; hawser_sizeof knows every public structure, and comments the defaults of options.
 # SPDX-License-Identifier: GPL-3.0-or-later
 here=$PWD
 . "$(dirname "$0")/lib.sh"
@@ -56,6 +56,8 @@ if python3 -c 'import ctypes' 2>/dev/null; then
 		2>"$scratch/why"
 	verdict $? "a Python program runs"
 	agrees "$scratch/python" "with the right numbers"
+	python3 tests/checks/bindings/settle.py "$here/.libs/libhawser.so" 2>&1 |
+		nothing "defaults of options are those of their comments"
 else
 	skip "python3 with ctypes is not there"
 fi

@@ -53,4 +53,8 @@ try "NEWS of $version has at most 60 lines" awk -v v="$version" '
 try "CITATION.cff has version $version" grep -q "^version: \"\{0,1\}$version\"\{0,1\}$" CITATION.cff
 try "NEWS has an ABI paragraph for $version" awk -v v="$version" '
 	/^hawser / { on = ($2 == v) } on && /^ABI/ { found = 1 } END { exit !found }' NEWS
+# What the analyzers' annotations are; `make check-analyzers` prints the same table with what is open.
+SRCDIR=. sh tests/analyzers/run.sh counts | while IFS= read -r row; do
+	grep -qxF "$row" doc/robustness.md || echo "doc/robustness.md: the table of analyzers lacks: $row"
+done | nothing "the document has as many annotations for the analyzers as the sources"
 done_testing

@@ -222,6 +222,8 @@ CASE(property_branches)
 	check_whirling("balance");
 	check_loop("shooting", 0.12, HAWSER_END_MEETS, 5);
 	check_loop("balance", 0.05, HAWSER_END_MEETS, 3);
+	check_loop("balance", 0.05025, HAWSER_END_MEETS, 3); /* both tests change there, in two steps */
+	check_loop("balance", 0.05675, HAWSER_END_MEETS, 3);
 	check_loop("balance", 0.2, HAWSER_END_RANGE, 3);
 	return done_testing();
 }

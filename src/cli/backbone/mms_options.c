@@ -15,7 +15,7 @@ enum hawser_status cli_mms_read(struct hawser_resonance *resonance, int *base, c
                                 const struct hawser_rom *rom, struct hawser_report *report)
 {
 	const char *rest = text;
-	int of[HAWSER_RESONANT_MOST];
+	int of[HAWSER_RESONANT_MOST] = {0};
 
 	*resonance = (struct hawser_resonance){.count = 0};
 	*base = 1;

@@ -1,7 +1,6 @@
 /* cli/beam/beam_boundary.c - stability boundaries of hawser beam: comments and picture.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
-#include <string.h>
 
 #include "cli/model/axis.h"
 #include "cli/beam/beam_result.h"

@@ -6,7 +6,6 @@
 
 #include "cli/compare/compare_result.h"
 #include "cli/frame/progress.h"
-#include "cli/frame/view.h"
 #include "cli/motion/integrate_span.h"
 #include "core/report.h"
 

@@ -12,7 +12,6 @@
 #include <hawser/normal_form.h>
 
 #include "cli/motion/integrate_result.h"
-#include "cli/model/exact.h"
 #include "cli/model/key_sweep.h"
 #include "cli/model/label.h"
 #include "cli/model/made.h"

@@ -1,7 +1,6 @@
 /* cli/curves/frf_cover.c - further branches of a frequency response, for the parts of the range
  * that the first one does not cover: computing, reporting, and joining them for the picture.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 

@@ -4,7 +4,6 @@
  *        sheave where it is 0, which is interpolated linearly between two points of the curve
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include <math.h>
 
 #include "cli/curves/frf_lift.h"
 #include "cli/frame/view.h"

@@ -3,7 +3,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 #include "cli/model/exact.h"
 #include "cli/model/fixed.h"
@@ -11,7 +10,6 @@
 #include "cli/curves/frf_cover.h"
 #include "cli/curves/frf_lift.h"
 #include "cli/frame/view.h"
-#include "cli/frame/within.h"
 #include "core/append.h"
 
 /* Number of branches that end where the cable becomes slack. */

@@ -1,8 +1,6 @@
 /* cli/curves/frf_result.c - comments of a frequency response, in SI if the model has units.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "cli/backbone/backbone.h"
 #include "cli/model/exact.h"

@@ -167,8 +167,7 @@ static enum hawser_status follow(struct cli_cover *cover, struct cli_frf_result 
                                  struct cli_progress *progress, cli_peaks_function *peaks,
                                  struct hawser_report *report)
 {
-	struct event_text at = e < 0 ? (struct event_text){"equilibrium, which is unstable"}
-	                             : name_of(result, &from->event[e]);
+	struct event_text at = {"equilibrium, which is unstable"};
 	struct hawser_report why = {.message = ""};
 	struct hawser_landmark *peak = NULL;
 	struct hawser_frf *frf = add_born(cover);
@@ -177,6 +176,8 @@ static enum hawser_status follow(struct cli_cover *cover, struct cli_frf_result 
 
 	if (!frf)
 		return hawser__no_memory(report, "frf");
+	if (e >= 0)
+		at = name_of(result, &from->event[e]);
 	result->other = cover->other;
 	one = &cover->other[result->others];
 	*one = *result;

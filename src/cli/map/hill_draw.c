@@ -1,6 +1,5 @@
 /* cli/map/hill_draw.c - the picture of boundaries, over characteristic values and expansions.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include <math.h>
 #include <stdlib.h>
 
 #include "cli/model/axis.h"

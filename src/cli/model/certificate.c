@@ -92,7 +92,7 @@ enum hawser_status cli_certify(struct cli_frf_result *result, struct hawser_repo
 		*shown = own;
 	if (!isfinite(own.own.distance) &&
 	    !(own.own.refused > 0 && !isfinite(error->fixed.estimated)))
-		return status;
+		return HAWSER_OK;
 	error->corrected = 1;
 	error->before = error->compared ? NAN : error->fixed.estimated;
 	error->compared = 0;

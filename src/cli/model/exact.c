@@ -150,8 +150,8 @@ struct told {
 	double began, bearable; /* s of processor time */
 };
 
-/* One that foresees more than can be borne, or half of it, may end before: how long the command takes
- * is not known then. */
+/* One that foresees more than can be borne, or half of it, may end before, if its range does not: how
+ * long the command takes is not known then. */
 static int tell(void *data, const struct hawser_progress_state *state)
 {
 	const struct told *told = data;
@@ -187,7 +187,8 @@ static enum hawser_status search(struct hawser_accuracy *better, struct cli_mode
 		choice.bearable = HAWSER_INSTEAD_FOR_ERROR;
 	else if (after > 0.0)
 		choice.bearable = fmin(choice.bearable, CLI_BEARABLE);
-	told = (struct told){options->progress, cli_processor_seconds(), choice.bearable};
+	told = (struct told){options->progress, cli_processor_seconds(),
+	                     choice.partial ? INFINITY : choice.bearable};
 	choice.frf.progress = (struct hawser_progress){tell, &told};
 	status = hawser_accuracy_exact(better, &model->statics, &model->scene, &choice, &why);
 	if (status == HAWSER_ERR_MEMORY) {

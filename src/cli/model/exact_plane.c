@@ -13,7 +13,6 @@
 #include "cli/frame/within.h"
 #include "cli/model/exact.h"
 #include "cli/model/key_sweep.h"
-#include "core/report.h"
 
 /* Of a map of amplitudes: work of a row over that of a draft (three rows of a footbridge: 2.7), and the
  * range about one frequency; chosen. */

@@ -47,7 +47,7 @@ static int waves_at(const struct hawser_map_source *source, int corner)
 	const struct hawser_modes_options options = {.n = MOST};
 	struct hawser_scene scene = *source->scene;
 	struct hawser_modes modes = {.n = 0};
-	struct hawser_statics statics;
+	struct hawser_statics statics = {.H = 0.0};
 	enum hawser_status status = HAWSER_OK;
 	int count = 0;
 

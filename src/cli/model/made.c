@@ -154,7 +154,7 @@ void cli_made_json(struct hawser__json *json, json_t *into, const void *row)
 			hawser__json_text(json, object, by_text[i].key, text);
 	}
 	for (int i = 0; i < NUMBERS; i++) {
-		double value = *(const double *)((const char *)&choice + by_number[i].at);
+		double value = *(const double *)(const void *)((const char *)&choice + by_number[i].at);
 
 		if (value > 0.0)
 			hawser__json_number(json, object, by_number[i].key, value);
@@ -184,7 +184,7 @@ void cli_made_as(struct cli_common *common, int n, const json_t *root)
 			*text = json_string_value(json_object_get(made, by_text[i].key));
 	}
 	for (int i = 0; i < NUMBERS; i++) {
-		double *value = (double *)((char *)to + by_number[i].at);
+		double *value = (double *)(void *)((char *)to + by_number[i].at);
 
 		if (!(*value > 0.0))
 			*value = json_number_value(json_object_get(made, by_number[i].key));

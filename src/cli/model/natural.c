@@ -25,6 +25,7 @@
 
 #include "cli/frame/cli.h"
 #include "cli/model/made.h"
+#include "core/hold.h"
 #include "core/order.h"
 #include "core/report.h"
 
@@ -154,8 +155,9 @@ static enum hawser_status of_rom(double *omega, int *count, const struct hawser_
                                  struct hawser_report *report)
 {
 	size_t n = (size_t)rom->n, size;
-	double *K = malloc((8*n*n + 4*n)*sizeof *K), *G = K + n*n, *A = G + n*n, *re = A + 4*n*n;
-	double *linear = re + 4*n;
+	double *K = malloc((8*n*n + 4*n)*sizeof *K), *G = hawser__behind(K, n*n);
+	double *A = hawser__behind(G, n*n), *re = hawser__behind(A, 4*n*n);
+	double *linear = hawser__behind(re, 4*n);
 	lapack_int *pivot = malloc(n*sizeof *pivot);
 	int info = 0, turning;
 	enum hawser_status status = HAWSER_OK;

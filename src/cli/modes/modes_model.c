@@ -14,6 +14,7 @@
 #include <string.h>
 
 #include "cli/modes/modes_result.h"
+#include "core/hold.h"
 #include "core/report.h"
 
 struct motion {
@@ -170,7 +171,8 @@ static enum hawser_status solve(struct result *result, struct hawser_report *rep
 {
 	const struct hawser_rom *rom = &result->model.rom;
 	size_t n = (size_t)rom->n, m = 2*n;
-	double *A = malloc((2*m*m + 2*m)*sizeof *A), *vector = A + m*m, *re = vector + m*m, *im = re + m;
+	double *A = malloc((2*m*m + 2*m)*sizeof *A), *vector = hawser__behind(A, m*m);
+	double *re = hawser__behind(vector, m*m), *im = hawser__behind(re, m);
 	int info;
 
 	result->motion = calloc(m, sizeof *result->motion);

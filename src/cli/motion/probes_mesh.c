@@ -36,12 +36,13 @@ enum hawser_status cli_probes_add(const struct cli_probe_adder *by, const char *
 
 	while (text && !status) {
 		size_t length = strcspn(text, ",");
-		char *name = by->probed->name[by->probed->probes];
+		char *name;
 
 		if (by->probed->probes == CLI_PROBES || length >= CLI_PROBE_NAME || length == 0)
 			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate", "--probe: at most %d places, "
 			                    "with commas between them, of at most %d characters", CLI_PROBES,
 			                    CLI_PROBE_NAME - 1);
+		name = by->probed->name[by->probed->probes];
 		snprintf(name, CLI_PROBE_NAME, "%.*s", (int)length, text);
 		by->probed->probes++;
 		status = by->add(by->result, name, report);

@@ -1,6 +1,7 @@
 /* cli/motion/transient_fields.c - columns and keys of hawser transient.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/motion/transient_ropeway.h"
+#include "core/names.h"
 
 /* the end of a field's row */
 #define NEWTON .unit = HAWSER__NEWTON
@@ -95,12 +96,7 @@ const struct hawser__list cli_transient_tower_list =
 
 /* --- a carrier passes a battery --- */
 
-static const char *state_name(int state)
-{
-	static const char *const name[] = {"span", "first", "arc", "last"};
-
-	return state >= 0 && state < 4 ? name[state] : "unknown";
-}
+static HAWSER__NAMES(state_name, int, "span", "first", "arc", "last")
 
 #define OF(member) HAWSER__AT(struct hawser_passing_row, member)
 static const struct hawser__field passing_field[] = {

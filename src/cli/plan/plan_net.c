@@ -156,7 +156,8 @@ static struct cli_setting *setting(struct cli_plan_net_result *result, const cha
 	snprintf(now->name, sizeof now->name, "%s", name);
 	return now;
 }
-#define VALUE(now, ...) ((void)snprintf((now)->value, sizeof (now)->value, __VA_ARGS__))
+#define VALUE(now, ...) \
+	((void)snprintf((now)->value, sizeof ((struct cli_setting *)0)->value, __VA_ARGS__))
 
 static void elements(struct cli_plan_net_result *result)
 {

@@ -80,16 +80,19 @@ static void comments(struct hawser__table *table, const void *of)
 			                      result->load_case[i].why);
 }
 
+static const struct hawser__field case_name[] = {
+	{NULL, "case", "", HAWSER__AT(struct cli_ropeway_case, name)},
+	HAWSER__END,
+};
+
 static void case_rows(struct hawser__table *table, const struct cli_ropeway *of)
 {
 	const struct hawser__view view = cli_si_view(0);
-	static const struct hawser__field name[] = {
-		{NULL, "case", "", HAWSER__AT(struct cli_ropeway_case, name)}, HAWSER__END};
 
 	hawser__fields_columns(table, cli_ropeway_case_field, &view);
 	for (int i = 0; i < of->cases; i++)
 		hawser__fields_row(table, cli_ropeway_case_field,
-		                   of->load_case[i].status ? name : cli_ropeway_case_field,
+		                   of->load_case[i].status ? case_name : cli_ropeway_case_field,
 		                   &of->load_case[i], &view);
 }
 

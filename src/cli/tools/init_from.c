@@ -326,7 +326,7 @@ static enum hawser_status read_failure(struct cli_mooring *mooring, const struct
 {
 	const char *point = words->word[1] + strspn(words->word[1], "PpOoIiNnTt");
 	struct cli_mooring_failure failure = {.point = point_of(mooring, atoi(point))};
-	double value[2];
+	double value[2] = {0.0};
 	char *rest = NULL;
 	enum hawser_status status = numbers(value, 2, mooring, words, 3, report);
 

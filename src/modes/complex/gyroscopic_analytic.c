@@ -90,8 +90,9 @@ static void find(struct hawser__wave *wave, const struct hawser_statics *st, int
 		enum hawser__wave_kind kind = (enum hawser__wave_kind)(i/n);
 		int k = i%n + 1;
 
-		wave[i] = kind == HAWSER__OUT_OF_PLANE ? (struct hawser__wave){.phase = k*M_PI}
-		                                       : root(k, c.p[kind], c.Lambda2[kind]);
+		wave[i] = (struct hawser__wave){.phase = k*M_PI};
+		if (kind != HAWSER__OUT_OF_PLANE)
+			wave[i] = root(k, c.p[kind], c.Lambda2[kind]);
 		wave[i].kind = kind;
 		wave[i].omega = wave[i].phase*c.c2[kind]/(c.r[kind]*c.l);
 	}

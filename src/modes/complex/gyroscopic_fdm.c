@@ -17,7 +17,6 @@
 #include <lapacke.h>
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "core/report.h"
 #include "modes/methods.h"

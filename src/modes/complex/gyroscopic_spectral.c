@@ -23,7 +23,6 @@
 #include <lapacke.h>
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "core/hold.h"
 #include "core/report.h"

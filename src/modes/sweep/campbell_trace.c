@@ -13,6 +13,7 @@
 #include <stdlib.h>
 
 #include "core/hold.h"
+#include "core/names.h"
 #include "core/report.h"
 #include "modes/sweep/branches.h"
 
@@ -23,12 +24,8 @@ static const double least_step = 1e-11;
  * travelling cables of B. */
 static const double followed = 0.95;
 
-const char *hawser_critical_name(enum hawser_critical_kind kind)
-{
-	static const char *const names[] = {"divergence", "flutter", "no-steady-state"};
-
-	return (unsigned)kind < sizeof names/sizeof *names ? names[kind] : "unknown";
-}
+HAWSER__NAMES(hawser_critical_name, enum hawser_critical_kind, "divergence", "flutter",
+	"no-steady-state")
 
 void hawser_campbell_clear(struct hawser_campbell *campbell)
 {

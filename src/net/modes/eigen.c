@@ -22,6 +22,7 @@
 #include <cblas.h>
 #include <lapacke.h>
 
+#include "core/hold.h"
 #include "core/report.h"
 #include "net/modes/eigen.h"
 
@@ -198,7 +199,8 @@ static enum hawser_status defect(double *most, struct hawser__border *border,
                                  double shift, const double *x, struct hawser_report *report)
 {
 	int n = eigen->mesh->unknowns;
-	double *y = malloc(2*((size_t)n + 1)*sizeof *y), *m = y + n + 1, off = 0.0, size = 0.0;
+	double *y = malloc(2*((size_t)n + 1)*sizeof *y), *m = hawser__behind(y, (size_t)n + 1);
+	double off = 0.0, size = 0.0;
 	enum hawser_status status;
 
 	if (!y)
@@ -270,7 +272,8 @@ static enum hawser_status solve(double *y, double *r, const double *b, struct ha
 enum hawser_status hawser__eigen_bound(struct hawser__eigen *eigen, struct hawser_report *report)
 {
 	int n = eigen->mesh->unknowns;
-	double *r = malloc(3*((size_t)n + 1)*sizeof *r), *m = r + n + 1, *y = m + n + 1;
+	double *r = malloc(3*((size_t)n + 1)*sizeof *r), *m = hawser__behind(r, (size_t)n + 1);
+	double *y = hawser__behind(m, (size_t)n + 1);
 	enum hawser_status status = r ? HAWSER_OK : hawser__no_memory(report, "net");
 
 	for (int j = 0; j < eigen->found && !status; j++) {

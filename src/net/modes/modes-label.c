@@ -19,6 +19,7 @@
 #include <cblas.h>
 #include <lapacke.h>
 
+#include "core/hold.h"
 #include "core/report.h"
 #include "net/modes/symmetry.h"
 
@@ -86,8 +87,9 @@ static enum hawser_status turn(struct hawser__eigen *eigen, const struct hawser_
 {
 	int n = eigen->mesh->unknowns, info;
 	size_t q = (size_t)count, size = q*(size_t)n;
-	double *sum = calloc(2*q*q + q + size, sizeof *sum), *p = sum + q*q, *value = p + q*q,
-	       *x = eigen->x + (size_t)first*(size_t)n, *copy = value + q;
+	double *sum = calloc(2*q*q + q + size, sizeof *sum), *p = hawser__behind(sum, q*q);
+	double *value = hawser__behind(p, q*q), *copy = hawser__behind(value, q);
+	double *x = eigen->x + (size_t)first*(size_t)n;
 	const double *omega2 = eigen->value + first;
 
 	if (!sum)

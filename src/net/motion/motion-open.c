@@ -37,6 +37,7 @@ void hawser__motion_clear(struct hawser__motion *motion)
 
 static enum hawser_status allocate(struct hawser__motion *motion, struct hawser_report *report)
 {
+	/* cppcheck-suppress uninitvar ; sizeof of its elements alone */
 	double (**part[])[3] = {&motion->reference, &motion->base, &motion->u, &motion->v, &motion->a,
 	                        &motion->u0, &motion->v0, &motion->a0, &motion->x, &motion->acc,
 	                        &motion->vel, &motion->load, &motion->wave, &motion->r, &motion->past,

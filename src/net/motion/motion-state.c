@@ -81,7 +81,7 @@ void hawser__motion_save(double *state, const struct hawser__motion *motion, dou
 
 void hawser__motion_restore(struct hawser__motion *motion, double *h, const double *state)
 {
-	double *head[HEAD], nodes, sum;
+	double *head[HEAD], nodes = 0.0, sum = 0.0; /* read over */
 	double (*part[PARTS])[3];
 	const double *begin = state;
 

@@ -111,8 +111,7 @@ static enum hawser_status motion_of(struct hawser__reader *reader, struct hawser
 		int k = *one->name - 'x';
 		struct hawser_net_load *motion;
 
-		if (!status)
-			status = hawser__net_more(&net->motion, net->motions, reader->report);
+		status = hawser__net_more(&net->motion, net->motions, reader->report);
 		if (status)
 			return status;
 		motion = &net->motion[net->motions];

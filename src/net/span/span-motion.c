@@ -27,8 +27,9 @@ const char *hawser_net_span_probe(int probe)
 	return probe >= 0 && probe < PROBES ? name[probe] : NULL;
 }
 
-double hawser_net_span_step(const struct hawser_scene *scene, const struct hawser_statics *st,
-                            double Omega)
+/* The default of the step, s. */
+static double default_step(const struct hawser_scene *scene, const struct hawser_statics *st,
+                           double Omega)
 {
 	double period = 2.0*st->length0*sqrt(st->span.rho/st->H);
 	int most = scene->load.present ? 1 : 0;
@@ -106,7 +107,7 @@ static enum hawser_status run_level(struct level *level, const struct hawser_sce
 		return status;
 	for (int p = 0; p < PROBES; p++) {
 		level->probe[p].node = -1;
-		hawser_net_span_place(&level->probe[p].cable, &level->probe[p].part, &level->net,
+		hawser__net_span_place(&level->probe[p].cable, &level->probe[p].part, &level->net,
 		                      place[p]*st->length0);
 	}
 	for (int c = 0; c < level->net.cables; c++)
@@ -188,7 +189,7 @@ enum hawser_status hawser_net_span_integrate(struct hawser_net_span_motion *run,
 		                    "not %d: its error is estimated by a mesh with half of them",
 		                    mesh.elements);
 	if (motion.step == 0.0)
-		motion.step = hawser_net_span_step(scene, st, mesh.Omega);
+		motion.step = default_step(scene, st, mesh.Omega);
 	run->step = fmax(motion.step, 0.0);
 	status = run_level(&fine, scene, st, &mesh, 0, &motion, report);
 	motion.step *= motion.step > 0.0 ? 2.0 : 1.0;

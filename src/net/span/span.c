@@ -398,7 +398,7 @@ enum hawser_status hawser_net_span(struct hawser_net *net, const struct hawser_s
 	return hawser__net_span(net, scene, st, options, 1, 0, report);
 }
 
-void hawser_net_span_place(int *cable, double *part, const struct hawser_net *net, double S)
+void hawser__net_span_place(int *cable, double *part, const struct hawser_net *net, double S)
 {
 	double from = 0.0;
 	int c = 0;

@@ -16,4 +16,8 @@ enum hawser_status hawser__net_span(struct hawser_net *net, const struct hawser_
                                     const struct hawser_net_span_options *options, int unit,
                                     int halved, struct hawser_report *report) HAWSER_MUST_CHECK;
 
+/* The place of the unstretched length S (m from end A) of the statics on that net: *cable, and *part
+ * of its unstretched length, 0 to 1. */
+void hawser__net_span_place(int *cable, double *part, const struct hawser_net *net, double S);
+
 #endif

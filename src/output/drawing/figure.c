@@ -171,7 +171,7 @@ static void set_scale(struct hawser__figure *figure, int axis)
 /* The ranges of a view, and no axes. */
 static void set_view(struct hawser__figure *figure)
 {
-	struct hawser__box seen;
+	struct hawser__box seen = {.any = 0};
 
 	for (int axis = 0; axis < 2; axis++) {
 		const struct hawser__panel_axis *scale = panel_axis(figure, axis);
@@ -333,8 +333,8 @@ void hawser__figure_bind(struct hawser__figure *figure, int count, const double 
                          const double *y, size_t y_step)
 {
 	for (int i = 0; i < count; i++)
-		hawser__figure_put(figure, *(const double *)((const char *)x + (size_t)i*x_step),
-		                   *(const double *)((const char *)y + (size_t)i*y_step));
+		hawser__figure_put(figure, *(const double *)(const void *)((const char *)x + (size_t)i*x_step),
+		                   *(const double *)(const void *)((const char *)y + (size_t)i*y_step));
 }
 
 /* Add to the plot, and to the legend unless it has that name. */

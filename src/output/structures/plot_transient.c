@@ -29,6 +29,12 @@ static enum hawser_status begin(struct drawing *of, const char *path, struct haw
 	                            TOP + of->panels*(TALL + GAP) - GAP + BELOW, report);
 }
 
+/* The time of a row. */
+static const double *time_of(const struct drawing *of, int row)
+{
+	return (const void *)((const char *)of->t + (size_t)row*of->step);
+}
+
 /* The next panel: a quantity, whose curves have up to three names. */
 static void draw_panel(struct drawing *of, const char *quantity, const char *unit, double largest,
                        const char *const *title, const double *const *value)
@@ -37,7 +43,7 @@ static void draw_panel(struct drawing *of, const char *quantity, const char *uni
 	                                    "lc rgb '#009e73' lw 1.2 dt (3,3)"};
 	const struct hawser__axis axis = hawser__axis_of(quantity, unit, largest);
 	double height = of->figure.out.height, top = height - TOP - of->drawn++*(TALL + GAP);
-	double last = *(const double *)((const char *)of->t + (size_t)(of->rows - 1)*of->step);
+	double last = *time_of(of, of->rows - 1);
 
 	hawser__figure_panel(&of->figure, &(struct hawser__panel_frame){LEFT, RIGHT, (top - TALL)/height,
 		top/height, .keys = 1, .x = {&of->time, of->t[0], last, .tics = 10,
@@ -53,8 +59,7 @@ static void draw_panel(struct drawing *of, const char *quantity, const char *uni
 static void draw_level(struct drawing *of, double level, const char *title)
 {
 	for (int i = 0; i < of->rows; i += of->rows > 1 ? of->rows - 1 : 1)
-		hawser__figure_put(&of->figure,
-		                   *(const double *)((const char *)of->t + (size_t)i*of->step), level);
+		hawser__figure_put(&of->figure, *time_of(of, i), level);
 	hawser__figure_draw(&of->figure, title, "with lines lc rgb 'black' lw 0.8 dt (2,4)");
 }
 

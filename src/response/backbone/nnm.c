@@ -8,6 +8,7 @@
 #include <hawser/nnm.h>
 
 #include "core/grow.h"
+#include "core/hold.h"
 #include "core/report.h"
 #include "core/settle.h"
 
@@ -106,7 +107,7 @@ static enum hawser_status leave(struct hawser_nnm *nnm, const struct hawser_rom 
                                 double side, int *found, struct hawser_report *report)
 {
 	size_t size = (size_t)rom->n + 1;
-	double *start = malloc(2*size*sizeof *start), *direction = start + size, *known;
+	double *start = malloc(2*size*sizeof *start), *direction = hawser__behind(start, size), *known;
 	struct hawser_backbone_options options = *base;
 	struct hawser_nnm_curve *curve = start ? add(nnm, report) : NULL;
 	enum hawser_status status = HAWSER_OK;

@@ -214,15 +214,6 @@ static enum hawser_status beside(const struct hawser__station **station, struct 
 	return hawser__station_finish(own, orbit, a->t, report);
 }
 
-/* Whether Omega is known as well as an event's in all of the part, where tests may be round-off. */
-static int flat(const struct hawser__account *account, const struct hawser__orbit *orbit,
-                const struct hawser__station *a, const struct hawser__station *b)
-{
-	int last = orbit->size - 1;
-
-	return fabs(b->y[last] - a->y[last]) <= account->event_tolerance*hawser__orbit_extent(orbit, a->y);
-}
-
 /* On a branch that begins at another one (a pitchfork), Omega turns where the two cross: a fold and a
  * branch point at one place, which no halving separates, and beside which the multipliers are
  * round-off. *done: they are, and this is added as a branch point, located as the fold. */
@@ -257,19 +248,6 @@ static enum hawser_status meet(struct hawser__account *account, int *done, struc
 	}
 	account->events = events + *done;
 	account->gaps = gaps;
-	if (!status && !*done && flat(account, orbit, a, b)) {
-		double from = a->y[orbit->size - 1], to = b->y[orbit->size - 1];
-		struct hawser_frf_event event = {.kind = HAWSER_BRANCH_POINT, .turns = 1,
-			.arc = 0.5*(a->arc + b->arc),
-			.omega = 0.5*(from + to), .bracket = {from, to},
-			.error = account->event_tolerance + a->mesh, .unstable = {a->circle.unstable,
-			b->circle.unstable}};
-
-		*done = 1;
-		status = add_event(account, orbit, &event, b->y, report);
-		if (!status && watch)
-			watch(account->context, &event, orbit, b->y);
-	}
 	return status;
 }
 

@@ -34,8 +34,8 @@ int hawser__amplitude_swing(struct hawser__amplitude *amplitude, double *swing, 
 int hawser__amplitude_tension(struct hawser__amplitude *amplitude, double extreme[2],
                               const double *samples, int rows, double omega);
 
-/* The smallest angle of contact over the period (hawser_rom_contact), and *sheave; INFINITY and -1 if
- * the model has no sheaves. Returns 0, or 1 when out of memory. */
+/* The smallest angle of contact over the period (struct hawser_rom_contacts), and *sheave; INFINITY and
+ * -1 if the model has no sheaves. Returns 0, or 1 when out of memory. */
 int hawser__amplitude_contact(struct hawser__amplitude *amplitude, double *least, int *sheave,
                               const double *samples, int rows);
 

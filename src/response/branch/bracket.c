@@ -116,8 +116,6 @@ static void record(struct hawser__bracket *bracket, const struct hawser__station
 	row->s = s;
 	row->f = f;
 	row->omega = station->y[last];
-	row->error = station->error;
-	row->round_off = station->round_off;
 	row->product_error = station->product_error;
 	row->product_round_off = station->product_round_off;
 	row->multiplier_error = station->multiplier_error;
@@ -138,11 +136,11 @@ static enum hawser_status trial(double *value, int *failed, struct hawser__brack
 	                                 bracket->tolerance);
 	if (*failed)
 		return HAWSER_OK;
-	/* a fold needs no multipliers */
-	if (bracket->kind == HAWSER_FOLD)
-		hawser__station_turn(at, bracket->orbit, bracket->a->t);
-	else
-		status = hawser__station_finish(at, bracket->orbit, bracket->a->t, report);
+	hawser__station_turn(at, bracket->orbit, bracket->a->t,
+	                     bracket->kind == HAWSER_TORUS || bracket->kind == HAWSER_PERIOD_DOUBLING
+	                     ? at->t : NULL);
+	if (bracket->kind != HAWSER_FOLD) /* which needs no multipliers */
+		status = hawser__station_test(at, bracket->orbit, report);
 	if (!status) {
 		*value = hawser__bracket_value(bracket, at);
 		record(bracket, at, s, *value);

@@ -17,7 +17,6 @@
 
 struct hawser__bracket_trial {
 	double s, f, omega;
-	double error, round_off;        /* of the orbit, as in a station */
 	double product_error, product_round_off, multiplier_error; /* as in a station */
 	double *log_modulus, *argument; /* [m]; not set for a fold */
 };

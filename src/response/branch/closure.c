@@ -7,6 +7,7 @@
  * a second time. Its Omega turns there, so that a fold and a branch point are at one place.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <math.h>
 #include <string.h>
 
 #include "core/report.h"
@@ -131,6 +132,41 @@ static int turning_point(const struct hawser_frf *frf)
 	return -1;
 }
 
+/* Beside the point where a branch meets another one, test functions, multipliers and the corrector are
+ * round-off: steps become short, and what they find in one of them may explain nothing. Both tests
+ * have changed their signs behind it, while Omega, which turns there, is still the same. */
+static enum hawser_status level_point(int *e, struct hawser__trace *trace)
+{
+	struct hawser_frf *frf = trace->frf;
+	struct hawser__orbit *orbit = trace->orbit;
+	const struct hawser__test *test = trace->here.test;
+	double omega = trace->here.y[orbit->size - 1], tolerance = trace->options.event_tolerance;
+	struct hawser_frf_event event = {.kind = HAWSER_BRANCH_POINT, .turns = 1, .located = 1,
+		.arc = trace->here.arc, .omega = hawser__orbit_omega(orbit, trace->here.y),
+		.parameter = omega, .bracket = {omega, trace->level.omega},
+		.error = tolerance + trace->here.mesh, .after = trace->level.point};
+	enum hawser_status status;
+
+	if (trace->level.point >= frf->points || /* after a step back */
+	    !(fabs(omega - trace->level.omega) <= tolerance*hawser__orbit_extent(orbit, trace->here.y))) {
+		trace->level.omega = omega;
+		trace->level.sign[0] = test[HAWSER_FOLD].sign;
+		trace->level.sign[1] = test[HAWSER_BRANCH_POINT].sign;
+		trace->level.point = frf->points - 1;
+	}
+	if (trace->level.sign[0]*test[HAWSER_FOLD].sign > 0.0 ||
+	    trace->level.sign[1]*test[HAWSER_BRANCH_POINT].sign > 0.0)
+		return HAWSER_OK;
+	while (frf->events > 0 && frf->event[frf->events - 1].after >= trace->level.point)
+		frf->events--;
+	frf->points = trace->level.point + 2;
+	orbit->ops->state(orbit, orbit->step, trace->here.y);
+	event.unstable[0] = event.unstable[1] = frf->point[trace->level.point].unstable;
+	status = hawser__record_event(frf, &event, orbit->step, orbit->rom, trace->report);
+	*e = frf->events - 1;
+	return status;
+}
+
 /* The last point is one shortly before the event; if there is none, the one before. */
 enum hawser_status hawser__trace_meet(struct hawser__trace *trace, int *met)
 {
@@ -140,6 +176,8 @@ enum hawser_status hawser__trace_meet(struct hawser__trace *trace, int *met)
 	double share;
 	enum hawser_status status;
 
+	if (trace->options.along && e < 0 && (status = level_point(&e, trace)))
+		return status;
 	*met = e >= 0;
 	if (!*met)
 		return HAWSER_OK;

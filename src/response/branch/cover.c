@@ -69,7 +69,8 @@ static int watch_gaps(void *data, const struct hawser_progress_state *state)
 {
 	struct hawser_progress_state told = *state;
 
-	told.fraction = told.left = NAN;
+	told.fraction = NAN;
+	told.left = INFINITY; /* nor does that of the curve before hold */
 	return hawser__told_to_stop(data, &told);
 }
 
@@ -87,13 +88,13 @@ static int widest(const struct gaps *gaps, double range)
 	return best;
 }
 
-/* A further branch; *frf is it, and stays valid until the next call. It is dropped where it has no two
- * points, and *frf is NULL then, as where no work is left for it. */
+/* A further branch, of which orbits may be known; *frf is it, and stays valid until the next call. It
+ * is dropped where it has no two points, and *frf is NULL then, as where no work is left for it. */
 static enum hawser_status add(struct hawser_cover *cover, struct hawser_frf **frf,
                               const struct hawser_rom *rom, const struct hawser_frf_options *options,
-                              struct hawser_report *report)
+                              const struct hawser__orbits *known, struct hawser_report *report)
 {
-	const struct hawser__trace_watch watch = {.direct = 1}; /* many starts */
+	const struct hawser__trace_watch watch = {.known = known, .direct = 1}; /* many starts */
 	struct hawser_report local = {.status = HAWSER_OK};
 	struct hawser_frf_options left = *options;
 	enum hawser_status status;
@@ -143,10 +144,10 @@ static enum hawser_status both_ways(struct hawser_cover *cover, int *found, stru
 
 		part.from = way ? options->from : options->to;
 		part.to = way ? options->to : options->from;
-		status = add(cover, &frf, rom, &part, report);
+		status = add(cover, &frf, rom, &part, NULL, report);
 		if (!status && !frf && part.start) {
 			part.start = NULL;
-			status = add(cover, &frf, rom, &part, report);
+			status = add(cover, &frf, rom, &part, NULL, report);
 		}
 		if (status || !frf)
 			return status;
@@ -246,7 +247,7 @@ enum hawser_status hawser_cover_trace(struct hawser_cover *cover, const struct h
 	if (insert(&gaps, 0, lo, hi, 0) || cut(&gaps, first))
 		status = hawser__no_memory(report, "frf");
 	if (!status)
-		status = add(cover, &frf, rom, &back, report);
+		status = add(cover, &frf, rom, &back, first->back, report);
 	if (!status && frf && cut(&gaps, frf))
 		status = hawser__no_memory(report, "frf");
 	if (!status && !ended(cover))

@@ -54,7 +54,7 @@ static enum hawser_status walk_on(struct hawser__station *next, int *failed,
 	*failed = hawser__orbit_correct(orbit, next->y, &next->correction, last->t, tolerance);
 	if (*failed)
 		return HAWSER_OK;
-	hawser__station_turn(next, orbit, last->t);
+	hawser__station_turn(next, orbit, last->t, NULL);
 	*failed = !hawser__trace_trusted(&next->correction,
 	                                 hawser__metric_angle(&metric, last->t, next->t));
 	status = *failed ? HAWSER_OK : hawser__station_judge(next, orbit, report);

@@ -101,6 +101,7 @@ static enum hawser_status over_load(double *x, int *found, char tried[80],
 	status = hawser_factor_open(&loads, rom, HAWSER_FACTOR_LOAD, omega, NULL);
 	if (status)
 		return status == HAWSER_ERR_MEMORY ? hawser__no_memory(trace->report, "frf") : HAWSER_OK;
+	/* cppcheck-suppress autoVariables ; its options are not used again */
 	options->family = &loads;
 	options->from = FAINT*raised->load;
 	options->to = 1.0;

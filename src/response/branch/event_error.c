@@ -280,14 +280,15 @@ static double beyond_collision(const struct hawser__bracket *bracket, double ome
 
 /* --- the bound --- */
 
-/* The bound from the most accurate orbit of all trials and ends. */
-static double orbit_error(const struct hawser__bracket *bracket)
+/* The error of the orbit that the search ended at, if it is that of the last trial, as in a station. */
+static void set_error(const struct hawser__bracket *bracket)
 {
-	double least = fmin(bracket->a->error, bracket->b->error);
+	struct hawser__orbit *orbit = bracket->orbit;
+	struct hawser__station *at = bracket->at;
+	int own = bracket->kind != HAWSER_FOLD && bracket->failures == 0;
 
-	for (int i = 0; i < bracket->trials; i++)
-		least = fmin(least, bracket->trial[i].error);
-	return least;
+	at->error = own ? orbit->ops->error(orbit, at->correction.residual) : INFINITY;
+	at->round_off = own ? orbit->round_off : INFINITY;
 }
 
 static double bound(const struct hawser__bracket *bracket, double s, double omega)
@@ -300,7 +301,7 @@ static double bound(const struct hawser__bracket *bracket, double s, double omeg
 		return SHARE*orbit->ops->error(orbit, bracket->at->correction.residual);
 	if (bracket->trials == 0)
 		return 1.0;
-	far = orbit_error(bracket);
+	far = fmin(bracket->at->error, fmin(bracket->a->error, bracket->b->error));
 	if (bracket->sure && bracket->kind != HAWSER_BRANCH_POINT)
 		beyond = beyond_collision(bracket, omega);
 	return SHARE*far + by_multiplier(bracket, s, omega, ANSWER*far + last->multiplier_error,
@@ -311,13 +312,9 @@ static double bound(const struct hawser__bracket *bracket, double s, double omeg
  * ill-conditioned, but only along the other branch, which changes Omega in second order. */
 static double round_off_of(const struct hawser__bracket *bracket)
 {
-	double least = fmin(bracket->a->round_off, bracket->b->round_off);
-
 	if (bracket->kind == HAWSER_FOLD) /* the orbit for which bound() was called */
 		return SHARE*bracket->orbit->round_off;
-	for (int i = 0; i < bracket->trials; i++)
-		least = fmin(least, bracket->trial[i].round_off);
-	return SHARE*least;
+	return SHARE*fmin(bracket->at->round_off, fmin(bracket->a->round_off, bracket->b->round_off));
 }
 
 /* --- the comparison --- */
@@ -362,7 +359,7 @@ static enum hawser_status point(struct place *place, int *found, struct hawser__
 	at->correction.residual = orbit->ops->defects(orbit, at->y, 1);
 	*found = isfinite(at->correction.residual) && !orbit->ops->factor(orbit, at->t);
 	if (*found && bracket->kind == HAWSER_FOLD)
-		hawser__station_turn(at, orbit, bracket->a->t);
+		hawser__station_turn(at, orbit, bracket->a->t, NULL);
 	else if (*found)
 		status = hawser__station_finish(at, orbit, bracket->a->t, report);
 	if (status == HAWSER_ERR_CONVERGENCE) {
@@ -426,11 +423,13 @@ enum hawser_status hawser__event_error(double *error, struct hawser__bracket *br
 	struct hawser__orbit *orbit = bracket->orbit;
 	struct hawser__station finer;
 	struct place difference = {0.0, 0.0, 0.0};
-	double omega = bracket->at->y[orbit->size - 1], most = bound(bracket, s, omega);
-	double round_off = round_off_of(bracket);
+	double omega = bracket->at->y[orbit->size - 1], most, round_off;
 	int found = 0;
 	enum hawser_status status = hawser__station_init(&finer, orbit, report);
 
+	set_error(bracket);
+	most = bound(bracket, s, omega);
+	round_off = round_off_of(bracket);
 	if (!status && !bracket->sure)
 		status = compare(&difference, &found, bracket, s, f, &finer, report);
 	if (found)

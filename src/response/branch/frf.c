@@ -7,9 +7,7 @@
 #include "core/report.h"
 #include "core/settle.h"
 #include "response/orbit/certify.h"
-#include "response/orbit/shooting.h"
 #include "response/branch/trace.h"
-#include "response/cycle/cycle.h"
 #include "rom/terms/drag.h"
 #include "rom/terms/terms.h"
 

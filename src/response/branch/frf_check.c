@@ -6,7 +6,6 @@
 #include "core/report.h"
 #include "response/orbit/shooting.h"
 #include "response/branch/trace.h"
-#include "response/cycle/cycle.h"
 #include "rom/file/entries.h"
 
 /* Whether any excitation of the model is not zero. */

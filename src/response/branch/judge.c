@@ -255,7 +255,8 @@ static enum hawser_status look_between(struct hawser__trace *trace, int *hidden,
 
 	if (!hawser__station_inside(between, orbit, a, b, 0.5, trace->options.tolerance)) {
 		between->arc = 0.5*(a->arc + b->arc);
-		status = hawser__station_finish(between, orbit, a->t, trace->report);
+		hawser__station_turn(between, orbit, a->t, trace->options.along ? NULL : between->t);
+		status = hawser__station_test(between, orbit, trace->report);
 		*hidden = shows_more(a, between, b) || hides_in(trace, &followed, five, 1, 0) ||
 		          (step == 1 ? hides_in(trace, &followed, five + 1, 1, 0)
 		                     : hides_in(trace, &followed, five, 2, 0));

@@ -3,9 +3,11 @@
  * A curve may be traced twice: first for its shape, then for its multipliers and events
  * (study/accuracy/draft.c). Its orbits are then known: the second trace begins with the first of them,
  * steps end at them where their lengths allow it, and they need one Jacobian each, for their tangents.
- * Between them the orbits are found as those of any other curve.
+ * Between them the orbits are found as those of any other curve. Where the second trace ends before the
+ * curve does, one from the curve's other end passes them backwards (cover.c).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <cblas.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -39,6 +41,49 @@ void hawser__orbits_clear(struct hawser__orbits *orbits)
 	clear(orbits);
 	free(orbits->item);
 	*orbits = (struct hawser__orbits){.n = 0};
+}
+
+void hawser__orbits_free(struct hawser__orbits *orbits)
+{
+	if (orbits)
+		hawser__orbits_clear(orbits);
+	free(orbits);
+}
+
+static double omega_of(const struct hawser__orbits *orbits, int i)
+{
+	return orbits->item[i].y[hawser__series_length(&orbits->item[i], orbits->n) - 1];
+}
+
+struct hawser__orbits *hawser__orbits_back(struct hawser__orbits *orbits, double from)
+{
+	struct hawser__orbits *back = malloc(sizeof *back);
+	int last = 0;
+
+	if (!back || orbits->count == 0) {
+		free(back);
+		return NULL;
+	}
+	while (last + 1 < orbits->count &&
+	       (omega_of(orbits, last) < from) == (omega_of(orbits, 0) < from))
+		last++;
+	for (int i = last + 1; i < orbits->count; i++)
+		free(orbits->item[i].y);
+	orbits->count = last + 1;
+	for (int i = 0; 2*i < last; i++) {
+		struct hawser__series keep = orbits->item[i];
+
+		orbits->item[i] = orbits->item[last - i];
+		orbits->item[last - i] = keep;
+	}
+	for (int i = 0; i <= last; i++) {
+		size_t length = hawser__series_length(&orbits->item[i], orbits->n);
+
+		cblas_dscal((int)length, -1.0, orbits->item[i].y + length, 1);
+	}
+	*back = *orbits;
+	*orbits = (struct hawser__orbits){.n = 0};
+	return back;
 }
 
 /* --- to keep them --- */
@@ -147,7 +192,8 @@ enum hawser_status hawser__known_first(struct hawser__trace *trace, int *found)
 	const struct hawser__orbits *known = known_to(trace);
 	struct hawser__orbit *orbit = trace->orbit;
 
-	*found = known && hawser__series_length(&known->item[0], known->n) <= (size_t)orbit->size;
+	*found = known && omega_of(known, 0) == trace->options.begin &&
+	         hawser__series_length(&known->item[0], known->n) <= (size_t)orbit->size;
 	if (!*found)
 		return HAWSER_OK;
 	unpack(trace->here.y, NULL, &known->item[0], orbit);

@@ -5,8 +5,10 @@
 #include <string.h>
 
 #include "core/grow.h"
+#include "core/names.h"
 #include "core/report.h"
 #include "response/branch/record.h"
+#include "response/branch/trace.h"
 #include "response/cycle/cycle.h"
 
 #define ONE_ARC 0.05 /* largest arclength between a fold and a branch point that are one; chosen */
@@ -239,25 +241,16 @@ void hawser_frf_clear(struct hawser_frf *frf)
 	free(frf->state);
 	free(frf->event);
 	free(frf->event_state);
+	hawser__orbits_free(frf->back);
 	memset(frf, 0, sizeof *frf);
 }
 
-const char *hawser_event_name(enum hawser_event_kind kind)
-{
-	static const char *const name[] = {"fold", "period-doubling", "torus", "branch-point",
-		"unexplained", "slack", "resonance", "hopf"};
+HAWSER__NAMES(hawser_event_name, enum hawser_event_kind, "fold", "period-doubling", "torus",
+	"branch-point", "unexplained", "slack", "resonance", "hopf")
 
-	return (unsigned)kind < sizeof name/sizeof *name ? name[kind] : "unknown";
-}
-
-const char *hawser_frf_end_name(enum hawser_frf_end end)
-{
-	static const char *const name[] = {"end of the range", "returned", "curve closed",
-		"max-points", "interrupted", "failed", "at rest", "slack", "unstable",
-		"lost", "meets a branch", "most work", "hopf", "homoclinic"};
-
-	return (unsigned)end < sizeof name/sizeof *name ? name[end] : "unknown";
-}
+HAWSER__NAMES(hawser_frf_end_name, enum hawser_frf_end, "end of the range", "returned",
+	"curve closed", "max-points", "interrupted", "failed", "at rest", "slack", "unstable",
+	"lost", "meets a branch", "most work", "hopf", "homoclinic")
 
 int hawser_frf_label(struct hawser_frf *frf, int first, int every)
 {

@@ -12,6 +12,10 @@
 /* Component along Omega of a unit tangent, relative to the width of Omega, below which the tangent is
  * solved again to the usual residual: its sign tells folds; chosen. */
 #define SURE_TURN 0.01
+/* Relative residual of a tangent from an estimate; chosen. A branch that begins at an event may end at
+ * a branch point of the curve it began at (closure.c), where Omega turns, and may pass it unnoticed
+ * with such tangents: not there. */
+#define PREDICTION 1e-5
 /* Logarithm of a multiplier that is not computed. */
 #define INSIDE (-1.0)
 
@@ -187,15 +191,20 @@ static void set_tests(struct hawser__station *station, const struct hawser__orbi
 }
 
 void hawser__station_turn(struct hawser__station *station, struct hawser__orbit *orbit,
-                          const double *side)
+                          const double *side, const double *estimate)
 {
 	double turn;
 
-	hawser__orbit_tangent(orbit, station->t);
-	if (orbit->goal > 0.0 && fabs(station->t[orbit->size - 1]) < SURE_TURN*orbit->W) {
-		orbit->goal = 0.0;
-		hawser__orbit_tangent(orbit, station->t);
+	if (estimate) { /* which may be station->t */
+		memcpy(orbit->spare, estimate, (size_t)orbit->size*sizeof *estimate);
+		orbit->estimate = orbit->spare;
+		orbit->goal = PREDICTION;
 	}
+	hawser__orbit_tangent(orbit, station->t);
+	orbit->goal = 0.0;
+	if (estimate && fabs(station->t[orbit->size - 1]) < SURE_TURN*orbit->W)
+		hawser__orbit_tangent(orbit, station->t);
+	orbit->estimate = NULL;
 	if (hawser__orbit_dot(orbit, station->t, side) < 0.0) {
 		for (int i = 0; i < orbit->size; i++)
 			station->t[i] = -station->t[i];
@@ -228,8 +237,8 @@ static int station_draft(const struct hawser__orbit *orbit)
 	return orbit->unjudged > 1 && orbit->rom->exact;
 }
 
-enum hawser_status hawser__station_judge(struct hawser__station *station,
-                                         struct hawser__orbit *orbit, struct hawser_report *report)
+enum hawser_status hawser__station_test(struct hawser__station *station,
+                                        struct hawser__orbit *orbit, struct hawser_report *report)
 {
 	int m = orbit->m;
 	enum hawser_status status = orbit->unjudged ? count_as_stable(orbit)
@@ -253,13 +262,23 @@ enum hawser_status hawser__station_judge(struct hawser__station *station,
 	station->product_error = orbit->product_error;
 	station->product_round_off = orbit->product_round_off;
 	station->multiplier_error = orbit->multiplier_error;
+	set_tests(station, orbit);
+	return HAWSER_OK;
+}
+
+enum hawser_status hawser__station_judge(struct hawser__station *station,
+                                         struct hawser__orbit *orbit, struct hawser_report *report)
+{
+	enum hawser_status status = hawser__station_test(station, orbit, report);
+
+	if (status)
+		return status;
 	station->mesh = orbit->mesh/orbit->X;
 	/* infinite at a branch point; then the size of the orbit is used */
 	station->error = fmin(1.0, station_draft(orbit)
 	                           ? station->mesh + station->correction.residual
 	                           : orbit->ops->error(orbit, station->correction.residual));
 	station->round_off = orbit->round_off;
-	set_tests(station, orbit);
 	return HAWSER_OK;
 }
 
@@ -267,7 +286,7 @@ enum hawser_status hawser__station_finish(struct hawser__station *station,
                                           struct hawser__orbit *orbit, const double *side,
                                           struct hawser_report *report)
 {
-	hawser__station_turn(station, orbit, side);
+	hawser__station_turn(station, orbit, side, NULL);
 	return hawser__station_judge(station, orbit, report);
 }
 

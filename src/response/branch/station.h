@@ -65,15 +65,18 @@ void hawser__station_clear(struct hawser__station *station);
 void hawser__station_swap(struct hawser__station *a, struct hawser__station *b);
 
 /* After a successful correction of station->y: compute the tangent with a positive component along
- * `side` [size], and the test function of folds, but no multipliers. */
+ * `side` [size], and the test function of folds, but no multipliers. With an estimate [size] of the
+ * tangent, of any length, it is computed roughly, for predictions and for its sign; else NULL. */
 void hawser__station_turn(struct hawser__station *station, struct hawser__orbit *orbit,
-                          const double *side);
+                          const double *side, const double *estimate);
 
-/* After that: multipliers, test functions, stability, certificate. */
+/* After that: multipliers, test functions, stability; and the certificate as well. */
+enum hawser_status hawser__station_test(struct hawser__station *station,
+                                        struct hawser__orbit *orbit, struct hawser_report *report);
 enum hawser_status hawser__station_judge(struct hawser__station *station,
                                          struct hawser__orbit *orbit, struct hawser_report *report);
 
-/* Both. */
+/* The tangent and all of that. */
 enum hawser_status hawser__station_finish(struct hawser__station *station,
                                           struct hawser__orbit *orbit, const double *side,
                                           struct hawser_report *report);

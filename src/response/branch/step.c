@@ -27,10 +27,6 @@
                                 * points of the branch, where there is no other branch: the second
                                 * one has the second-order response of stiff coordinates, and may be
                                 * larger than the first; chosen */
-#define PREDICTION 1e-5        /* relative residual of a tangent that serves for predictions only;
-                                * chosen. A branch that begins at an event may end at a branch point
-                                * of the curve it began at (closure.c), where Omega turns, and may
-                                * pass it unnoticed with tangents of this residual: not there */
 #define WORST_ERROR 0.05       /* largest estimated relative error of an accepted orbit; chosen */
 
 /* Part of the range that is done and time left: folds turn back, and the furthest place counts. Not
@@ -242,18 +238,13 @@ enum hawser_status hawser__trace_finish(void *owner, double ds, double *angle)
 {
 	struct hawser__trace *trace = owner;
 	const struct hawser__metric metric = hawser__orbit_metric(trace->orbit);
+	struct hawser__node node[3];
 
-	if (!trace->options.along) {
-		struct hawser__node node[3];
-		int nodes = last_nodes(node, trace);
-
-		hawser__curve_slope(trace->direction, trace->next.y, node, nodes, ds, &metric);
-		trace->orbit->estimate = trace->direction;
-		trace->orbit->goal = PREDICTION;
-	}
-	hawser__station_turn(&trace->next, trace->orbit, hawser__known_side(trace, ds));
-	trace->orbit->goal = 0.0;
-	trace->orbit->estimate = NULL;
+	if (!trace->options.along)
+		hawser__curve_slope(trace->direction, trace->next.y, node, last_nodes(node, trace), ds,
+		                    &metric);
+	hawser__station_turn(&trace->next, trace->orbit, hawser__known_side(trace, ds),
+	                     trace->options.along ? NULL : trace->direction);
 	*angle = hawser__metric_angle(&metric, trace->here.t, trace->next.t);
 	trace->next.arc = trace->here.arc + ds;
 	if (refused(trace, *angle, ds)) /* multipliers would take most of the time of the step */
@@ -266,7 +257,7 @@ enum hawser_status hawser__trace_judge(void *owner, double ds, double angle,
 {
 	struct hawser__trace *trace = owner;
 	enum hawser_status status;
-	int hidden;
+	int hidden, sure;
 
 	*verdict = HAWSER__SHORTEN;
 	if (refused(trace, angle, ds))
@@ -274,7 +265,7 @@ enum hawser_status hawser__trace_judge(void *owner, double ds, double angle,
 	if ((status = hawser__trace_hides(trace, &hidden)) || hidden)
 		return status;
 	*verdict = HAWSER__KEEP;
-	if (hawser__account_crossings(&trace->here, &trace->next, &(int){0},
+	if (hawser__account_crossings(&trace->here, &trace->next, &sure,
 	                              hawser__station_unsure(&trace->here, &trace->next)))
 		return HAWSER_OK;
 	status = hawser__trace_determined(trace, &trace->next);

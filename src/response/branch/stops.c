@@ -70,7 +70,7 @@ static enum hawser_status at_once(struct hawser__trace *trace, int *found, const
 	*found = !status && !failed;
 	if (!*found)
 		return status;
-	hawser__station_turn(scratch, orbit, side);
+	hawser__station_turn(scratch, orbit, side, NULL);
 	*found = scratch->t[last]*way > 0.0;
 	return HAWSER_OK;
 }

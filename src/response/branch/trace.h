@@ -87,6 +87,11 @@ struct hawser__trace {
 	int enriched;           /* number of finer discretisations already used in this step */
 	double undetermined;    /* error of the orbit before the last of them */
 	struct hawser__shrinking shrinking;
+	/* The first of the last points between which Omega is the same but for an event's error: */
+	struct {
+		double omega, sign[2]; /* of the tests of a fold and a branch point */
+		int point;
+	} level;
 	int passed;             /* number of the known orbits that lie behind */
 	int aimed;              /* the one at which the next step ends, */
 	double aim;             /* if it has this length; 0: at none */
@@ -185,10 +190,14 @@ size_t hawser__series_length(const struct hawser__series *series, int n);
  * than harmonic balance, and of motions of several periods. Release with hawser__orbits_clear. */
 struct hawser__trace_watch hawser__orbits_watch(struct hawser__orbits *orbits);
 void hawser__orbits_clear(struct hawser__orbits *orbits);
+/* orbits.c: the orbits of the curve in the opposite direction, from the first one that has reached
+ * Omega = `from`; *orbits is cleared. NULL: there are none, or no memory. */
+struct hawser__orbits *hawser__orbits_back(struct hawser__orbits *orbits, double from);
+void hawser__orbits_free(struct hawser__orbits *orbits);
 /* orbits.c: the control of the steps of a trace. */
 const struct hawser__step_settings *hawser__known_settings(const struct hawser_rom *rom,
                                                            const struct hawser__trace_watch *watch);
-/* orbits.c: the first known orbit, *found, becomes that of `here`. */
+/* orbits.c: the first known orbit, if the trace begins at its Omega, *found, becomes that of `here`. */
 enum hawser_status hawser__known_first(struct hawser__trace *trace, int *found);
 /* orbits.c: the length of the next step, which ends at a known orbit if one is near enough; and whether
  * a step of this length does, whose orbit is then that of next. */

@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/hold.h"
 #include "core/report.h"
 #include "response/cycle/cycle.h"
 #include "response/cycle/hopf.h"
@@ -24,8 +25,10 @@ static enum hawser_status null_vector(double *v, const struct hawser_rom *rom, c
                                       struct hawser_report *report)
 {
 	size_t n = (size_t)rom->n;
-	double *memory = calloc(4*n*n + 6*n, sizeof *memory), *J = memory, *by_v = J + n*n;
-	double *right = by_v + n*n, *re = right + n*n, *im = re + n, *f = im + n, *rest = f + 2*n, unused;
+	double *memory = calloc(4*n*n + 6*n, sizeof *memory), *J = memory, *by_v = hawser__behind(J, n*n);
+	double *right = hawser__behind(by_v, n*n), *re = hawser__behind(right, n*n);
+	double *im = hawser__behind(re, n), *f = hawser__behind(im, n);
+	double *rest = hawser__behind(f, 2*n), unused;
 	const struct hawser_rom *of = rom->first ? rom->first : rom;
 	int best = 0, info;
 
@@ -70,8 +73,10 @@ static enum hawser_status other_cycle(double *v, const struct hawser_rom *rom, c
 {
 	int n = rom->n, m = 2*n, size = m + 1, info;
 	double *memory = calloc((size_t)size*(2*(size_t)size + 2) + 3*(size_t)m, sizeof *memory), unused;
-	double *matrix = memory, *right = matrix + size*size, *value = right + size*size;
-	double *work = value + size, *f = work + size, *end = f + m, *M = end + m;
+	double *matrix = memory, *right = hawser__behind(matrix, (size_t)(size*size));
+	double *value = hawser__behind(right, (size_t)(size*size)), *M;
+	double *work = hawser__behind(value, (size_t)size), *f = hawser__behind(work, (size_t)size);
+	double *end = hawser__behind(f, (size_t)m);
 	enum hawser_status status;
 
 	M = memory ? malloc((size_t)m*(size_t)m*sizeof *M) : NULL;
@@ -186,8 +191,9 @@ static enum hawser_status growing(double *v, const struct hawser_rom *rom, const
                                   struct hawser_report *report)
 {
 	size_t n = (size_t)rom->n, m = 2*n;
-	double *memory = calloc(3*m*m + 8*m, sizeof *memory), *A = memory, *right = A + m*m;
-	double *by_u = right + m*m, *re = by_u + m*m, *im = re + m, *rest = im + m, *work = rest + m;
+	double *memory = calloc(3*m*m + 8*m, sizeof *memory), *A = memory, *right = hawser__behind(A, m*m);
+	double *by_u = hawser__behind(right, m*m), *re = hawser__behind(by_u, m*m);
+	double *im = hawser__behind(re, m), *rest = hawser__behind(im, m), *work = hawser__behind(rest, m);
 	double unused;
 	int order, info, best = 0;
 

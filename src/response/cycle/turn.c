@@ -13,7 +13,6 @@
 #include <lapacke.h>
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "core/report.h"
 #include "response/cycle/cycle.h"

@@ -5,6 +5,7 @@
 
 #include <hawser/family.h>
 
+#include "core/names.h"
 #include "core/report.h"
 #include "response/orbit/load.h"
 #include "rom/energy/kernel.h"
@@ -22,12 +23,7 @@ struct factor {
 	struct hawser_rom_kernel kernel[MODELS]; /* with its own d_val, where there is a D */
 };
 
-const char *hawser_factor_name(enum hawser_factor factor)
-{
-	static const char *const name[] = {"load", "damping"};
-
-	return (unsigned)factor < sizeof name/sizeof *name ? name[factor] : "unknown";
-}
+HAWSER__NAMES(hawser_factor_name, enum hawser_factor, "load", "damping")
 
 static enum hawser_status model(void *context, const struct hawser_rom **rom, double p,
                                 struct hawser_report *report)

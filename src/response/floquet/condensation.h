@@ -8,6 +8,7 @@
 /* The coordinates of all matrices are ordered: the slow ones first, by blocks. */
 struct hawser__condensation {
 	int n, ns, nf, rows, order; /* order of the result */
+	int columns;                /* of the basis, for all harmonics of K and D too */
 	int symmetric;              /* 1: K is, and D is constant */
 	int apart;                  /* 1: D is constant, and couples no coordinates */
 	int singular;               /* 1: K_ff was, at a phase, in a try */
@@ -15,9 +16,9 @@ struct hawser__condensation {
 	struct hawser__block *block;        /* [n] */
 	size_t wide_F, wide_N;      /* of a row */
 	int *pivot;                 /* [n] */
-	double *basis;              /* [rows][2 order + 1] */
+	double *basis;              /* [rows][columns] */
 	double *turn;               /* [rows][rows] derivative by the phase */
-	double *sorted;             /* [2 order + 1][n][n] coefficients of K or D */
+	double *sorted;             /* [columns][n][n] coefficients of K or D */
 	double *K, *D;              /* [rows][n][n]; D: [1][n][n] if it is constant */
 	size_t next_D;              /* n^2, or 0 if D is constant */
 	double *F, *F1, *rate;      /* [rows][blocks][nf][2 ns]; rate: time derivative of one of them */

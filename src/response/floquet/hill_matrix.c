@@ -25,6 +25,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/hold.h"
 #include "core/hot.h"
 #include "core/report.h"
 #include "response/floquet/hill_matrix.h"
@@ -83,7 +84,7 @@ int hawser__hill_harmonics(const struct hawser__variational *system, const doubl
 {
 	int n = system->n, p = highest(system), m;
 	size_t n2 = (size_t)n*n;
-	double *couples = malloc((2*n2 + (size_t)n)*sizeof *couples), *own = couples + 2*n2;
+	double *couples = malloc((2*n2 + (size_t)n)*sizeof *couples), *own = hawser__behind(couples, 2*n2);
 	double left = 1.0, w = (double)p*n, groups;
 
 	if (!couples)

@@ -145,6 +145,7 @@ struct hawser__monodromy {
 	                         * converge. A model with rest has others: with less error, and more
 	                         * coordinates, below 0, with more error above HAWSER__EXPECTED */
 	int stay;               /* orbits before a higher level is tried */
+	int needed;             /* harmonics that the condensed equations last had; 0: not known */
 	double *frequency;      /* [n] of the mean stiffness */
 	double *reach;          /* [n] workspace */
 	double *room;           /* workspace of the condensation */

@@ -49,7 +49,6 @@
 
 #include "core/report.h"
 #include "response/floquet/condensation.h"
-#include "response/time/planner.h"
 
 #define SETTLED 1e-9       /* relative change of N at which the iteration ends; chosen, far below the
                             * errors that are admitted */
@@ -136,7 +135,7 @@ static enum hawser_status make_room(struct hawser__condensation *work,
                                     struct hawser_report *report)
 {
 	size_t n = (size_t)work->n, ns = (size_t)work->ns, nf = (size_t)work->nf;
-	size_t rows = (size_t)work->rows, wide = 2*(size_t)work->order + 1;
+	size_t rows = (size_t)work->rows, wide = (size_t)work->columns;
 	struct {
 		double **at;
 		size_t size;
@@ -177,7 +176,7 @@ static void sample(const struct hawser__condensation *work, double *value, int r
 					series[((size_t)r*n + p)*n + q];
 			}
 	cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, rows, n*n, 2*order + 1, 1.0,
-	            work->basis, 2*work->order + 1, work->sorted, n*n, 0.0, value, n*n);
+	            work->basis, work->columns, work->sorted, n*n, 0.0, value, n*n);
 }
 
 /* The number of harmonics of a series of ns by ns matrices without the last ones, whose sizes,
@@ -212,9 +211,9 @@ static double transform(const struct hawser__condensation *work, double top)
 	double last = 0.0;
 
 	for (int i = 0; i < work->rows; i++)
-		work->basis[(size_t)i*columns] = 1.0; /* the constant is obtained twice */
+		work->basis[(size_t)i*work->columns] = 1.0; /* the constant is obtained twice */
 	cblas_dgemm(CblasRowMajor, CblasTrans, CblasNoTrans, columns, wide, work->rows, 2.0/work->rows,
-	            work->basis, columns, work->N, wide, 0.0, work->series, wide);
+	            work->basis, work->columns, work->N, wide, 0.0, work->series, wide);
 	for (int side = 0; side < 2; side++)
 		memset(work->result[side], 0, (size_t)columns*ns*ns*sizeof(double));
 	for (int b = 0; b < work->blocks; b++) {
@@ -263,7 +262,7 @@ static int is_diagonal(const double *D, int n)
 static int prepare(struct hawser__condensation *work, const struct hawser__monodromy *monodromy,
                    const struct hawser__variational *system)
 {
-	hawser__monodromy_phases(work->basis, work->rows, work->order);
+	hawser__monodromy_phases(work->basis, work->rows, (work->columns - 1)/2);
 	fill_turn(work);
 	sample(work, work->K, work->rows, system->K, system->order, monodromy->slow, monodromy->fast);
 	sample(work, work->D, work->next_D ? work->rows : 1, system->D, system->order_d,
@@ -307,8 +306,10 @@ static enum hawser_status try_condense(struct hawser__condensation *work,
 	return HAWSER_OK;
 }
 
-/* N has infinitely many harmonics. Along a branch and in haste few of them beyond those of K are
- * included first; if the last of these is not negligible, as many as for comparison. */
+/* N has infinitely many harmonics. Along a branch as many are included first as the last N needed,
+ * which may be fewer than K has; there and in haste a few beyond those of K, and as many as for
+ * comparison where the last ones are not negligible. The matrices at the phases have all harmonics of
+ * K: fewer phases leave out nothing but harmonics of F. */
 static enum hawser_status try_orders(struct hawser__condensation *work,
                                      struct hawser__monodromy *monodromy,
                                      const struct hawser__variational *system,
@@ -316,19 +317,22 @@ static enum hawser_status try_orders(struct hawser__condensation *work,
 {
 	int order = system->order > system->order_d ? system->order : system->order_d;
 	int most = MORE + order*(monodromy->haste && !monodromy->rough ? 6 : 2);
+	int strict = (monodromy->finer && !monodromy->haste) || monodromy->sharper;
+	int usual = strict ? most : (int)fmin(MORE + order + order/4, most);
+	double negligible = fmax(SETTLED, settled(monodromy));
 	enum hawser_status status;
 
-	work->order = (monodromy->finer && !monodromy->haste) || monodromy->sharper
-	              ? most : MORE + order + order/4;
-	if (work->order > most)
-		work->order = most;
+	work->order = strict || monodromy->finer || monodromy->needed == 0
+	              ? usual : (int)fmin(monodromy->needed + MORE, usual);
 	for (;;) {
-		work->rows = hawser__planner_rows(2*work->order + 1);
+		int fewer = work->order < usual;
+
+		work->columns = 2*(work->order > order ? work->order : order) + 1;
+		work->rows = 2*work->order + 1;
 		status = try_condense(work, monodromy, system, report);
-		if (status || work->order >= most ||
-		    !(work->last > fmax(SETTLED, settled(monodromy))))
+		if (status || work->order >= most || !(work->last > (fewer ? SLIGHT : 1.0)*negligible))
 			return status;
-		work->order = most;
+		work->order = fewer ? usual : most;
 	}
 }
 
@@ -475,6 +479,8 @@ enum hawser_status hawser__monodromy_condense(struct hawser__monodromy *monodrom
 	system->order_d = count_harmonics(system->D, &work, monodromy->top, most,
 	                                  &monodromy->left_out);
 	monodromy->neglected = M_PI*monodromy->top/system->omega*monodromy->left_out;
+	if (!monodromy->sharper)
+		monodromy->needed = system->order > system->order_d ? system->order : system->order_d;
 	*kept = work.ns;
 	return HAWSER_OK;
 }

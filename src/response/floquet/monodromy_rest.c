@@ -19,11 +19,9 @@
 #include <lapacke.h>
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "core/report.h"
 #include "response/floquet/monodromy.h"
-#include "response/time/planner.h"
 
 #define NOISE 1e-10     /* harmonics of K, relative to two frequencies, that are left out in any case;
                          * chosen, above round-off and far below the errors that are admitted */
@@ -120,14 +118,15 @@ static enum hawser_status make_reduced(struct hawser__monodromy *monodromy, size
 	return monodromy->reduced ? HAWSER_OK : hawser__no_memory(report, "orbit");
 }
 
-/* If K_bb is not positive at a phase, the resonances are those of K. */
+/* If K_bb is not positive at a phase, the resonances are those of K. The harmonics of S decrease as
+ * those of K, for which these phases are enough. */
 enum hawser_status hawser__monodromy_resonances(struct hawser__monodromy *monodromy,
                                                 struct hawser__variational *system, double *noise,
                                                 struct hawser_report *report)
 {
 	int n = system->n, order = highest(monodromy, system, noise);
 	int na = hawser__fast_gap(monodromy, n, BEYOND*(order + 1)*system->omega);
-	int rows = hawser__planner_rows(4*order + 1), columns = 2*order + 1;
+	int columns = 2*order + 1, rows = columns;
 	size_t table = (size_t)rows*columns, samples = (size_t)rows*n*n;
 	double *basis, *K, *D;
 	struct hawser__variational slow = {.order = order, .omega = system->omega};

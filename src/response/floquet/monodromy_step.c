@@ -21,7 +21,6 @@
 #include <cblas.h>
 #include <lapacke.h>
 #include <math.h>
-#include <string.h>
 
 #include "core/report.h"
 #include "response/floquet/monodromy.h"

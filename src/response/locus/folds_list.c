@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "core/grow.h"
+#include "core/names.h"
 #include "core/report.h"
 #include "response/locus/folds_walk.h"
 
@@ -213,28 +214,13 @@ enum hawser_status hawser__list_join(struct hawser_folds *folds,
 	return HAWSER_OK;
 }
 
+HAWSER__NAMES(hawser_folds_least_name, enum hawser_folds_least_kind, "cusp", "isola-centre",
+	"simple-bifurcation", "end of the frequency range", "end of the load range", "bound")
 /* crossings of the nominal load, cusps and the like */
-static const char *const kind_name[] = {"nominal", "cusp", "isola-centre", "simple-bifurcation"};
-static const char *const end_name[] = {"end of the frequency range", "end of the load range",
-	"curve closed", "max-points", "interrupted", "failed", "most work"};
-
-static const char *const least_name[] = {"cusp", "isola-centre", "simple-bifurcation",
-	"end of the frequency range", "end of the load range", "bound"};
-
-const char *hawser_folds_least_name(enum hawser_folds_least_kind kind)
-{
-	return (unsigned)kind < sizeof least_name/sizeof *least_name ? least_name[kind] : "unknown";
-}
-
-const char *hawser_folds_kind_name(enum hawser_folds_kind kind)
-{
-	return (unsigned)kind < sizeof kind_name/sizeof *kind_name ? kind_name[kind] : "unknown";
-}
-
-const char *hawser_folds_end_name(enum hawser_folds_end end)
-{
-	return (unsigned)end < sizeof end_name/sizeof *end_name ? end_name[end] : "unknown";
-}
+HAWSER__NAMES(hawser_folds_kind_name, enum hawser_folds_kind, "nominal", "cusp", "isola-centre",
+	"simple-bifurcation")
+HAWSER__NAMES(hawser_folds_end_name, enum hawser_folds_end, "end of the frequency range",
+	"end of the load range", "curve closed", "max-points", "interrupted", "failed", "most work")
 
 void hawser_folds_clear(struct hawser_folds *folds)
 {

@@ -1,7 +1,6 @@
 /* response/locus/folds_seed.c - folds of a response, as starting points of fold curves.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
-#include <string.h>
 
 #include "core/report.h"
 #include "response/locus/folds_search.h"

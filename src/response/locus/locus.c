@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "core/grow.h"
+#include "core/names.h"
 #include "core/report.h"
 #include "core/settle.h"
 #include "response/branch/record.h"
@@ -50,13 +51,9 @@ const char *hawser_locus_special_name(enum hawser_event_kind kind, enum hawser_l
 	return plain[special] ? plain[special] : with[kind][special - HAWSER_LOCUS_WITH_FOLD];
 }
 
-const char *hawser_locus_end_name(enum hawser_locus_end end)
-{
-	static const char *const name[] = {"end of the frequency range", "end of the parameter's range",
-		"closed", "resonance", "no frequency", "max_points", "interrupted", "failed", "most work"};
-
-	return (unsigned)end < sizeof name/sizeof *name ? name[end] : "unknown";
-}
+HAWSER__NAMES(hawser_locus_end_name, enum hawser_locus_end, "end of the frequency range",
+	"end of the parameter's range", "closed", "resonance", "no frequency", "max_points",
+	"interrupted", "failed", "most work")
 
 void hawser_locus_settle(struct hawser_locus_options *options)
 {

@@ -9,7 +9,6 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <cblas.h>
-#include <math.h>
 #include <string.h>
 
 #include "response/locus/locus.h"

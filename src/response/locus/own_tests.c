@@ -19,6 +19,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "core/hold.h"
 #include "core/report.h"
 #include "response/cycle/cycle.h"
 #include "response/branch/return_map.h"
@@ -128,8 +129,9 @@ enum hawser_status hawser__own_judge_rest(struct hawser__own_spot *spot, const s
                                           struct hawser_report *report)
 {
 	size_t m = 2*(size_t)rom->n, n = (size_t)rom->n;
-	double *memory = calloc(2*m*m + 5*m, sizeof *memory), *A = memory, *by_u = A + m*m;
-	double *work = by_u + m*m, *re = work + 3*m, *im = re + m, rate = 0.0, unused;
+	double *memory = calloc(2*m*m + 5*m, sizeof *memory), *A = memory, *by_u = hawser__behind(A, m*m);
+	double *work = hawser__behind(by_u, m*m), *re = hawser__behind(work, 3*m);
+	double *im = hawser__behind(re, m), rate = 0.0, unused;
 	double complex *mu = calloc(m, sizeof *mu);
 	struct multipliers of = {.mu = mu};
 	int info = LAPACK_WORK_MEMORY_ERROR;

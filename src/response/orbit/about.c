@@ -27,6 +27,7 @@
 
 #define TOLERANCE 1e-8 /* of the orbit: well below the 1e-10 of multipliers; chosen */
 #define FINE 1e-5      /* of the orbits on the way where rough ones lose it; chosen */
+#define SURE 0.01      /* tolerance, relative to a coordinate, with which it is followed; chosen */
 #define NOTHING 1e-13   /* harmonics of T below this times Omega^2 change no exponent by more than the
                          * error of the orbit; chosen */
 #define LITTLE 1e-8     /* the same for the sign of a determinant, which these harmonics change only
@@ -168,8 +169,8 @@ static enum hawser_status is_behind(int *behind, struct hawser__about *about, do
                                     struct hawser_report *report)
 {
 	const double zero[2] = {0.0, 0.0};
-	struct hawser__variational system;
-	double value[3];
+	struct hawser__variational system = {.n = 0};
+	double value[3] = {0.0};
 	int exponent, harmonics = 0;
 	enum hawser_status status = HAWSER_OK;
 
@@ -210,12 +211,13 @@ static enum hawser_status find(struct hawser__about *about, struct hawser__raise
 	do {
 		struct hawser__correction correction = {.iterations = 0};
 		struct hawser__orbit *orbit;
-		double *y;
+		double *y, small = 0.0;
 		int behind = 0, lost;
 
 		if (raised->way) {
 			hawser__way_clear(raised->way);
 			raised->way->rough = raised->rough;
+			raised->way->n = rom->n;
 		}
 		status = open_orbit(&orbit, &y, rom, omega, report);
 		if (!status)
@@ -225,12 +227,16 @@ static enum hawser_status find(struct hawser__about *about, struct hawser__raise
 			hawser__balance_transform((struct hawser__balance *)orbit);
 			status = take(about, rom, (const struct hawser__balance *)orbit, omega, report);
 		}
+		if (!status && !raised->way) /* small coordinates of guides are not determined */
+			status = hawser__start_reversed(&small, y, orbit, omega, HAWSER__SEEN*tolerance,
+			                                HAWSER__SEEN*raised->rough, report);
 		about->unsure = about->counts && !raised->slow;
-		if (!status && !raised->slow && !about->counts)
+		if (!status && !raised->slow && !about->counts && small == 0.0)
 			status = is_behind(&behind, about, omega, report);
 		close_orbit(orbit, y);
+		behind |= small > 0.0;
 		again = behind || (lost && raised->rough > FINE);
-		raised->rough = FINE;
+		raised->rough = small > 0.0 ? fmin(FINE, SURE*small) : FINE;
 		raised->slow |= behind;
 		raised->guide = behind ? NULL : raised->guide;
 	} while (again);

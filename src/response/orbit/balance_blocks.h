@@ -69,9 +69,10 @@ struct hawser__blocks {
 	float *state;        /* [3][2w + 1] scratch */
 	float *lu;           /* [K][Sw][Sw] */
 	float *X;            /* [K][2w + 1][Sw] by columns */
+	/* transposed, so that columns are contiguous */
 	float *inverse;      /* [SK][f][f] of K_ff */
-	float *follow;       /* [SK][f][w] K_ff^-1 K_fs */
-	float *weigh;        /* [SK][w][f] K_sf K_ff^-1 */
+	float *follow;       /* [SK][w][f] -K_ff^-1 K_fs */
+	float *weigh;        /* [SK][f][w] -K_sf K_ff^-1 */
 	int *pivot, *last;    /* [K][Sw]; [2w + 1 + f] */
 	float *memory;        /* of them all */
 };
@@ -101,6 +102,8 @@ double hawser__blocks_applied(const struct hawser__blocks *blocks,
                               const struct hawser__balance *balance);
 
 /* --- balance_substitute.c --- */
+
+typedef float hawser__floats __attribute__((vector_size(4*HAWSER__BLOCK_NODES), aligned(4), may_alias));
 
 /* Replace the diagonal of the factors lu [count][count] of LAPACK by its reciprocals. */
 void hawser__blocks_invert_diagonal(float *lu, int count);

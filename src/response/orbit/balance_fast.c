@@ -20,6 +20,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/hot.h"
 #include "core/report.h"
 #include "response/orbit/balance.h"
 
@@ -34,6 +35,17 @@ static void gather(float *block, const float *matrix, int n, const int *row, int
 	for (int i = 0; i < rows; i++)
 		for (int j = 0; j < columns; j++)
 			block[i*columns + j] = matrix[(size_t)row[i]*n + column[j]];
+}
+
+static void transpose(float *matrix, int n)
+{
+	for (int i = 0; i < n; i++)
+		for (int j = 0; j < i; j++) {
+			float keep = matrix[i*n + j];
+
+			matrix[i*n + j] = matrix[j*n + i];
+			matrix[j*n + i] = keep;
+		}
 }
 
 /* At one node: K [n][n]; slow [w][w] receives the condensed stiffness. Returns 1 if K_ff is
@@ -55,11 +67,12 @@ static int condense_node(struct hawser__blocks *blocks, float *slow, const float
 	if (LAPACKE_sgetrf_work(LAPACK_COL_MAJOR, f, f, ff, f, pivot) ||
 	    LAPACKE_sgetri_work(LAPACK_COL_MAJOR, f, ff, f, pivot, G, f*w))
 		return 1;
-	cblas_sgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, f, w, f, 1.0, ff, f, fs, w, 0.0, G, w);
-	cblas_sgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, w, f, f, 1.0, sf, f, ff, f, 0.0, H, f);
-	cblas_sgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, w, w, f, -1.0, sf, f, G, w, 1.0, slow, w);
-	cblas_sgemm(CblasRowMajor, CblasTrans, CblasNoTrans, w, w, f, 1.0, G, w, G, w, 1.0,
+	cblas_sgemm(CblasRowMajor, CblasTrans, CblasTrans, w, f, f, -1.0, fs, w, ff, f, 0.0, G, f);
+	cblas_sgemm(CblasRowMajor, CblasTrans, CblasTrans, f, w, f, -1.0, ff, f, sf, f, 0.0, H, w);
+	cblas_sgemm(CblasRowMajor, CblasNoTrans, CblasTrans, w, w, f, 1.0, sf, f, G, f, 1.0, slow, w);
+	cblas_sgemm(CblasRowMajor, CblasNoTrans, CblasTrans, w, w, f, 1.0, G, f, G, f, 1.0,
 	            blocks->mass + (size_t)node%S*w*w, w);
+	transpose(ff, f);
 	return 0;
 }
 
@@ -82,42 +95,50 @@ int hawser__blocks_condense(struct hawser__blocks *blocks, float *slow, const fl
 	return 0;
 }
 
+/* y [count] += columns [inner][count] times x [inner]: dot products over so few values, of a matrix by
+ * rows, would take three times as long. */
+HAWSER_PART void add_columns(float *y, const float *columns, const float *x, int count, int inner)
+{
+	int at = 0;
+
+	for (; at + S <= count; at += S) {
+		hawser__floats sum = *(hawser__floats *)(y + at);
+
+		for (int j = 0; j < inner; j++)
+			sum += *(const hawser__floats *)(columns + (size_t)j*count + at)*x[j];
+		*(hawser__floats *)(y + at) = sum;
+	}
+	for (; at < count; at++)
+		for (int j = 0; j < inner; j++)
+			y[at] += columns[(size_t)j*count + at]*x[j];
+}
+
+HAWSER_HOT
 void hawser__blocks_load_slow(struct hawser__blocks *blocks, float *slow, const float *fast,
                               int first, int steps)
 {
-	int w = blocks->w, f = blocks->f;
+	size_t w = (size_t)blocks->w, f = (size_t)blocks->f;
 
-	for (int node = S*first; f > 0 && node < S*(first + steps); node++)
-		for (int p = 0; p < w; p++) {
-			const float *H = blocks->weigh + ((size_t)node*w + p)*f;
-
-			for (int q = 0; q < f; q++)
-				slow[(size_t)node*w + p] -= H[q]*fast[(size_t)node*f + q];
-		}
+	for (size_t node = (size_t)S*first; f > 0 && node < (size_t)S*(first + steps); node++)
+		add_columns(slow + node*w, blocks->weigh + node*w*f, fast + node*f, blocks->w, blocks->f);
 }
 
+HAWSER_HOT
 void hawser__blocks_follow(struct hawser__blocks *blocks, float *fast, const float *slow,
                            const float *column, double domega)
 {
-	int w = blocks->w, f = blocks->f;
+	size_t w = (size_t)blocks->w, f = (size_t)blocks->f;
 	float *load = blocks->fast_room;
 
-	for (int node = 0; f > 0 && node < S*blocks->steps; node++) {
-		float *x = fast + (size_t)node*f;
+	for (size_t node = 0; f > 0 && node < (size_t)S*blocks->steps; node++) {
+		float *x = fast + node*f;
 
-		for (int q = 0; q < f; q++)
-			load[q] = x[q] - column[(size_t)node*f + q]*(float)domega;
-		for (int q = 0; q < f; q++) {
-			const float *inverse = blocks->inverse + ((size_t)node*f + q)*f;
-			const float *G = blocks->follow + ((size_t)node*f + q)*w;
-			float sum = 0.0F;
-
-			for (int r = 0; r < f; r++)
-				sum += inverse[r]*load[r];
-			for (int p = 0; p < w; p++)
-				sum -= G[p]*slow[(size_t)node*w + p];
-			x[q] = sum;
+		for (size_t q = 0; q < f; q++) {
+			load[q] = x[q] - column[node*f + q]*(float)domega;
+			x[q] = 0.0F;
 		}
+		add_columns(x, blocks->inverse + node*f*f, load, blocks->f, blocks->f);
+		add_columns(x, blocks->follow + node*f*w, slow + node*w, blocks->f, blocks->w);
 	}
 }
 

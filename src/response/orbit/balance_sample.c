@@ -66,20 +66,17 @@ static void apply(struct hawser__balance *balance, const double *matrix, double 
 {
 	int n = balance->base.n;
 
-	for (int h = 0; h <= balance->order; h++) {
-		const double *c = balance->at + hawser__cos(n, h, 0);
-		const double *d = balance->at + hawser__sin(n, h, 0);
-		double *out_c = balance->wave + hawser__cos(n, h, 0);
-		double *out_d = balance->wave + hawser__sin(n, h, 0);
-		double factor = velocity != 0.0 ? h*velocity : 1.0;
-		const double *to_c = velocity != 0.0 && h ? d : c, *to_d = velocity != 0.0 ? c : d;
+	cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, 2*balance->order + 1, n, n,
+	            velocity != 0.0 ? velocity : 1.0, balance->at, n, matrix, n, 0.0, balance->wave, n);
+	if (velocity == 0.0)
+		return;
+	memset(balance->wave, 0, (size_t)n*sizeof *balance->wave);
+	for (int h = 1; h <= balance->order; h++) {
+		double *c = balance->wave + hawser__cos(n, h, 0), *d = balance->wave + hawser__sin(n, h, 0);
 
-		cblas_dgemv(CblasRowMajor, CblasNoTrans, n, n, factor, matrix, n, to_c, 1, 0.0, out_c,
-		            1);
-		if (h)
-			cblas_dgemv(CblasRowMajor, CblasNoTrans, n, n,
-			            velocity != 0.0 ? -factor : factor, matrix, n, to_d, 1, 0.0,
-			            out_d, 1);
+		cblas_dswap(n, c, 1, d, 1);
+		cblas_dscal(n, h, c, 1);
+		cblas_dscal(n, -h, d, 1);
 	}
 }
 

@@ -12,19 +12,17 @@
 
 #define S HAWSER__BLOCK_NODES
 
-typedef float floats __attribute__((vector_size(4*S), aligned(4), may_alias));
-
 /* x[rows from..to) -= columns [S] of the factors times values [S]. */
 HAWSER_PART void subtract(float *x, const float *column, int count, int from, int to,
                           const float *value)
 {
 	for (int r = from; r < to; r += S) {
-		floats sum = *(const floats *)(x + r);
+		hawser__floats sum = *(const hawser__floats *)(x + r);
 
 		HAWSER_UNROLL
 		for (int c = 0; c < S; c++)
-			sum -= *(const floats *)(column + (size_t)c*count + r)*value[c];
-		*(floats *)(x + r) = sum;
+			sum -= *(const hawser__floats *)(column + (size_t)c*count + r)*value[c];
+		*(hawser__floats *)(x + r) = sum;
 	}
 }
 

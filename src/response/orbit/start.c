@@ -27,6 +27,8 @@
 #define SETTLE_TRY 20 /* periods between two attempts of Newton's method; chosen */
 #define FAR 0.2 /* distance from the linear response, relative to it, from which on another orbit may
                  * have been found; chosen */
+#define STEEP 2.0 /* relative change of a coordinate with the load, over that of the load, from which on
+                   * it is near a fold or a resonance: it has not passed two folds; chosen */
 /* Where only the orbit that grows out of rest is wanted; chosen: */
 #define BOLD 0.5        /* first step of the load */
 #define AIM 0.1         /* distance of an orbit from the predicted one, relative to it, for which the
@@ -147,7 +149,9 @@ static int correct_lone(double *y, struct hawser__orbit *orbit, double *growth,
                         struct hawser_report *report)
 {
 	int failed = correct_at(y, orbit, correction, omega, fmax(tolerance, rough), report);
-	double off = failed ? 0.0 : hawser__orbit_distance(y, guess, orbit->size - 1);
+	int count = orbit->size - 1;
+	double off = failed ? 0.0 : hawser__orbit_distance(y, count, guess, count, orbit->n,
+	                                                  fmax(tolerance, rough));
 
 	if (failed || !(off <= NEAR))
 		return failed ? failed : 1;
@@ -221,6 +225,7 @@ static enum hawser_status raise_load(double *y, struct hawser__orbit *orbit, int
 
 	if (status)
 		goto done;
+	/* cppcheck-suppress autoVariables ; until it has its own again, below */
 	orbit->rom = &climb.weak.rom;
 	*failed = !raised->guide ? 0 : follow(&climb, y, orbit, correction, omega, tolerance, raised,
 	                                      report);
@@ -304,20 +309,65 @@ static enum hawser_status settle(double *y, struct hawser__orbit *orbit,
 	return status || found ? status : HAWSER_ERR_CONVERGENCE;
 }
 
-/* Whether y is far from the linear response. */
-static enum hawser_status strayed(int *far, const double *y, struct hawser__orbit *orbit, double omega,
-                                  struct hawser_report *report)
+/* dy [size]: Newton's step from the orbit y to where the load is 0, which is minus the load times the
+ * slope of the orbit over it. */
+static enum hawser_status unload(double *dy, const double *y, struct hawser__orbit *orbit,
+                                 struct hawser_report *report)
 {
-	size_t size = (size_t)orbit->size;
-	double *linear = calloc(size, sizeof *linear), length;
+	const struct hawser_rom *rom = orbit->rom;
+	struct hawser__load none;
+	enum hawser_status status = hawser__load_open(&none, rom, report);
+
+	if (!status) {
+		hawser__load_set(&none, 0.0);
+		orbit->rom = &none.rom;
+		(void)orbit->ops->defects(orbit, y, 0);
+		orbit->rom = rom;
+		orbit->ops->solve(orbit, dy, 0, 0.0);
+		orbit->cost.solves++;
+	}
+	hawser__load_clear(&none);
+	return status;
+}
+
+enum hawser_status hawser__start_reversed(double *size, const double *y, struct hawser__orbit *orbit,
+                                          double omega, double from, double to,
+                                          struct hawser_report *report)
+{
+	int n = orbit->n, count = orbit->size - 1, known = 0;
+	double *linear = calloc(2*(size_t)orbit->size, sizeof *linear), *dy = linear + orbit->size;
+	double all = cblas_dnrm2(count, y, 1);
 	enum hawser_status status = linear ? linear_response(linear, orbit, omega, report)
 	                                   : hawser__no_memory(report, "frf");
 
-	if (!status) {
-		length = cblas_dnrm2((int)size - 1, linear, 1);
-		cblas_daxpy((int)size - 1, -1.0, y, 1, linear, 1);
-		*far = !(cblas_dnrm2((int)size - 1, linear, 1) <= FAR*length);
+	*size = 0.0;
+	for (int j = 0; !status && j < n; j++) {
+		double own = cblas_dnrm2(count/n, y + j, n);
+
+		if (own >= to*all || (*size > 0.0 && own >= *size*all) ||
+		    !hawser__orbit_reversed(y, count, linear, count, n, j, from*all))
+			continue;
+		if (!known)
+			status = unload(dy, y, orbit, report);
+		known = 1;
+		if (cblas_dnrm2(count/n, dy + j, n) < STEEP*own)
+			*size = own/all;
 	}
+	free(linear);
+	return status;
+}
+
+/* Whether y, known to `rough`, is far from the linear response. */
+static enum hawser_status strayed(int *far, const double *y, struct hawser__orbit *orbit, double omega,
+                                  double rough, struct hawser_report *report)
+{
+	double *linear = calloc((size_t)orbit->size, sizeof *linear);
+	int count = orbit->size - 1;
+	enum hawser_status status = linear ? linear_response(linear, orbit, omega, report)
+	                                   : hawser__no_memory(report, "frf");
+
+	if (!status)
+		*far = !(hawser__orbit_distance(y, count, linear, count, orbit->n, rough) <= FAR);
 	free(linear);
 	return status;
 }
@@ -327,6 +377,7 @@ enum hawser_status hawser__start(double *y, struct hawser__orbit *orbit,
                                  double omega, double tolerance, struct hawser__raised *raised,
                                  struct hawser_report *report)
 {
+	const double rough = raised->lone ? fmax(tolerance, raised->rough) : tolerance;
 	enum hawser_status status;
 	int failed, far = 0;
 
@@ -337,11 +388,10 @@ enum hawser_status hawser__start(double *y, struct hawser__orbit *orbit,
 	               : linear_response(y, orbit, omega, report);
 	if (status)
 		return status;
-	failed = correct_at(y, orbit, correction, omega, raised->lone ? fmax(tolerance, raised->rough)
-	                                                              : tolerance, report);
+	failed = correct_at(y, orbit, correction, omega, rough, report);
 	if (failed == 3)
 		return HAWSER_ERR_MEMORY;
-	if (!failed && raised->lone && (status = strayed(&far, y, orbit, omega, report)))
+	if (!failed && raised->lone && (status = strayed(&far, y, orbit, omega, rough, report)))
 		return status;
 	if (!failed && raised->lone && !far)
 		failed = correct_at(y, orbit, correction, omega, tolerance, report);

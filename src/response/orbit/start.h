@@ -12,7 +12,7 @@ struct hawser__way {
 		double load, *y; /* [length] unknowns; those behind are 0 */
 		int length;
 	} *passed; /* [count] */
-	int count;
+	int count, n;  /* n: of coordinates */
 	double rough; /* tolerance of the orbits below the whole load with which these were found; 0: as
 	               * rough as is tried first */
 };
@@ -68,8 +68,17 @@ int hawser__climb_arc(double *y, struct hawser__climb *climb, struct hawser__orb
 /* Whether the load has fallen from its peak by more than in a dip: the curve has a fold there. */
 int hawser__climb_turned(const struct hawser__climb *climb);
 
-/* Distance of y from `from`, relative to it; both [count]. */
-double hawser__orbit_distance(const double *y, const double *from, int count);
+#define HAWSER__SEEN 10.0 /* a coordinate that is larger than this many tolerances, relative to the
+                           * orbit, is determined; chosen */
+/* Whether coordinate j of n, where it is larger than `least`, is opposite in y [count] to what it was,
+ * as where it has passed folds of its own: farther from it than the larger of both, by half of the
+ * smaller. */
+int hawser__orbit_reversed(const double *y, int count, const double *from, int length, int n, int j,
+                           double least);
+/* Distance of y from `from`, relative to it, both known to `rough`; at least 1 if a coordinate is
+ * reversed, which may be small beside the others. */
+double hawser__orbit_distance(const double *y, int count, const double *from, int length, int n,
+                              double rough);
 
 /* 1 if the orbits so far took more than raised->most. */
 int hawser__start_spent(const struct hawser__orbit *orbit, const struct hawser__raised *raised);
@@ -82,5 +91,12 @@ enum hawser_status hawser__start(double *y, struct hawser__orbit *orbit,
                                  struct hawser__correction *correction, const double *start,
                                  double omega, double tolerance, struct hawser__raised *raised,
                                  struct hawser_report *report);
+
+/* *size: the smallest coordinate of the last corrected orbit y, relative to it, between `from` and
+ * `to`, that is opposite to the linear response although it does not change fast with the load there:
+ * it may have passed folds of its own. 0: there is none. */
+enum hawser_status hawser__start_reversed(double *size, const double *y, struct hawser__orbit *orbit,
+                                      double omega, double from, double to,
+                                      struct hawser_report *report);
 
 #endif

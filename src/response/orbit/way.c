@@ -1,8 +1,8 @@
 /* response/orbit/way.c - the orbits that a response passes as its load is raised from rest, and the
  * curve over the load where that does not lead on.
  *
- *    t    direction of the curve, of length 1 relative to the orbit and to the load: by the metric of
- *         branches, small components would make the steps short
+ *    t    direction of the curve, of length 1 relative to each coordinate of the orbit and to the load:
+ *         by the metric of branches, small components would make the steps short
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <cblas.h>
@@ -27,17 +27,25 @@
 #define BEND 0.1        /* that for which the next step is meant */
 #define SHIFT 0.02      /* distance, relative to the orbit, by which rough orbits are off the curve
                          * where it turns sharply, however short the step is */
+#define LEAST_ROUGH 0.1 /* least size of a coordinate in steps of rough orbits, relative to the orbit:
+                         * with less they take a tenth longer; chosen */
 #define SAME 0.9        /* if half the step is off its prediction by this part of what the whole step
                          * was, or more, the two orbits have different harmonics; chosen */
 enum { MOST_STEPS = 500 }; /* a closed curve, to which a guide may lead, has no end; chosen */
 #define DIP 0.06        /* a fold after which the load falls by less is passed, relative to the load */
 
+/* Number of unknowns before those at the end that are 0. */
+static int used(const double *y, int count)
+{
+	while (count > 0 && y[count - 1] == 0.0)
+		count--;
+	return count;
+}
+
 int hawser__way_add(struct hawser__way *way, double load, const double *y, int count)
 {
-	struct hawser__passed passed = {.load = load, .length = count};
+	struct hawser__passed passed = {.load = load, .length = used(y, count)};
 
-	while (passed.length > 0 && y[passed.length - 1] == 0.0)
-		passed.length--;
 	passed.y = malloc(((size_t)passed.length + 1)*sizeof *passed.y);
 	if (!passed.y || hawser__more(&way->passed, way->count, sizeof *way->passed)) {
 		free(passed.y);
@@ -66,15 +74,52 @@ void hawser__way_clear(struct hawser__way *way)
 	*way = (struct hawser__way){.count = 0};
 }
 
-double hawser__orbit_distance(const double *y, const double *from, int count)
+/* Sum of the squares of coordinate j of y [count]. */
+static double squares(const double *y, int count, int n, int j)
 {
-	double off = 0.0, all = 0.0;
+	double sum = 0.0;
 
-	for (int i = 0; i < count; i++) {
-		off += pow(y[i] - from[i], 2);
-		all += from[i]*from[i];
+	for (int i = j; i < count; i += n)
+		sum += y[i]*y[i];
+	return sum;
+}
+
+/* The same of y [count] less from [length]. */
+static double apart(const double *y, int count, const double *from, int length, int n, int j)
+{
+	double sum = 0.0;
+
+	for (int i = j; i < count || i < length; i += n) {
+		double off = (i < count ? y[i] : 0.0) - (i < length ? from[i] : 0.0);
+
+		sum += off*off;
 	}
-	return sqrt(off/fmax(all, DBL_MIN));
+	return sum;
+}
+
+int hawser__orbit_reversed(const double *y, int count, const double *from, int length, int n, int j,
+                           double least)
+{
+	double a = sqrt(squares(y, count, n, j)), b = sqrt(squares(from, length, n, j));
+
+	return fmin(a, b) > least &&
+	       sqrt(apart(y, count, from, length, n, j)) > fmax(a, b) + 0.5*fmin(a, b);
+}
+
+double hawser__orbit_distance(const double *y, int count, const double *from, int length, int n,
+                              double rough)
+{
+	double off, all;
+
+	count = used(y, count);
+	length = used(from, length);
+	all = sqrt(squares(from, length, 1, 0));
+	off = sqrt(apart(y, count, from, length, 1, 0))/fmax(all, DBL_MIN);
+
+	for (int j = 0; j < n && off < 1.0; j++)
+		if (hawser__orbit_reversed(y, count, from, length, n, j, HAWSER__SEEN*rough*all))
+			off = 1.0;
+	return off;
 }
 
 enum hawser_status hawser__climb_open(struct hawser__climb *climb, const struct hawser__orbit *orbit,
@@ -117,20 +162,30 @@ int hawser__climb_pass(struct hawser__climb *climb, const double *y, double load
 	return raised->way && hawser__way_add(raised->way, load, y, orbit->size - 1) ? 3 : 0;
 }
 
-/* t of length 1, relative to the orbit and the load, and its dual. */
-static void direct(struct hawser__climb *climb, int count)
+/* t of length 1, relative to each coordinate of the orbit, and to the load; and its dual. */
+static void direct(struct hawser__climb *climb, int count, int n, double rough)
 {
-	double size = cblas_dnrm2(count, climb->good, 1), *t = climb->t, length;
+	double *t = climb->t, length, sum = pow(t[count]/climb->load, 2);
+	int here = used(climb->good, count), moves = used(t, count);
+	double part = rough < HAWSER__ON_THE_WAY ? HAWSER__SEEN*rough : LEAST_ROUGH;
+	double least = part*part*squares(climb->good, here, 1, 0);
 
-	length = hypot(cblas_dnrm2(count, t, 1)/size, t[count]/climb->load);
-	cblas_dscal(count + 1, 1.0/length, t, 1);
-	for (int i = 0; i < count; i++)
-		climb->row[i] = t[i]/(size*size);
+	memset(climb->row, 0, (size_t)count*sizeof *t);
+	for (int j = 0; j < n; j++) {
+		double size = fmax(squares(climb->good, here, n, j), least);
+
+		for (int i = j; i < moves; i += n)
+			climb->row[i] = t[i]/size;
+		sum += squares(t, moves, n, j)/size;
+	}
 	climb->row[count] = t[count]/(climb->load*climb->load);
+	length = sqrt(sum);
+	cblas_dscal(count + 1, 1.0/length, t, 1);
+	cblas_dscal(count + 1, 1.0/length, climb->row, 1);
 }
 
 /* The direction at the last orbit in which the load rises. Not 0: there is none. */
-static int begin_arc(struct hawser__climb *climb, struct hawser__orbit *orbit)
+static int begin_arc(struct hawser__climb *climb, struct hawser__orbit *orbit, double rough)
 {
 	int count = orbit->size - 1;
 
@@ -141,7 +196,7 @@ static int begin_arc(struct hawser__climb *climb, struct hawser__orbit *orbit)
 	if (!isfinite(orbit->ops->defects(orbit, climb->good, 1)) || orbit->ops->factor(orbit, climb->row))
 		return 1;
 	hawser__orbit_tangent(orbit, climb->t);
-	direct(climb, count);
+	direct(climb, count, orbit->n, rough);
 	return 0;
 }
 
@@ -209,7 +264,7 @@ static int begin_again(double *y, struct hawser__climb *climb, struct hawser__or
                        struct hawser__correction *correction, double omega, double rough,
                        struct hawser_report *report)
 {
-	int failed;
+	int failed, count = orbit->size - 1;
 
 	memcpy(y, climb->good, (size_t)orbit->size*sizeof *y);
 	memset(climb->row, 0, (size_t)orbit->size*sizeof *climb->row);
@@ -217,13 +272,13 @@ static int begin_again(double *y, struct hawser__climb *climb, struct hawser__or
 	failed = correct_arc(y, climb, orbit, correction, omega, rough, report);
 	if (failed > 1)
 		return failed;
-	if (failed || hawser__orbit_distance(y, climb->good, orbit->size - 1) > SHIFT) {
-		direct(climb, orbit->size - 1);
+	if (failed || hawser__orbit_distance(y, count, climb->good, count, orbit->n, rough) > SHIFT) {
+		direct(climb, orbit->size - 1, orbit->n, rough);
 		return 0;
 	}
 	memcpy(climb->good, y, (size_t)orbit->size*sizeof *y);
 	memcpy(climb->guess, climb->t, (size_t)orbit->size*sizeof *y);
-	failed = begin_arc(climb, orbit);
+	failed = begin_arc(climb, orbit, rough);
 	if (!failed && cblas_ddot(orbit->size - 1, climb->t, 1, climb->guess, 1) < 0.0) {
 		cblas_dscal(orbit->size, -1.0, climb->t, 1);
 		cblas_dscal(orbit->size, -1.0, climb->row, 1);
@@ -236,13 +291,13 @@ static int follow_arc(double *y, struct hawser__climb *climb, struct hawser__orb
                       struct hawser__correction *correction, double omega,
                       const struct hawser__raised *raised, struct hawser_report *report)
 {
-	int count = orbit->size - 1, failed = begin_arc(climb, orbit);
+	int count = orbit->size - 1, failed = begin_arc(climb, orbit, raised->rough);
 	double least = raised->rough < HAWSER__ON_THE_WAY ? LEAST_FINE : LEAST_ARC;
 	double step = ARC, shift = INFINITY; /* by which the last step failed, relative to the orbit */
 
 	if (!failed && behind(climb, count)) {
 		step_back(climb, raised);
-		failed = begin_arc(climb, orbit);
+		failed = begin_arc(climb, orbit, raised->rough);
 	}
 	if (!failed && climb->load == 1.0) {
 		memcpy(y, climb->good, (size_t)count*sizeof *y);
@@ -254,7 +309,8 @@ static int follow_arc(double *y, struct hawser__climb *climb, struct hawser__orb
 		for (int k = 0; k <= count; k++)
 			y[k] = climb->guess[k] = climb->good[k] + step*climb->t[k];
 		failed = correct_arc(y, climb, orbit, correction, omega, raised->rough, report);
-		off = failed ? INFINITY : hawser__orbit_distance(y, climb->guess, count)/step;
+		off = failed ? INFINITY : hawser__orbit_distance(y, count, climb->guess, count, orbit->n,
+		                                                raised->rough)/step;
 		if (failed > 1)
 			return failed;
 		if (!failed)
@@ -280,7 +336,7 @@ static int follow_arc(double *y, struct hawser__climb *climb, struct hawser__orb
 		}
 		memcpy(climb->t, climb->guess, (size_t)orbit->size*sizeof *y);
 		failed = hawser__climb_pass(climb, y, y[count], orbit, raised);
-		direct(climb, count);
+		direct(climb, count, orbit->n, raised->rough);
 		step = fmin(ARC, step*fmin(2.0, sqrt(BEND/fmax(fmin(off, STRAY), DBL_EPSILON))));
 	}
 	return failed ? failed : 1;

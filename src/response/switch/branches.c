@@ -19,6 +19,7 @@
 
 #include <hawser/branches.h>
 
+#include "core/hold.h"
 #include "core/report.h"
 #include "response/time/flow.h"
 #include "response/orbit/shooting.h"
@@ -90,7 +91,7 @@ enum hawser_status hawser__branch_direction(double *v, const struct hawser_rom *
                                             struct hawser_report *report)
 {
 	size_t m = 2*(size_t)rom->n;
-	double *A = malloc((m + 1)*m*sizeof *A), *end = A + m*m;
+	double *A = malloc((m + 1)*m*sizeof *A), *end = hawser__behind(A, m*m);
 	enum hawser_status status = A ? HAWSER_OK : hawser__no_memory(report, "frf");
 
 	if (!status) {

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "core/grow.h"
+#include "core/names.h"
 #include "core/report.h"
 #include "response/torus/torus.h"
 #include "rom/energy/kernel.h"
@@ -11,13 +12,8 @@
 #define WHERE "tori"
 #define KEEPS 1e-7 /* sum of the logarithms of multipliers that counts as none; chosen */
 
-const char *hawser_tori_end_name(enum hawser_tori_end end)
-{
-	static const char *const name[] = {"range", "torus-point", "max-points", "interrupted", "slack",
-	                                   "rough", "lost"};
-
-	return name[end];
-}
+HAWSER__NAMES(hawser_tori_end_name, enum hawser_tori_end, "range", "torus-point", "max-points",
+	"interrupted", "slack", "rough", "lost")
 
 void hawser_tori_settle(struct hawser_tori_options *options)
 {

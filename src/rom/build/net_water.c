@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <string.h>
 
+#include "core/hold.h"
 #include "core/hot.h"
 #include "core/report.h"
 #include "rom/build/net.h"
@@ -134,8 +135,9 @@ static int set_shapes(struct hawser__rom_morison *of, const struct hawser__net_s
 static int set_still(struct hawser__rom_morison *of, double *K, double *D)
 {
 	int n = of->n;
-	double *rest = hawser__numbers((size_t)n, 2*(size_t)n + 3), *a = rest + n, *omega = a + n;
-	double *by_u = omega + n, *by_v = by_u + n*n;
+	double *rest = hawser__numbers((size_t)n, 2*(size_t)n + 3), *a = hawser__behind(rest, (size_t)n);
+	double *omega = hawser__behind(a, (size_t)n), *by_u = hawser__behind(omega, (size_t)n);
+	double *by_v = hawser__behind(by_u, (size_t)n*(size_t)n);
 
 	if (!rest)
 		return 0;

@@ -17,6 +17,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/names.h"
 #include "core/report.h"
 #include "rom/build/build.h"
 #include "rom/terms/dampers.h"
@@ -30,16 +31,10 @@
 #define STATIONS 9 /* frequencies over the range; chosen */
 #define NEGLIGIBLE HAWSER__NEGLIGIBLE
 
-const char *hawser_reason_name(enum hawser_reason reason)
-{
-	static const char *const names[HAWSER_REASONS] = {
-		[HAWSER_NOT_EXCITED] = "not excited", [HAWSER_CONDENSED] = "condensed",
-		[HAWSER_DIRECT] = "direct", [HAWSER_PARAMETRIC] = "parametric",
-		[HAWSER_INTERNAL] = "internal", [HAWSER_DYNAMIC] = "dynamic",
-	};
-
-	return (unsigned)reason < HAWSER_REASONS ? names[reason] : "unknown";
-}
+HAWSER__NAMES(hawser_reason_name, enum hawser_reason, [HAWSER_NOT_EXCITED] = "not excited",
+	[HAWSER_CONDENSED] = "condensed", [HAWSER_DIRECT] = "direct",
+	[HAWSER_PARAMETRIC] = "parametric", [HAWSER_INTERNAL] = "internal",
+	[HAWSER_DYNAMIC] = "dynamic")
 
 /* --- estimated motions --- */
 

@@ -1,7 +1,6 @@
 /* rom/condense/known_below.c - the condensed modes below a frequency, computed for a model that
  * keeps others. SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
-#include <string.h>
 
 #include "rom/build/build.h"
 #include "rom/terms/dampers.h"

@@ -82,7 +82,8 @@ enum hawser_status hawser__rom_pairing(double *pairing, const struct hawser_mode
                                        struct hawser_report *report)
 {
 	int pairs = n*(n + 1)/2, points = modes->grid.points;
-	double *sigma = hawser__numbers((size_t)pairs, 2*AT_ONCE), *rest = sigma + (size_t)pairs*AT_ONCE;
+	double *sigma = hawser__numbers((size_t)pairs, 2*AT_ONCE);
+	double *rest = hawser__behind(sigma, (size_t)pairs*AT_ONCE);
 
 	if (!sigma)
 		return hawser__no_memory(report, "rom");

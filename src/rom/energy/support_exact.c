@@ -81,6 +81,7 @@ void hawser__exact_vary(const struct hawser_rom_exact *exact, double *restoring,
 	for (int moved = 0; moved < 2; moved++) {
 		double sign = moved ? 1.0 : -1.0;
 
+		/* cppcheck-suppress legacyUninitvar ; it is filled there */
 		hawser__exact_moved(exact, force, tangent ? T : NULL, u, moved ? s : NULL);
 		for (int j = 0; j < n; j++)
 			restoring[j] += sign*force[j];

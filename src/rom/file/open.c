@@ -1,7 +1,6 @@
 /* rom/file/open.c - the file of a reduced model, and its parts that convert coordinates to metres and
  * newtons: labels, scale, shapes.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

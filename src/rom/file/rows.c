@@ -1,7 +1,6 @@
 /* rom/file/rows.c - see auto.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <stdlib.h>
-#include <string.h>
 
 #include "rom/file/auto.h"
 

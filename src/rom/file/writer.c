@@ -6,7 +6,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <jansson.h>
 #include <math.h>
-#include <string.h>
 
 #include "rom/file/writer.h"
 
@@ -94,6 +93,7 @@ void hawser__write_number(struct hawser__writer *to, double value)
 	if (!to->stream || !isfinite(value))
 		return;
 	separate(to);
+	/* cppcheck-suppress uninitvar ; it is filled there */
 	fwrite(text, 1, hawser__digits(text, value, &to->powers), to->stream);
 }
 

@@ -1,6 +1,5 @@
 /* rom/terms/contacts.c - see dampers.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include <math.h>
 #include <stdlib.h>
 
 #include "core/report.h"
@@ -46,23 +45,4 @@ enum hawser_status hawser__read_contacts(const struct hawser__parser *reader, st
 	return status ? status : hawser__read_array(reader, rom->contacts.turn,
 	                                            json_object_get(object, "turn"), shape, 2,
 	                                            "contacts.turn");
-}
-
-double hawser_rom_contact(const struct hawser_rom *rom, int *sheave, const double *u)
-{
-	const struct hawser_rom_contacts *contacts = &rom->contacts;
-	double least = INFINITY;
-
-	*sheave = -1;
-	for (int i = 0; i < contacts->count; i++) {
-		double angle = 1.0;
-
-		for (int j = 0; j < rom->n; j++)
-			angle += contacts->turn[(size_t)j*(size_t)contacts->count + (size_t)i]*u[j];
-		if (angle < least) {
-			least = angle;
-			*sheave = i;
-		}
-	}
-	return least;
 }

@@ -25,6 +25,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/hold.h"
 #include "core/report.h"
 #include "core/vec3.h"
 #include "modes/label.h"
@@ -191,7 +192,7 @@ static enum hawser_status vibrate(struct hawser_modes *with, const struct work *
 {
 	int count = work->count, taken = 0;
 	size_t square = (size_t)count*(size_t)count;
-	double *mass = malloc(2*square*sizeof *mass), *stiff = mass + square;
+	double *mass = malloc(2*square*sizeof *mass), *stiff = hawser__behind(mass, square);
 	double mu[MOST];
 	enum hawser_status status = mass ? HAWSER_OK : hawser__no_memory(report, "rom");
 

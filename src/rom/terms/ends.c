@@ -71,7 +71,7 @@ enum hawser_status hawser__ends_make(struct hawser_rom *rom, int count, int term
 enum hawser_status hawser__ends_move(struct hawser_rom *rom, const struct hawser__signal *signal,
                                      int count, int second, struct hawser_report *report)
 {
-	int k[HAWSER__SUPPORT_TOP + 1], terms = 0;
+	int k[HAWSER__SUPPORT_TOP + 1] = {0}, terms = 0;
 	enum hawser_status status;
 
 	for (int h = 0; h <= HAWSER__SUPPORT_TOP; h++) {

@@ -224,6 +224,7 @@ void hawser__rom_morison_at(const struct hawser__rom_morison *of, double *a, dou
 {
 	const int n = of->n, units = of->elements + of->buoys;
 	const size_t square = (size_t)n*(size_t)n*sizeof *a;
+	/* cppcheck-suppress uninitvar ; it is filled before it is read */
 	struct hawser__regular own, *wave = still || !of->waves ? NULL : &own;
 	struct columns c;
 	struct rows rows; /* is large, and filled as far as it is read */

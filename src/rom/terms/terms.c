@@ -73,6 +73,7 @@ HAWSER_PART void subtract_term(const struct hawser__more *to, const struct hawse
 		if (matrix)
 			take_off(matrix + (term->j*x->n + term->factor[i])*x->stride, x->stride,
 			         before[i]*behind);
+		/* cppcheck-suppress uninitvar ; it is filled above */
 		behind *= factor[i];
 	}
 }

@@ -66,18 +66,17 @@ enum hawser_status hawser__lexpand_modes_open(struct hawser__lexpand_modes *t,
 	enum hawser_status status;
 	double omega;
 
-	*t = (struct hawser__lexpand_modes){.search = {.rope = &t->rope}};
+	*t = (struct hawser__lexpand_modes){.shape = NULL};
 	*modes = (struct hawser_line_modes){.n = 0};
 	status = hawser__lmode_settle(&o, lane, lanes, report);
-	t->search.n = o.n;
 	if (!status)
 		status = hawser__lmode_open(&t->rope, lane, lanes, &o, soft, report);
+	if (!status)
+		status = hawser__lmode_search_open(&t->search, &t->rope, o.n, report);
 	if (status)
 		return status;
-	t->search.pairs = calloc((size_t)t->rope.systems + 1, sizeof *t->search.pairs);
-	t->search.choice = calloc((size_t)o.n, sizeof *t->search.choice);
 	t->shape = calloc((size_t)o.n + HAWSER__LEXPAND_MORE, sizeof *t->shape);
-	if (!t->search.pairs || !t->search.choice || !t->shape)
+	if (!t->shape)
 		return hawser__no_memory(report, "line rom");
 	status = hawser__lmode_find(&t->search, report);
 	if (!status)
@@ -90,8 +89,7 @@ enum hawser_status hawser__lexpand_modes_open(struct hawser__lexpand_modes *t,
 		                         "modes, or for a larger tolerance", o.n,
 		                         hawser__lmode_worst(&t->search), o.tolerance);
 	if (!status)
-		status = hawser__lmode_fill(modes, &t->rope, t->search.pairs, NULL, t->search.choice, o.n,
-		                            omega, report);
+		status = hawser__lmode_fill(modes, &t->search, omega, report);
 	for (int k = 0; k < o.n && !status; k++) {
 		const struct hawser__lmode_choice *choice = &t->search.choice[k];
 		const struct hawser__lmode_pairs *pairs = &t->search.pairs[choice->system];
@@ -135,10 +133,7 @@ void hawser__lexpand_modes_keep(struct hawser__lexpand_modes *t, struct hawser_l
 
 void hawser__lexpand_modes_clear(struct hawser__lexpand_modes *t)
 {
-	for (int i = 0; t->search.pairs && i < t->rope.systems; i++)
-		hawser__lmode_pairs_clear(&t->search.pairs[i]);
-	free(t->search.pairs);
-	free(t->search.choice);
+	hawser__lmode_search_clear(&t->search);
 	free(t->shape);
 	hawser__lmode_clear(&t->rope);
 	*t = (struct hawser__lexpand_modes){.shape = NULL};

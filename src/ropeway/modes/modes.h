@@ -183,9 +183,11 @@ double hawser__lmode_stroke(const struct hawser__lmode_pendulum *one, const doub
 /* Modes of a system. */
 struct hawser__lmode_pairs {
 	int n, iterations;
+	int parts;              /* 1; of a rope that runs 2: real and imaginary part */
 	double grid_for;        /* frequency that the grids resolve */
 	double *omega, *error;  /* [n] ascending; estimated relative error */
-	double *x, *strain;     /* [n][size], [n][strains] */
+	double *condition;      /* [n] of a rope that runs, else NULL */
+	double *x, *strain;     /* [n][parts][size], [n][parts][strains] */
 };
 /* modes_iterate.c: the n lowest modes, on grids that resolve them; without strains and errors. */
 enum hawser_status hawser__lmode_pairs(struct hawser__lmode_pairs *pairs,
@@ -220,6 +222,10 @@ struct hawser__lmode_search {
 	struct hawser__lmode_choice *choice; /* [n] ascending frequency */
 	int n;
 };
+enum hawser_status hawser__lmode_search_open(struct hawser__lmode_search *search,
+                                             struct hawser__lmode *rope, int n,
+                                             struct hawser_report *report);
+void hawser__lmode_search_clear(struct hawser__lmode_search *search);
 /* Pairs of each system such that the n lowest are among them, and choice. */
 enum hawser_status hawser__lmode_find(struct hawser__lmode_search *search,
                                       struct hawser_report *report);
@@ -248,16 +254,12 @@ static inline double *hawser__lmode_row(double *of, const struct hawser_line_mod
 {
 	return of + (size_t)(k*hawser__lmode_parts(modes) + part)*3*(size_t)modes->points;
 }
-/* modes_fill.c: the public structure from the chosen modes [n], on the grids for `omega`: of `pairs`,
- * or complex ones of `running` [systems], the other is NULL. */
-struct hawser__lmode_running;
-/* Imaginary parts that are 0. */
+/* modes_fill.c: imaginary parts that are 0. */
 enum hawser_status hawser__lmode_add_parts(struct hawser_line_modes *modes,
                                            struct hawser_report *report);
-enum hawser_status hawser__lmode_fill(struct hawser_line_modes *modes, const struct hawser__lmode *rope,
-                                      const struct hawser__lmode_pairs *pairs,
-                                      const struct hawser__lmode_running *running,
-                                      const struct hawser__lmode_choice *choice, int n, double omega,
+/* The public structure from the chosen modes, on the grids for `omega`. */
+enum hawser_status hawser__lmode_fill(struct hawser_line_modes *modes,
+                                      const struct hawser__lmode_search *search, double omega,
                                       struct hawser_report *report);
 
 /* --- what moves in a rope over sheaves, before it is divided into systems --- */
@@ -282,25 +284,17 @@ enum hawser_status hawser__lmode_divide(struct hawser__lmode_draft *draft,
 
 /* --- complex modes of a rope that runs over its sheaves --- */
 
-/* Complex modes of a system. */
-struct hawser__lmode_running {
-	int n, iterations;
-	double *omega, *error, *condition; /* [n] ascending */
-	double *x, *strain;  /* [n][2][size], [n][2][strains]: real and imaginary parts */
-};
-
 /* As many modes as `resting`, on the same grids; the last of them may not have converged. */
-enum hawser_status hawser__lmode_running(struct hawser__lmode_running *pairs,
+enum hawser_status hawser__lmode_running(struct hawser__lmode_pairs *pairs,
                                          struct hawser__lmode_system *system,
                                          const struct hawser__lmode *rope,
                                          const struct hawser__lmode_pairs *resting,
                                          struct hawser_report *report);
 /* Carry them over to finer grids that resolve `omega`; sets errors. */
-enum hawser_status hawser__lmode_running_refine(struct hawser__lmode_running *pairs,
+enum hawser_status hawser__lmode_running_refine(struct hawser__lmode_pairs *pairs,
                                                 struct hawser__lmode_system *system,
                                                 const struct hawser__lmode *rope, double omega,
                                                 struct hawser_report *report);
-void hawser__lmode_running_clear(struct hawser__lmode_running *pairs);
 
 /* --- force, strain and displacement along one piece of rope --- */
 

@@ -246,39 +246,30 @@ static void describe(struct hawser_line_modes *modes, const struct hawser__lmode
 
 static void fill_pair(struct hawser_line_modes *modes, const struct hawser__lmode *rope,
                       const struct hawser__lmode_pairs *from, const struct hawser__lmode_system *system,
-                      int k, size_t pair)
+                      int k, int pair)
 {
 	modes->mode[k].omega = from->omega[pair];
 	modes->mode[k].residual = from->error[pair];
+	if (from->condition)
+		modes->mode[k].condition = from->condition[pair];
 	modes->iterations = modes->iterations > from->iterations ? modes->iterations : from->iterations;
-	fill_state(modes, rope, system, k, 0, from->x + pair*(size_t)system->size,
-	           from->strain + pair*(size_t)system->strains);
+	for (int part = 0; part < from->parts; part++)
+		fill_state(modes, rope, system, k, part,
+		           from->x + (size_t)(from->parts*pair + part)*(size_t)system->size,
+		           from->strain + (size_t)(from->parts*pair + part)*(size_t)system->strains);
 }
 
-static void fill_running(struct hawser_line_modes *modes, const struct hawser__lmode *rope,
-                         const struct hawser__lmode_running *from,
-                         const struct hawser__lmode_system *system, int k, size_t pair)
-{
-	modes->mode[k].omega = from->omega[pair];
-	modes->mode[k].residual = from->error[pair];
-	modes->mode[k].condition = from->condition[pair];
-	modes->iterations = modes->iterations > from->iterations ? modes->iterations : from->iterations;
-	for (int part = 0; part < 2; part++)
-		fill_state(modes, rope, system, k, part, from->x + (2*pair + (size_t)part)*(size_t)system->size,
-		           from->strain + (2*pair + (size_t)part)*(size_t)system->strains);
-}
-
-enum hawser_status hawser__lmode_fill(struct hawser_line_modes *modes, const struct hawser__lmode *rope,
-                                      const struct hawser__lmode_pairs *pairs,
-                                      const struct hawser__lmode_running *running,
-                                      const struct hawser__lmode_choice *choice, int n, double omega,
+enum hawser_status hawser__lmode_fill(struct hawser_line_modes *modes,
+                                      const struct hawser__lmode_search *search, double omega,
                                       struct hawser_report *report)
 {
-	int number[2] = {0};
+	const struct hawser__lmode *rope = search->rope;
+	const struct hawser__lmode_choice *choice = search->choice;
+	int number[2] = {0}, n = search->n;
 	enum hawser_status status;
 
 	modes->n = n;
-	modes->gyroscopic = running != NULL;
+	modes->gyroscopic = search->pairs[choice->system].parts > 1;
 	describe(modes, rope);
 	status = place_grids(modes, rope, omega, report);
 	if (!status)
@@ -293,10 +284,7 @@ enum hawser_status hawser__lmode_fill(struct hawser_line_modes *modes, const str
 		modes->mode[k].plane = system->plane;
 		modes->mode[k].place = k + 1;
 		modes->mode[k].number = ++number[system->plane];
-		if (running)
-			fill_running(modes, rope, &running[i], system, k, (size_t)choice[k].pair);
-		else
-			fill_pair(modes, rope, &pairs[i], system, k, (size_t)choice[k].pair);
+		fill_pair(modes, rope, &search->pairs[i], system, k, choice[k].pair);
 		hawser__lmode_label(modes, rope, k);
 	}
 	return HAWSER_OK;

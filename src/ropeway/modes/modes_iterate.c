@@ -45,6 +45,7 @@ void hawser__lmode_pairs_clear(struct hawser__lmode_pairs *pairs)
 {
 	free(pairs->omega);
 	free(pairs->error);
+	free(pairs->condition);
 	free(pairs->x);
 	free(pairs->strain);
 	*pairs = (struct hawser__lmode_pairs){0};
@@ -424,7 +425,7 @@ enum hawser_status hawser__lmode_pairs(struct hawser__lmode_pairs *pairs,
 	struct work t = {.system = system};
 	enum hawser_status status;
 
-	*pairs = (struct hawser__lmode_pairs){.n = n, .grid_for = guess(system, rope, n)};
+	*pairs = (struct hawser__lmode_pairs){.n = n, .parts = 1, .grid_for = guess(system, rope, n)};
 	status = hawser__lmode_grids(system, rope, pairs->grid_for, rope->options.extra, report);
 	if (!status)
 		status = hawser__lmode_factor(system, report);

@@ -51,16 +51,6 @@ struct basis {
 	struct hawser__hold hold;
 };
 
-void hawser__lmode_running_clear(struct hawser__lmode_running *pairs)
-{
-	free(pairs->omega);
-	free(pairs->error);
-	free(pairs->condition);
-	free(pairs->x);
-	free(pairs->strain);
-	*pairs = (struct hawser__lmode_running){.n = 0};
-}
-
 static void basis_clear(struct basis *t)
 {
 	hawser__hold_clear(&t->hold);
@@ -120,7 +110,7 @@ static void coriolis(double *load, const double *x, const double *strain,
 
 /* Basis vectors 2 k and 2 k + 1 from mode k: the real and the imaginary part of
  * K^-1 (omega^2 M x - i omega 2 nu G x). */
-static void respond(struct basis *t, const struct hawser__lmode_running *pairs, int k)
+static void respond(struct basis *t, const struct hawser__lmode_pairs *pairs, int k)
 {
 	struct hawser__lmode_system *system = t->system;
 	size_t size = (size_t)system->size, strains = (size_t)system->strains;
@@ -273,7 +263,7 @@ static void hermitian(double complex *H, const struct basis *t)
 
 /* State and strain of the combination q [kept] of the basis, of unit norm with a phase that makes the
  * sum of x M x real: real and imaginary part are then orthogonal. */
-static void unfold(struct hawser__lmode_running *pairs, int k, const struct basis *t,
+static void unfold(struct hawser__lmode_pairs *pairs, int k, const struct basis *t,
                    const double complex *q)
 {
 	size_t size = (size_t)t->system->size, strains = (size_t)t->system->strains;
@@ -305,7 +295,7 @@ static void unfold(struct hawser__lmode_running *pairs, int k, const struct basi
 
 /* Condition of the frequencies, as in doc/theory-gyroscopic.md: 1 plus 2 nu omega |u| |u'| over
  * k + omega^2 |u|^2, where |u| is 1 and k twice the strain energy. load [size]. */
-static void judge(struct hawser__lmode_running *pairs, const struct hawser__lmode_system *system,
+static void judge(struct hawser__lmode_pairs *pairs, const struct hawser__lmode_system *system,
                   const struct hawser__lmode *rope, double *load)
 {
 	size_t size = (size_t)system->size, strains = (size_t)system->strains;
@@ -327,7 +317,7 @@ static void judge(struct hawser__lmode_running *pairs, const struct hawser__lmod
 }
 
 /* The pairs->n lowest modes of the basis. *change: of the first n - GUARD frequencies, relative. */
-static enum hawser_status solve(double *change, struct hawser__lmode_running *pairs, struct basis *t,
+static enum hawser_status solve(double *change, struct hawser__lmode_pairs *pairs, struct basis *t,
                                 struct hawser_report *report)
 {
 	size_t order = 2*(size_t)t->kept, n = (size_t)pairs->n;
@@ -370,7 +360,7 @@ done:
 	return status;
 }
 
-static enum hawser_status round_of(double *change, struct hawser__lmode_running *pairs, struct basis *t,
+static enum hawser_status round_of(double *change, struct hawser__lmode_pairs *pairs, struct basis *t,
                                    struct hawser_report *report)
 {
 	enum hawser_status status;
@@ -385,7 +375,7 @@ static enum hawser_status round_of(double *change, struct hawser__lmode_running 
 }
 
 /* Rounds until the frequencies are settled, at most `most`. */
-static enum hawser_status iterate(struct hawser__lmode_running *pairs,
+static enum hawser_status iterate(struct hawser__lmode_pairs *pairs,
                                   struct hawser__lmode_system *system,
                                   const struct hawser__lmode *rope, int most, int must,
                                   struct hawser_report *report)
@@ -409,7 +399,7 @@ static enum hawser_status iterate(struct hawser__lmode_running *pairs,
 	return status;
 }
 
-enum hawser_status hawser__lmode_running(struct hawser__lmode_running *pairs,
+enum hawser_status hawser__lmode_running(struct hawser__lmode_pairs *pairs,
                                          struct hawser__lmode_system *system,
                                          const struct hawser__lmode *rope,
                                          const struct hawser__lmode_pairs *resting,
@@ -419,7 +409,7 @@ enum hawser_status hawser__lmode_running(struct hawser__lmode_running *pairs,
 	double *load;
 	enum hawser_status status = HAWSER_OK;
 
-	*pairs = (struct hawser__lmode_running){.n = resting->n};
+	*pairs = (struct hawser__lmode_pairs){.n = resting->n, .parts = 2};
 	if (n == 0)
 		return HAWSER_OK;
 	if (system->circulates)
@@ -446,7 +436,7 @@ enum hawser_status hawser__lmode_running(struct hawser__lmode_running *pairs,
 	return status;
 }
 
-enum hawser_status hawser__lmode_running_refine(struct hawser__lmode_running *pairs,
+enum hawser_status hawser__lmode_running_refine(struct hawser__lmode_pairs *pairs,
                                                 struct hawser__lmode_system *system,
                                                 const struct hawser__lmode *rope, double omega,
                                                 struct hawser_report *report)

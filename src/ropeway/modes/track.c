@@ -291,7 +291,7 @@ enum hawser_status hawser_ropeway_track_solve(struct hawser_ropeway_track *track
                                               struct hawser_report *report)
 {
 	struct hawser__track t = {.options = options, .n = options->n, .least = 1.0};
-	struct hawser_report own;
+	struct hawser_report own = {.message = ""};
 	enum hawser_status status;
 
 	*track = (struct hawser_ropeway_track){.samples = 0};

@@ -215,7 +215,7 @@ void hawser__meet(struct hawser__meet *meet, const struct hawser__rope *rope,
 		}
 		gb = along(&b, c);
 		if (g < 0.0 && gb >= 0.0) {
-			struct hawser__meet near;
+			struct hawser__meet near = {.distance = 0.0};
 
 			memcpy(near.flexibility, before, sizeof before);
 			foot(&near, rope, &a, &b, g, gb, c);

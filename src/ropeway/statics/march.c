@@ -45,11 +45,11 @@ static enum hawser__search span(struct hawser__march *march, struct hawser__path
 	if (to < march->sheaves) {
 		hawser__trace_arrive(&march->trace, to, &meet);
 		hawser__path_arrive(path, &march->rope, target, &meet);
-		return found;
+		return HAWSER__MET;
 	}
 	march->end = meet.at;
 	march->miss = hypot(meet.at.x[0] - target->c[0], meet.at.x[1] - target->c[1]);
-	return found;
+	return HAWSER__MET;
 }
 
 static int fault(struct hawser__march *march, enum hawser__fault kind, int from, int to)

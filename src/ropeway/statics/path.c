@@ -21,7 +21,6 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
-#include <string.h>
 
 #include "ropeway/statics/rope.h"
 

@@ -14,7 +14,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <float.h>
 #include <math.h>
-#include <string.h>
 
 #include "ropeway/statics/rope.h"
 
@@ -233,7 +232,7 @@ enum hawser__search hawser__path_find(struct hawser__path *path, double *q, stru
                                       const struct hawser__target *target,
                                       int slack)
 {
-	struct probe probe, other;
+	struct probe probe, other = {.q = 0.0};
 
 	for (int count = 0;; count++) {
 		enum outcome outcome = segment(&probe, path, target, slack, count == 0);

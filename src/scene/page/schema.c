@@ -159,11 +159,6 @@ json_t *hawser__schema_of(struct hawser__schema *schema, const char *path)
 static const char *const kinds[] = {"cable", "beam", HAWSER_SCENE_KINDS(WORD)};
 enum { KINDS = sizeof kinds/sizeof *kinds };
 
-const char *hawser_schema_kind(int index)
-{
-	return index >= 0 && index < KINDS ? kinds[index] : NULL;
-}
-
 int hawser_schema_key(char *key, int index)
 {
 	const struct hawser__tree_key *row = hawser__tree_row(index);

@@ -2,7 +2,6 @@
  * cables and of beams, which exclude each other.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <stdlib.h>
-#include <string.h>
 
 #include "scene/keys.h"
 #include "scene/page/schema.h"

@@ -6,8 +6,8 @@
  *                of modes that are not candidates (choose.h)
  *    moved       distance of a response from that of the previous model (distance.c)
  *
- * The first model keeps the modes that estimated motions require, at most FIRST, since the cost of
- * a response grows fast with the number of modes. The motions of its response, at landmarks and
+ * The first model keeps the modes that estimated motions require, at most HAWSER__FIRST, since the
+ * cost of a response grows fast with the number of modes. The motions of its response, at landmarks and
  * between them, give every mode a new measure, and the error of this response (fixed.c). While that is
  * too large, the most important modes are added, a new response is traced, and so on. The last model
  * is the result.
@@ -28,8 +28,6 @@
 /* Parts are relative to the accuracy. Where no bench is named, a value was chosen. */
 #define MANY 48       /* largest number of candidate modes, which limits the cost of their tensors */
 #define KEPT_MOST 40  /* default of the largest number of modes of a model */
-#define FIRST 10      /* most modes of the first model: later models depend on its motions only */
-#define NEXT 0.2      /* rest of the next model; a small one saves a further model */
 #define ROOM 0.25     /* the same, relative to the accuracy less the truncation error */
 #define BEYOND 0.35   /* largest effect of the modes above the candidates */
 #define WIDER 1.5     /* factor on the number of candidates if their effect is larger */
@@ -42,9 +40,9 @@
 
 /* --- candidates --- */
 
-/* Frequency up to which modes are candidates. The measure of a mode of frequency w that responds at
- * 2 Omega is about 0.13 (2 Omega/w)^3 in the scenes of bench/accuracy. */
-static double reach(double to, double accuracy)
+/* The measure of a mode of frequency w that responds at 2 Omega is about 0.13 (2 Omega/w)^3 in the
+ * scenes of bench/accuracy. */
+double hawser__accuracy_reach(double to, double accuracy)
 {
 	return 2.0*to*fmax(2.0, cbrt(0.3/accuracy));
 }
@@ -85,7 +83,7 @@ enum hawser_status hawser__accuracy_candidates(struct hawser_modes *modes,
                                                double to, double accuracy, int fewest,
                                                struct hawser_report *report)
 {
-	double top = reach(fmax(from, to), accuracy);
+	double top = hawser__accuracy_reach(fmax(from, to), accuracy);
 	struct hawser_modes_options options = settings(scene, fewest);
 	enum hawser_status status = hawser_modes_solve(modes, statics, &options, report);
 
@@ -111,7 +109,8 @@ enum hawser_status hawser_accuracy_choose(struct hawser_choice *choice, struct h
 	*choice = (struct hawser_choice){0};
 	status = hawser__accuracy_candidates(modes, statics, scene, from, to, accuracy, HAWSER__FEWEST,
 	                                     report);
-	return status ? status : hawser_choose(choice, modes, scene, from, to, NEXT*accuracy, report);
+	return status ? status : hawser_choose(choice, modes, scene, from, to, HAWSER__NEXT*accuracy,
+	                                       report);
 }
 
 enum hawser_status hawser_choice_build(struct hawser_rom *rom, const struct hawser_choice *choice,
@@ -301,8 +300,8 @@ static int raised(struct hawser_accuracy *a, const struct hawser_accuracy_option
 		return 0;
 	/* while important modes are missing, the motion is wrong, and so is its truncation error */
 	if (!(room > 0.0))
-		return this->rest > a->asked && hawser_choice_raise(&a->choice, NEXT*a->asked);
-	return hawser_choice_raise(&a->choice, fmin(NEXT*a->asked, ROOM*room));
+		return this->rest > a->asked && hawser_choice_raise(&a->choice, HAWSER__NEXT*a->asked);
+	return hawser_choice_raise(&a->choice, fmin(HAWSER__NEXT*a->asked, ROOM*room));
 }
 
 int hawser__accuracy_cut(const struct hawser_accuracy *a)
@@ -314,8 +313,8 @@ int hawser__accuracy_cut(const struct hawser_accuracy *a)
 /* Of the modes that hawser_accuracy_choose keeps, keep only those of the first model. */
 static void accuracy_first(struct hawser_choice *choice)
 {
-	if (kept(choice) > FIRST)
-		hawser_choice_first(choice, FIRST);
+	if (kept(choice) > HAWSER__FIRST)
+		hawser_choice_first(choice, HAWSER__FIRST);
 }
 
 static enum hawser_status condensed(struct hawser_accuracy *a, struct hawser__marks *marks,

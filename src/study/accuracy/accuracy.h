@@ -19,6 +19,10 @@
 /* The same on those that add all terms of first order with their signs; by bench/practical.py too. */
 #define HAWSER__SAFETY_ORDER 1.75
 
+#define HAWSER__FIRST 10 /* most modes of the first model: later ones depend on its motions; chosen */
+#define HAWSER__NEXT 0.2 /* rest of the next model, relative to the accuracy: a small one saves a
+                          * further model; chosen */
+
 /* Fewest candidates; chosen. */
 enum { HAWSER__FEWEST = 12 };
 
@@ -35,6 +39,11 @@ hawser__accuracy_settle(const struct hawser_accuracy_options *options, double ac
  * with bending. */
 int hawser__accuracy_largest(int asked, const struct hawser_statics *st);
 
+/* Where the error of a response is wanted, which is mostly far below the accuracy: the bases that are
+ * compared have more functions per component than these, */
+int hawser__accuracy_fewest(const struct hawser_statics *st);
+#define HAWSER__BASIS_PART 0.1 /* and an error of this part of the accuracy; chosen */
+
 /* Trace the next response and compute its distance from the previous one, which *marks describes;
  * *marks then describes the new one. functions = 0: a model of the modes that are kept now is
  * built; otherwise a->rom is the full-order model with that number of functions. known: orbits of it,
@@ -44,6 +53,9 @@ enum hawser_status hawser__accuracy_attempt(struct hawser_accuracy *a, struct ha
                                             const struct hawser_frf_options *options,
                                             const struct hawser__orbits *known,
                                             struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* Frequency up to which modes are candidates, where the range ends at `to`. */
+double hawser__accuracy_reach(double to, double accuracy);
 
 /* Compute the candidates, the modes among which hawser_accuracy_choose chooses: at least `fewest`. */
 enum hawser_status hawser__accuracy_candidates(struct hawser_modes *modes,

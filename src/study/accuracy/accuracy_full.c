@@ -32,6 +32,7 @@
  *    foreseen work of the whole search and its response; above options->bearable it ends
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <hawser/cover.h>
 #include <math.h>
 #include <string.h>
 
@@ -48,9 +49,6 @@
 #define OF_BASIS 0.3    /* of the distance of a response from a draft, by the basis of that; chosen */
 #define CHECKING 0.2    /* of what can be borne, for the marks in a larger basis, where the range may
                          * be shortened; chosen */
-#define PART 0.1        /* of the accuracy: error of a basis, and */
-#define EACH 6          /* fewest functions between attachments, where the error of a response is
-                         * wanted, which is mostly far below the accuracy; chosen */
 
 /* The last condensed model, its response with its marks (NULL: none that counts), and its distance. */
 struct condensed {
@@ -131,7 +129,8 @@ static enum hawser_status compare_condensed(struct condensed *condensed,
 	if (!condensed->marks || hawser__accuracy_cut(a) || isfinite(a->until))
 		return HAWSER_OK;
 	status = hawser__marks_find(&found, &a->frf, rom, &located,
-	                            HAWSER__LOCATED*(condensed->lent ? PART : 1.0)*a->asked, report);
+	                            HAWSER__LOCATED*(condensed->lent ? HAWSER__BASIS_PART : 1.0)*a->asked,
+	                            report);
 	if (!status)
 		status = hawser__marks_distance(&condensed->off, condensed->marks, &found, report);
 	condensed->off = (condensed->lent ? HAWSER__MARGIN : 1.0)*condensed->off +
@@ -205,15 +204,17 @@ static enum hawser_status choose(struct hawser__draft *chosen, double *moved, do
                                  struct hawser_frf_options *frf, double *work,
                                  struct hawser_report *report)
 {
-	const double enough = condensed->lent ? PART*a->asked : a->asked; /* error of a basis */
+	/* error of a basis */
+	const double enough = condensed->lent ? HAWSER__BASIS_PART*a->asked : a->asked;
 	const struct hawser_accuracy_bases of = {&a->modes, scene, a->choice.to, enough,
 	                                         options->most_functions};
 	struct hawser__traced traced = {.functions = 0};
 	enum hawser_status status = HAWSER_OK;
-	int functions = condensed->lent ? EACH*(a->modes.statics.attachments + 1) : 0, largest[2];
+	int functions = condensed->lent ? hawser__accuracy_fewest(&a->modes.statics) : 0, largest[2];
 
 	while (!status) {
 		struct hawser__draft next = {.functions = 0};
+		const struct hawser__draft_told told = {options, chosen, *work};
 		double away = INFINITY;
 		int again = 0, partial, points = traced.curve.points;
 
@@ -223,7 +224,7 @@ static enum hawser_status choose(struct hawser__draft *chosen, double *moved, do
 		a->functions = next.functions = functions;
 		partial = hawser__marks_partial(options, &traced, chosen->rom.n, next.rom.n, *work);
 		if (traced.functions)
-			status = hawser__draft_carry(&next, &away, &traced, a, frf,
+			status = hawser__draft_carry(&next, &away, &traced, a, &told, frf, enough,
 			                             partial ? CHECKING*options->bearable : 0.0, report);
 		*work += next.work;
 		if (traced.functions) { /* as many points, each of which takes longer */
@@ -297,7 +298,7 @@ static enum hawser_status follow(struct hawser_accuracy *a, struct hawser__marks
                                  const struct hawser_scene *scene,
                                  const struct hawser_accuracy_options *options,
                                  const struct hawser_frf_options *settled,
-                                 const struct hawser__draft *chosen, double work,
+                                 struct hawser__draft *chosen, double work,
                                  struct hawser_report *report)
 {
 	const int points = (int)(HAWSER__MORE_POINTS*chosen->points);
@@ -309,6 +310,7 @@ static enum hawser_status follow(struct hawser_accuracy *a, struct hawser__marks
 	frf.progress = (struct hawser_progress){hawser__draft_watch_trace, &watch};
 	if (options->partial)
 		frf.most_work = fmax(options->bearable - work, AT_LEAST*options->bearable);
+	watch.most = options->partial ? work + frf.most_work : 0.0;
 	status = hawser__accuracy_attempt(a, marks, scene, chosen->functions, &frf,
 	                                  &chosen->orbits, report);
 	if (status == HAWSER_ERR_CONVERGENCE && options->frf.tolerance == 0.0 && frf.tolerance > FINEST) {
@@ -317,6 +319,8 @@ static enum hawser_status follow(struct hawser_accuracy *a, struct hawser__marks
 	                                  &chosen->orbits, report);
 	}
 	a->traced.progress = options->frf.progress;
+	if (!status && hawser_cover_needed(&a->frf, &a->traced))
+		a->frf.back = hawser__orbits_back(&chosen->orbits, settled->to);
 	if (!status && a->frf.end == HAWSER_END_WORK) {
 		a->until = a->traced.to = hawser__draft_reach(&a->frf, a->frf.points, settled);
 		a->beyond[0] = '\0';

@@ -18,7 +18,6 @@
 #include "core/report.h"
 #include "study/accuracy/carry.h"
 #include "response/orbit/balance.h"
-#include "rom/terms/terms.h"
 
 #define FAR 0.1    /* largest distance from an orbit to its counterpart, relative; chosen */
 #define SETTLED 2  /* times that its fast coordinates are balanced before: one makes their defects

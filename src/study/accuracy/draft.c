@@ -16,7 +16,9 @@
  * and that after a further draft. */
 #define AGAIN 1.0
 #define CHECKED 0.5
-#define ROUGH 1e-5      /* least tolerance of orbits at marks; chosen, far below the distances */
+#define UNSURE 4.0      /* factor of two times left, the mean of which is right within its root */
+#define ROUGH 0.01      /* tolerance of orbits at marks over the error that a basis may have; chosen:
+                         * the largest distances of bases are the same with a tenth of it */
 #define JUDGING 1.5e-7  /* s of a set of multipliers, over the cube of the number of coordinates */
 #define DOUBT 2.0       /* factor of what is foreseen of a draft that has not ended; chosen */
 #define ASIDE 2         /* points before the one from which the curve cannot be followed; chosen */
@@ -111,13 +113,29 @@ static int wanders(struct hawser__draft_watch *watch, const struct hawser_frf *f
 	return watch->vain;
 }
 
-/* The fraction and the time left of the whole search: `work` of this trace is done, `left` remains of
- * it, and what follows is estimated from `whole`, its work up to the end of the range. */
+/* The fraction and the time left of the whole search, of which `done` is done: between what remains if
+ * nothing comes in between and what there is until the range ends. Where these are far apart, the time
+ * is that of the former if only the response remains, and else not known. */
+static void tell_left(struct hawser_progress_state *state, const struct hawser__draft_watch *watch,
+                      double done, double all)
+{
+	double left = fmax(all - done, 0.0), most = fmax(watch->most - done, 0.0);
+	int limited = watch->most > 0.0, unsure = limited && most > UNSURE*left;
+
+	if (limited && !unsure)
+		left = sqrt(fmin(left, most)*most);
+	state->fraction = done/(done + left);
+	state->left = watch->drafts && unsure ? INFINITY
+	              : (hawser__wall_seconds() - watch->began)*left/done;
+}
+
+/* The same while `work` of this trace is done and `left` remains of it; what follows is estimated from
+ * `whole`, its work up to the end of the range. */
 static void foretell(struct hawser_progress_state *state, const struct hawser__draft_watch *watch,
                      double work, double left, double whole)
 {
 	const struct hawser__draft *chosen = watch->chosen;
-	double done = watch->before + work, all = done + left, bearable = watch->options->bearable;
+	double done = watch->before + work, all = done + left;
 
 	if (watch->drafts && chosen->functions)
 		all += hawser__draft_follows(watch->options, chosen->rom.n, chosen->points, chosen->until);
@@ -125,10 +143,21 @@ static void foretell(struct hawser_progress_state *state, const struct hawser__d
 		all += hawser__draft_follows(watch->options, watch->n, watch->expected, whole);
 	if (watch->drafts)
 		all += (chosen->functions ? CHECKED : AGAIN)*whole;
-	if (watch->drafts && watch->options->partial) /* where it takes more, the range ends */
-		all = fmax(done, fmin(all, bearable*(watch->a->foreseen > bearable ? HAWSER__A_PART : 1.0)));
-	state->fraction = fmin(done/all, 1.0);
-	state->left = (hawser__wall_seconds() - watch->began)*fmax(all/done - 1.0, 0.0);
+	tell_left(state, watch, done, all);
+}
+
+/* While the marks are asked for, the work of which is `next`: that, a draft of the chosen basis unless
+ * it has one, and its response remain. */
+static int watch_marks(void *data, const struct hawser_progress_state *state)
+{
+	const struct hawser__draft_watch *watch = data;
+	const struct hawser__draft *chosen = watch->chosen;
+	struct hawser_progress_state shown = *state;
+
+	tell_left(&shown, watch, watch->before + watch->next*state->done/watch->expected, watch->before +
+	     watch->next + (chosen->functions != watch->n ? chosen->until : 0.0) +
+	     hawser__draft_follows(watch->options, chosen->rom.n, chosen->points, chosen->until));
+	return hawser__told_to_stop(&watch->options->frf.progress, &shown);
 }
 
 /* The whole work of a trace. The fraction that is done is the mean of two estimates: by the number of
@@ -236,7 +265,8 @@ static enum hawser_status draw(struct hawser__draft *draft, struct hawser__trace
 	const int expected = chosen->functions ? (int)(HAWSER__MORE_POINTS*chosen->points)
 	                                       : options->expected;
 	struct hawser__draft_watch watch = {options, a, before, CARRIED, a->began, expected, &draft->rom,
-	                                    chosen, draft->rom.n, .drafts = 1};
+	                                    chosen, draft->rom.n, .drafts = 1,
+	                                    .most = options->partial ? options->bearable : 0.0};
 	struct hawser_frf_options frf = *settled;
 	struct hawser_report why = {.message = ""};
 	struct hawser_progress_state told;
@@ -327,11 +357,13 @@ int hawser__traced_part(struct hawser__traced *traced, struct hawser_accuracy *a
 /* The counterparts of the marks in the model of *draft, if there are, and how far they are from the
  * curve. */
 enum hawser_status hawser__draft_carry(struct hawser__draft *draft, double *away,
-                                       struct hawser__traced *traced,
-                                       struct hawser_accuracy *a,
-                                       const struct hawser_frf_options *settled, double most,
-                                       struct hawser_report *report)
+                                       struct hawser__traced *traced, struct hawser_accuracy *a,
+                                       const struct hawser__draft_told *told,
+                                       const struct hawser_frf_options *settled, double enough,
+                                       double most, struct hawser_report *report)
 {
+	const double larger = pow((double)draft->rom.n/fmax(traced->orbits.n, 1), 2.0);
+	struct hawser__draft_watch watch;
 	struct hawser_frf_options frf = *settled;
 	struct hawser_frf found = {.n = 0};
 	int lost = 1, rows, columns;
@@ -339,10 +371,18 @@ enum hawser_status hawser__draft_carry(struct hawser__draft *draft, double *away
 	enum hawser_status status = HAWSER_OK;
 
 	*away = INFINITY;
-	frf.tolerance = fmax(frf.tolerance, ROUGH);
+	frf.tolerance = fmax(frf.tolerance, ROUGH*enough);
 	frf.most_work = most;
 	if (traced->orbits.count < traced->curve.points)
 		return HAWSER_OK;
+	if (told) {
+		watch = (struct hawser__draft_watch){told->options, a, told->before,
+		                                     CARRIED*larger*traced->work, a->began,
+		                                     traced->marks, &draft->rom, told->chosen,
+		                                     traced->functions, .drafts = 1};
+		watch.most = told->options->partial ? told->options->bearable : 0.0;
+		frf.progress = (struct hawser_progress){watch_marks, &watch};
+	}
 	status = hawser__full_map(&map, &rows, &columns, &a->modes.statics, traced->functions,
 	                          draft->functions, report);
 	if (!status && rows == draft->rom.n && columns == traced->orbits.n)

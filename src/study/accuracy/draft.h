@@ -54,6 +54,7 @@ struct hawser__draft_watch {
 	int vain;      /* or, 1, where the curve comes no farther */
 	double farthest, until; /* frequency that it has reached, work until there */
 	int turned;    /* and points */
+	double most;   /* work of all, after which the range ends; 0: not limited */
 };
 
 /* The orbits of the last curve become those of *chosen if it is that one's. */
@@ -81,14 +82,23 @@ int hawser__draft_watch_trace(void *data, const struct hawser_progress_state *st
 int hawser__traced_part(struct hawser__traced *traced, struct hawser_accuracy *a, int found,
                         const struct hawser_frf_options *range);
 
+/* What the time left of counterparts is told by: the search, the basis before, whose response follows
+ * if the two agree, and the work until then. */
+struct hawser__draft_told {
+	const struct hawser_accuracy_options *options;
+	const struct hawser__draft *chosen;
+	double before;
+};
+
 /* The counterparts of the marks in the model of *draft, if there are, and how far they are from the
- * curve; INFINITY: too far. most: 0, or work: where some have none, or it takes more than that, the
- * range may end before (a->until), and *traced with it. Told to stop, a->frf.end says so. */
+ * curve; INFINITY: too far. told: NULL, or what a time left is told by. enough: error that a basis may
+ * have. most: 0, or work: where some have none, or it takes more than that, the range may end before
+ * (a->until), and *traced with it. Told to stop, a->frf.end says so. */
 enum hawser_status hawser__draft_carry(struct hawser__draft *draft, double *away,
-                                       struct hawser__traced *traced,
-                                       struct hawser_accuracy *a,
-                                       const struct hawser_frf_options *settled, double most,
-                                       struct hawser_report *report);
+                                       struct hawser__traced *traced, struct hawser_accuracy *a,
+                                       const struct hawser__draft_told *told,
+                                       const struct hawser_frf_options *settled, double enough,
+                                       double most, struct hawser_report *report);
 
 /* draft_marks.c: whether the range ends where marks have no counterparts in the next basis, of n
  * coordinates after `own`, or where that is too far away: two larger bases, one to be drawn and one

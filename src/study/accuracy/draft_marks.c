@@ -55,7 +55,8 @@ enum hawser_status hawser__marks_error(double *error, struct hawser_accuracy *a,
 	there.value += (size_t)first*((size_t)there.width + 1);
 	there.arc += first;
 	if (!status && last.rom.n > 0)
-		status = hawser__draft_carry(&last, &away, &few, a, settled, 0.0, report);
+		status = hawser__draft_carry(&last, &away, &few, a, NULL, settled, of->accuracy, 0.0,
+		                             report);
 	for (int k = 0; k < 2; k++) {
 		double beyond = INFINITY;
 

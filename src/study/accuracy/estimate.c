@@ -34,6 +34,7 @@
 
 #include "core/report.h"
 #include "rom/choose/weigh.h"
+#include "study/accuracy/accuracy.h"
 #include "study/accuracy/scales.h"
 #include "study/accuracy/survey.h"
 
@@ -317,18 +318,31 @@ void hawser__estimate_chosen(struct hawser_plan_row *row, const struct hawser_su
 	free(index);
 }
 
-/* The modes that the first estimate keeps; a search traces two or three models until the last one. */
+/* The modes that the first estimate keeps; a search traces two or three models until the last one, and
+ * goes on with full-order ones if none is good enough. */
 void hawser__estimate_auto(struct hawser_plan_row *row, const struct hawser_survey *survey)
 {
-	int *index = calloc((size_t)survey->plan->modes.n, sizeof *index);
+	const struct hawser_plan *plan = survey->plan;
+	int *index = calloc((size_t)plan->modes.n, sizeof *index);
 	double asked = row->choice.number > 0.0 ? row->choice.number/100.0
 	               : survey->scene->model.accuracy;
+	struct hawser_accuracy_options options = {.most = 0};
+	struct hawser_plan_row full = {.n = 0};
+	struct hawser_accuracy_fixed fixed;
 
-	if (index && survey->plan->chosen) {
+	if (index && plan->chosen) {
+		double last = plan->modes.mode[plan->modes.n - 1].omega;
+		double among = plan->modes.n*hawser__accuracy_reach(fmax(plan->from, plan->to), asked)/last;
+
 		row->omega_error = asked;
-		hawser__count_entries(row, survey, index, first(index, survey->plan, survey->plan->modes.n,
-		                                                asked));
-		hawser__estimate_auto_cost(row, survey);
+		hawser__count_entries(row, survey, index,
+		                      first(index, plan, HAWSER__FIRST, HAWSER__NEXT*asked));
+		hawser__estimate_auto_cost(row, survey, among,
+		                           hawser__accuracy_settle(&options, asked).step_max);
+		if (!hawser__foresee(&fixed, survey, index, row->n, NULL) &&
+		    HAWSER__SAFETY_ORDER*fixed.truncation > asked)
+			hawser__estimate_work(row, survey,
+			                      HAWSER__SEARCHED*hawser__draft_of(&full, survey, 0, asked), 0.0);
 		snprintf(row->why, sizeof row->why, "what is asked for; modes as the first look has them");
 	} else {
 		unchosen(row, survey);

@@ -15,6 +15,8 @@
                           * chosen */
 #define REACH 2.0        /* 2: the second harmonic of the response may be in resonance with them */
 
+#define EACH 6           /* fewest functions between attachments; chosen */
+
 /* Numbers of functions per component, in the order in which they are tried; the last one with bending
  * stiffness alone, where three elements or more share them and many may be the fewest. */
 static const int bases[] = {6, 8, 10, 12, 14, 16, 20, 24, 30};
@@ -23,6 +25,11 @@ enum { BASES = sizeof bases/sizeof *bases, LARGEST = 24 };
 int hawser__accuracy_largest(int asked, const struct hawser_statics *st)
 {
 	return (asked > 0 ? asked : LARGEST) + (st->bending.EI > 0.0 ? bases[BASES - 1] - LARGEST : 0);
+}
+
+int hawser__accuracy_fewest(const struct hawser_statics *st)
+{
+	return EACH*(st->attachments + 1);
 }
 
 /* Whether the basis of the model holds the linear modes and the load. */

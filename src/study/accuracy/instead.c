@@ -5,7 +5,6 @@
  * truncation cannot be made up for by modes; what they leave out matters where it is large.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include <math.h>
 
 #include <hawser/accuracy.h>
 

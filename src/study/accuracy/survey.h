@@ -23,8 +23,8 @@ struct hawser_survey {
 	double *u, *omega;              /* [motions][ROWS][modes], [motions] */
 	struct hawser_rom_inertia inertia; /* of the condensed modes of the scene's own model */
 	struct hawser_accuracy_fixed fixed; /* of the scene's own modes; NAN: not foreseen */
-	enum { HAWSER__MODES, HAWSER__INSTEAD, HAWSER__TOO_LONG } instead; /* whether the exact energy takes
-	                                                                    * their place */
+	enum { HAWSER__MODES, HAWSER__INSTEAD, HAWSER__PARTLY, HAWSER__TOO_LONG } instead; /* whether the
+	                                 * exact energy takes their place, over a part of the range */
 	char range[160];                /* of its coordinates (law.h); "" if not sought */
 	char forces[240];               /* what its forces are evaluated from; "" without modes */
 	double slowness;                /* of this machine, relative to that of the constants of cost.c */
@@ -54,10 +54,23 @@ double hawser__plan_slowness(void);
 void hawser__estimate_full_cost(struct hawser_plan_row *row, const struct hawser_survey *survey);
 void hawser__estimate_closed_cost(struct hawser_plan_row *row, const struct hawser_survey *survey);
 void hawser__estimate_cost(struct hawser_plan_row *row, const struct hawser_survey *survey);
-void hawser__estimate_with(struct hawser_plan_row *row, double seconds); /* besides */
-void hawser__estimate_exact_cost(struct hawser_plan_row *row, const struct hawser_survey *survey);
+/* The row's seconds and this work, s as counted; longest: longest step of what is traced then, relative
+ * to the range; 0: the points are those of the row. */
+void hawser__estimate_work(struct hawser_plan_row *row, const struct hawser_survey *survey, double work,
+                           double longest);
+/* Work of a draft of full-order models, on n coordinates; and of the first one that is drafted for this
+ * accuracy, which *full becomes, with more functions a component than full->choice.number and at most
+ * `most` (0: the default). full->n is 0 if there is none. */
+double hawser__draft_foreseen(const struct hawser_survey *survey, int n);
+double hawser__draft_of(struct hawser_plan_row *full, const struct hawser_survey *survey, int most,
+                        double accuracy);
+/* Work of a search with its response and peaks over that of the first draft; median of 31 random and
+ * shipped scenes (bench/defaults.py), where it was 2.0 to 9.0. */
+#define HAWSER__SEARCHED 3.0
 void hawser__estimate_chosen_cost(struct hawser_plan_row *row, const struct hawser_survey *survey);
-void hawser__estimate_auto_cost(struct hawser_plan_row *row, const struct hawser_survey *survey);
+void hawser__estimate_auto_cost(struct hawser_plan_row *row, const struct hawser_survey *survey,
+                                double candidates, /* modes among which it chooses */
+                                double longest); /* step of its curves, relative to the range */
 
 /* Find the resonances and their effective cubic coefficients. */
 enum hawser_status hawser__find_resonances(struct hawser_plan *plan,
@@ -71,6 +84,10 @@ void hawser__estimate_chosen(struct hawser_plan_row *row, const struct hawser_su
 void hawser__estimate_auto(struct hawser_plan_row *row, const struct hawser_survey *survey);
 void hawser__estimate_full(struct hawser_plan_row *row, const struct hawser_survey *survey);
 void hawser__estimate_scales(struct hawser_plan_row *row, const struct hawser_survey *survey);
+
+/* Largest amplitude of a resonance within the range, and its frequency there. */
+double hawser__within(double *omega, const struct hawser_plan *plan,
+                      const struct hawser_plan_resonance *at);
 
 /* Set the motions of a survey with resonances; free them and the choice. */
 enum hawser_status hawser__foresee_motions(struct hawser_survey *survey,

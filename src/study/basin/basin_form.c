@@ -21,6 +21,7 @@
 
 #include <lapacke.h>
 
+#include "core/hold.h"
 #include "core/report.h"
 #include "study/basin/basin.h"
 
@@ -66,7 +67,8 @@ static int derive(struct hawser__orbiter *orbiter, double *x, double *matrix, in
 static int newton(struct hawser__orbiter *orbiter, double *x, double *matrix, int period)
 {
 	int m = orbiter->m;
-	double *end = malloc(((size_t)m + (size_t)m*(size_t)m)*sizeof *end), *J = end + m;
+	double *end = malloc(((size_t)m + (size_t)m*(size_t)m)*sizeof *end);
+	double *J = hawser__behind(end, (size_t)m);
 	lapack_int *pivot = malloc((size_t)m*sizeof *pivot);
 	int failed = 1;
 
@@ -131,7 +133,8 @@ static int lyapunov(double *V, const struct hawser__orbiter *orbiter, const doub
 {
 	int m = orbiter->m;
 	size_t mm = (size_t)m*(size_t)m;
-	double *A = malloc(3*mm*sizeof *A), *B = A + mm, *C = B + mm, change = 1.0, size;
+	double *A = malloc(3*mm*sizeof *A), *B = hawser__behind(A, mm), *C = hawser__behind(B, mm);
+	double change = 1.0, size;
 
 	if (!A)
 		return 1;
@@ -234,7 +237,7 @@ static enum hawser_status neighbourhood(struct hawser__attractor *attractor, int
 {
 	int m = orbiter->m;
 	size_t mm = (size_t)m*(size_t)m;
-	double *axes = malloc((mm + (size_t)m)*sizeof *axes), *value = axes + mm;
+	double *axes = malloc((mm + (size_t)m)*sizeof *axes), *value = hawser__behind(axes, mm);
 	double size = fmax(hawser__orbiter_size(orbiter, attractor->state), 1e-3*orbiter->size);
 	double limit = INFINITY;
 	enum hawser_status status = axes ? HAWSER_OK : hawser__no_memory(report, "map");

@@ -17,10 +17,10 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "core/grow.h"
+#include "core/names.h"
 #include "core/progress.h"
 #include "core/report.h"
 #include "core/settle.h"
@@ -61,12 +61,7 @@ void hawser_hill_settle(struct hawser_hill_options *options)
 	hawser__settle_count(&options->max_points, (int)fmax(2000.0, fmin(20.0/options->step, 1e9)));
 }
 
-const char *hawser_hill_kind_name(enum hawser_hill_kind kind)
-{
-	static const char *const name[] = {"plus", "minus", "torus"};
-
-	return (unsigned)kind < HAWSER_HILL_KINDS ? name[kind] : "unknown";
-}
+HAWSER__NAMES(hawser_hill_kind_name, enum hawser_hill_kind, "plus", "minus", "torus")
 
 int hawser__hill_told_to_stop(const struct hawser_hill_options *options, int boundaries, int points,
                               struct hawser__span *span)

@@ -5,7 +5,6 @@
  * therefore yields them.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include <math.h>
 #include <stdlib.h>
 
 #include "core/report.h"

@@ -203,7 +203,7 @@ enum hawser_status hawser_hill_trace(struct hawser_hill_chart *chart,
                                      const struct hawser_hill_options *options,
                                      struct hawser_report *report)
 {
-	struct hawser_report unused;
+	struct hawser_report unused = {.message = ""};
 	struct hawser_hill_options settled = *options;
 	struct hawser__hill hill = {.field = field, .options = &settled, .chart = chart, .report =
 	                            report ? report : &unused, .span.began = hawser__wall_seconds()};

@@ -105,12 +105,12 @@ enum hawser_status hawser__least_squares(double *x, double *sum, int *steps,
 	size_t n = (size_t)problem->unknowns, m = (size_t)problem->count;
 	struct work work = {.damp = FIRST_DAMPING};
 	double *all = malloc((2*m + n*m + (n + 1)*(m + n) + n)*sizeof *all);
-	enum hawser_status status = all ? HAWSER_OK : HAWSER_ERR_MEMORY;
+	enum hawser_status status;
 	int done = 0;
 
 	*steps = 0;
-	if (status)
-		return status;
+	if (!all)
+		return HAWSER_ERR_MEMORY;
 	work.r = all;
 	work.trial = work.r + m;
 	work.J = work.trial + m;

@@ -233,7 +233,7 @@ static enum hawser_status recognised(struct hawser_modes *modes, int *sure,
                                      struct hawser_report *report)
 {
 	const struct anchor *anchor = nearest(family, p);
-	int place[HAWSER_ROM_MAX];
+	int place[HAWSER_ROM_MAX] = {0};
 	double sign[HAWSER_ROM_MAX], least = 0.0;
 	struct hawser_modes all = {.n = 0};
 	enum hawser_status status = HAWSER_OK;

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/names.h"
 #include "core/report.h"
 #include "core/settle.h"
 #include "study/map/map.h"
@@ -13,18 +14,11 @@
 enum { SETTINGS = 320 }; /* characters of the settings of a map */
 enum { MOST_POINTS = 20000 }; /* largest number of points along an axis; chosen */
 
-const char *hawser_map_code_name(enum hawser_map_code code)
-{
-	static const char *const names[HAWSER_MAP_CODES] = {
-		[HAWSER_MAP_OK] = "ok", [HAWSER_MAP_NO_STATE] = "no-state",
-		[HAWSER_MAP_SLACK] = "slack", [HAWSER_MAP_NOT_CONVERGED] = "not-converged",
-		[HAWSER_MAP_NOT_FINITE] = "not-finite", [HAWSER_MAP_REFUSED] = "refused",
-		[HAWSER_MAP_NO_RESPONSE] = "no-response",
-		[HAWSER_MAP_LEFT] = "left",
-	};
-
-	return (unsigned)code < HAWSER_MAP_CODES ? names[code] : "unknown";
-}
+HAWSER__NAMES(hawser_map_code_name, enum hawser_map_code, [HAWSER_MAP_OK] = "ok",
+	[HAWSER_MAP_NO_STATE] = "no-state", [HAWSER_MAP_SLACK] = "slack",
+	[HAWSER_MAP_NOT_CONVERGED] = "not-converged", [HAWSER_MAP_NOT_FINITE] = "not-finite",
+	[HAWSER_MAP_REFUSED] = "refused", [HAWSER_MAP_NO_RESPONSE] = "no-response",
+	[HAWSER_MAP_LEFT] = "left")
 
 int hawser_map_uncomputed(enum hawser_map_code code)
 {

@@ -103,29 +103,17 @@ static const struct hawser__passed *whole(const struct hawser__way *way)
 	return last && last->load == 1.0 ? last : NULL;
 }
 
-/* Whether b differs from a by no more than CALM. */
-static int alike(const struct hawser__passed *a, const struct hawser__passed *b)
-{
-	double off = 0.0, all = 0.0;
-
-	for (int i = 0; i < a->length || i < b->length; i++) {
-		double from = i < a->length ? a->y[i] : 0.0, to = i < b->length ? b->y[i] : 0.0;
-
-		off += (to - from)*(to - from);
-		all += from*from;
-	}
-	return off <= CALM*CALM*all;
-}
-
 /* Whether the cell is calm; its corners are known. */
 static int is_calm(const struct hawser__map_guides *guides, const struct cell *cell)
 {
 	const struct hawser__passed *first = whole(&guides->way[cell->corner[0]]);
 
 	for (int c = 0; c < 4; c++) {
-		const struct hawser__passed *last = whole(&guides->way[cell->corner[c]]);
+		const struct hawser__way *way = &guides->way[cell->corner[c]];
+		const struct hawser__passed *last = whole(way);
 
-		if (!first || !last || !alike(first, last))
+		if (!first || !last || !(hawser__orbit_distance(last->y, last->length, first->y, first->length,
+		                                                way->n, way->rough) <= CALM))
 			return 0;
 	}
 	return 1;

@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/hold.h"
 #include "core/report.h"
 #include "study/map/map.h"
 
@@ -34,7 +35,7 @@ static enum hawser_status prepare(void *context, const struct hawser__task *task
                                   struct hawser_report *report)
 {
 	const struct hawser__map_memo *memo = context;
-	double *x = malloc(2*(size_t)count*sizeof *x), *y = x + count;
+	double *x = malloc(2*(size_t)count*sizeof *x), *y = hawser__behind(x, (size_t)count);
 	enum hawser_status status = HAWSER_OK;
 
 	if (!x)

@@ -55,7 +55,7 @@ static enum hawser_status place(double *at, const struct shifts *s, int model, d
                                 const struct edge *edge, struct hawser_report *report)
 {
 	double low = fmax(edge->at - edge->reach, s->from), high = fmin(edge->at + edge->reach, s->to);
-	int a, b, n;
+	int a, b = 0, n;
 	enum hawser_status status = number(&a, s, model, other, low, report);
 
 	*at = NAN;
@@ -79,7 +79,7 @@ static enum hawser_status place(double *at, const struct shifts *s, int model, d
 static enum hawser_status compare(struct hawser_map_shift *to, const struct shifts *s, double other,
                                   const struct edge *edge, double width, struct hawser_report *report)
 {
-	double at[MODELS], shift;
+	double at[MODELS] = {0.0}, shift;
 	enum hawser_status status = HAWSER_OK;
 
 	for (int m = 0; m < s->models && !status; m++)

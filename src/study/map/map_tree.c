@@ -15,7 +15,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "core/grow.h"
 #include "core/report.h"

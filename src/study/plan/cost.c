@@ -7,8 +7,12 @@
  *             sharper as it bends, which about doubles that number for each factor e by which the
  *             bend exceeds the width.
  *    time     a point takes POINT n^2 s where a factorisation of the reference matrix (below) takes
- *             REFERENCE s: orbit, multipliers and the search for events. bench/plan-times compares
- *             this with the times of runs; nine of ten are within the factor DOUBT.
+ *             REFERENCE s: orbit, multipliers and the search for events. bench/plan-times and
+ *             bench/defaults.py compare this with the times of runs; nine of ten are within the
+ *             factor DOUBT.
+ *    work     of full-order models: of the first draft (accuracy_full.c) DRAFT n^3 s as counted
+ *             (hawser_orbit_work) where the motion is a tenth of the distance of the supports; less
+ *             as a smaller one has fewer harmonics, and more by what the factors e of the bends add
  *
  * Tensor entries are counted, not computed. The cable is symmetric to its plane, so that a term of
  * the energy with an odd number of out-of-plane coordinates is zero. All other entries count.
@@ -34,15 +38,17 @@ static const double each = 22.0, each_fold = 12.0;
 #define REFERENCE 5e-5  /* s: the reference matrix, where these were measured */
 #define DOUBT 3.0        /* factor of the times that are stated; bench/plan-times */
 /* Curves of a search for an accuracy, with the weighing of modes and the peaks that are traced again,
- * and of `chosen`, for the modes that are kept in the end; and the seconds of a choice of modes: in the
- * mean of those scenes. */
-#define SEARCHED 6.6
+ * and of `chosen`, for the modes that are kept in the end; and the seconds of a choice among CHOICES
+ * modes, with the cube of their number: in the mean of those scenes. */
+#define SEARCHED 5.0
 #define CHOSEN 2.6
 #define CHOICE 0.1
-/* Number of curves whose work a response with the exact energy takes, drafts included: 0.1 to 2.5,
- * median 0.9, in 13 random scenes whose amplitude is 10 to 50 % of the sag; 1.3 with b-table-5.6.yaml,
- * 4.1 with deep-sag.yaml, 7.7 with conductor.yaml. */
-#define EXACT 1.2
+#define CHOICES 26
+/* s of work: of this, 1.0 to 3.7e-5 in 31 responses of random and shipped scenes (bench/defaults.py),
+ * but 0.6 and 0.8e-5 of two taut stays; where the motion is LARGE, relative to the distance. */
+#define DRAFT 2.5e-5
+#define LARGE 0.1
+#define COUNTED 2.0 /* s over work where the reference matrix takes REFERENCE: the same runs */
 
 /* 1: the i-th of the modes at `index` is out of the plane. */
 static int out(const struct hawser_survey *survey, const int *index, int i)
@@ -83,26 +89,49 @@ void hawser__count_entries(struct hawser_plan_row *row, const struct hawser_surv
 }
 
 /* Without resonances. */
-static double least_points(double from, double to)
+static double least_points(double from, double to, double longest)
 {
-	return fmax(1.0/step, fabs(log(to/from))/0.01);
+	return fmax(1.0/longest, fabs(log(to/from))*step/(0.01*longest));
 }
 
-static double points_of(const struct hawser_survey *survey)
+/* Number of the resonances in the range, the factors e by which their bends there exceed the widths,
+ * and the largest motion. */
+static int add_up(double *bends, double *motion, const struct hawser_survey *survey)
 {
 	const struct hawser_plan *plan = survey->plan;
 	double low = fmin(plan->from, plan->to), high = fmax(plan->from, plan->to);
-	double points = least_points(low, high);
+	int count = 0;
 
+	*bends = *motion = 0.0;
 	for (int i = 0; i < plan->resonances; i++) {
 		const struct hawser_plan_resonance *at = &plan->resonance[i];
-		double width = survey->raw.D[(size_t)at->mode*survey->raw.n + at->mode];
-		double bend = fabs(at->peak_omega - at->omega);
+		double width = survey->raw.D[(size_t)at->mode*survey->raw.n + at->mode], omega;
 
-		if (at->omega > low && at->omega < high)
-			points += each + each_fold*fmax(0.0, log(bend/width));
+		if (!(at->omega > low && at->omega < high))
+			continue;
+		count++;
+		*motion = fmax(*motion, at->motion*hawser__within(&omega, plan, at)/at->peak);
+		*bends += fmax(0.0, log(fabs(omega - at->omega)/width));
 	}
-	return points;
+	return count;
+}
+
+static double points_of(const struct hawser_survey *survey, double longest)
+{
+	const struct hawser_plan *plan = survey->plan;
+	double bends, motion;
+	int count = add_up(&bends, &motion, survey);
+
+	return least_points(fmin(plan->from, plan->to), fmax(plan->from, plan->to), longest) +
+	       each*count + each_fold*bends;
+}
+
+double hawser__draft_foreseen(const struct hawser_survey *survey, int n)
+{
+	double bends, motion;
+
+	add_up(&bends, &motion, survey);
+	return DRAFT*pow(n, 3.0)*(1.0 + bends)/(1.0 + fmax(0.0, log10(LARGE/fmax(motion, 1e-10))));
 }
 
 /* How much slower this machine is than that of the constants: the least time of a factorisation. */
@@ -134,43 +163,41 @@ static void take(struct hawser_plan_row *row, double points, double seconds)
 	row->estimated = 1;
 }
 
-void hawser__estimate_with(struct hawser_plan_row *row, double seconds)
-{
-	take(row, row->points, row->seconds + seconds);
-}
-
 static void state(struct hawser_plan_row *row, const struct hawser_survey *survey, double before,
-                  double curves, double point)
+                  double curves, double point, double longest)
 {
-	double points = points_of(survey);
+	double points = points_of(survey, longest);
 
 	take(row, points, survey->slowness*(before + curves*points*point*row->n*row->n));
 }
 
 void hawser__estimate_cost(struct hawser_plan_row *row, const struct hawser_survey *survey)
 {
-	state(row, survey, 0.0, 1.0, POINT);
+	state(row, survey, 0.0, 1.0, POINT, step);
 }
 
 void hawser__estimate_full_cost(struct hawser_plan_row *row, const struct hawser_survey *survey)
 {
-	state(row, survey, 0.0, 1.0, POINT_FULL);
+	state(row, survey, 0.0, 1.0, POINT_FULL, step);
 }
 
-/* The exact energy in place of modes: their response, drafts of full-order models, the last one's. */
-void hawser__estimate_exact_cost(struct hawser_plan_row *row, const struct hawser_survey *survey)
+/* Of full-order models after `row`, by their work: their response is the answer, or that of `row`. */
+void hawser__estimate_work(struct hawser_plan_row *row, const struct hawser_survey *survey, double work,
+                           double longest)
 {
-	state(row, survey, 0.0, EXACT, POINT_FULL);
+	take(row, longest > 0.0 ? points_of(survey, longest) : row->points,
+	     row->seconds + COUNTED*survey->slowness*work);
 }
 
 void hawser__estimate_chosen_cost(struct hawser_plan_row *row, const struct hawser_survey *survey)
 {
-	state(row, survey, CHOICE, CHOSEN, POINT);
+	state(row, survey, CHOICE, CHOSEN, POINT, step);
 }
 
-void hawser__estimate_auto_cost(struct hawser_plan_row *row, const struct hawser_survey *survey)
+void hawser__estimate_auto_cost(struct hawser_plan_row *row, const struct hawser_survey *survey,
+                                double candidates, double longest)
 {
-	state(row, survey, CHOICE, SEARCHED, POINT);
+	state(row, survey, CHOICE*pow(candidates/CHOICES, 3.0), SEARCHED, POINT, longest);
 }
 
 void hawser__estimate_closed_cost(struct hawser_plan_row *row, const struct hawser_survey *survey)
@@ -181,7 +208,7 @@ void hawser__estimate_closed_cost(struct hawser_plan_row *row, const struct haws
 void hawser_plan_model(struct hawser_plan_row *row, const struct hawser_rom *rom, double from,
                        double to, const double *natural, int naturals)
 {
-	double points = least_points(from, to);
+	double points = least_points(from, to, step);
 
 	*row = (struct hawser_plan_row){.n = rom->n, .quads = rom->quads, .cubics = rom->cubics,
 	                                .omega_error = NAN, .worst = -1};

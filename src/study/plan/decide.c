@@ -262,13 +262,16 @@ static void decide_response(struct hawser_plan *plan, const struct hawser_survey
 
 	if (isnan(fixed->estimated))
 		return;
-	decide(plan, "exact energy in a response", survey->instead == HAWSER__INSTEAD, "the scene's modes "
+	decide(plan, "exact energy in a response", survey->instead == HAWSER__INSTEAD ||
+	    survey->instead == HAWSER__PARTLY, "the scene's modes "
 	    "are off by %s%.2g, of which %s%.2g with any number of modes, in the resonances below%s",
 	    fixed->estimated < 1.0 ? "about " : "more than ", fixed->estimated,
 	    fixed->truncation < 1.0 ? "" : "more than ", fmin(fixed->truncation, 1.0),
 	    survey->instead == HAWSER__INSTEAD ? ": hawser frf takes full-order models" :
-	    survey->instead == HAWSER__TOO_LONG ? ": hawser frf takes full-order models for as much of "
-	                                          "the range as they cover in a bearable time" : "");
+	    survey->instead == HAWSER__PARTLY ? ": hawser frf takes full-order models for as much of the "
+	                                        "range as they cover in a bearable time" :
+	    survey->instead == HAWSER__TOO_LONG ? "; full-order models take more time than is spent unasked"
+	                                        : "");
 }
 
 enum hawser_status hawser__decide(struct hawser_plan *plan, const struct hawser_survey *survey,

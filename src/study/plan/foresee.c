@@ -29,9 +29,8 @@ enum { ROWS = 32 }; /* phases of a period: resolves 16 harmonics */
 #define FAINT 0.25  /* smallest motion beside the largest that is weighed; chosen, below the half of
                      * the peaks whose error hawser frf states */
 
-/* Largest amplitude of a resonance within the range, and its frequency there. */
-static double within(double *omega, const struct hawser_plan *plan,
-                     const struct hawser_plan_resonance *at)
+double hawser__within(double *omega, const struct hawser_plan *plan,
+                      const struct hawser_plan_resonance *at)
 {
 	double gamma = (at->peak_omega - at->omega)/(at->peak*at->peak), a = at->peak;
 	double room = gamma > 0.0 ? fmax(plan->from, plan->to) - at->omega
@@ -137,7 +136,7 @@ enum hawser_status hawser__foresee_motions(struct hawser_survey *survey, struct 
 		return hawser__no_memory(report, "plan");
 	for (int i = 0; !status && i < plan->resonances; i++, u += size) {
 		double *omega = &survey->omega[survey->motions++];
-		double a = within(omega, plan, &plan->resonance[i]);
+		double a = hawser__within(omega, plan, &plan->resonance[i]);
 
 		most = fmax(most, a);
 		status = respond(u, a, plan->resonance[i].mode, *omega, survey, report);

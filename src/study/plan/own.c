@@ -6,11 +6,16 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "study/accuracy/accuracy.h"
 #include "study/accuracy/survey.h"
 
-enum { FUNCTIONS = 12 }; /* of the smallest basis that most scenes need */
-#define COMMAND 0.1 /* s: reading, statics, modes, model, its error and the peaks; median of 12 random
-                     * scenes whose modes are good enough */
+/* Work, s (hawser_orbit_work): reading, statics, modes, model, its error and the peaks. */
+#define COMMAND 0.06
+/* Work of bases that tell an error over that of the first draft, 1.1 to 2.0 (bench/defaults.py). */
+#define COMPARED 1.5
+/* The same of a search that ends once the first draft has shown that all takes too long, within its
+ * first 10 to 100 %: the mean of their logarithms. */
+#define GIVEN_UP 0.3
 
 static const struct hawser_fidelity *named(const char *name)
 {
@@ -28,6 +33,21 @@ static struct hawser_plan_row made(const char *fidelity, double number)
 		.points = NAN, .seconds = NAN, .least = NAN, .most = NAN, .omega_error = NAN, .worst = -1};
 }
 
+double hawser__draft_of(struct hawser_plan_row *full, const struct hawser_survey *survey, int most,
+                        double accuracy)
+{
+	const struct hawser_plan *plan = survey->plan;
+	const struct hawser_accuracy_bases of = {&plan->modes, survey->scene, fmax(plan->from, plan->to),
+	                                         accuracy, most};
+	int functions = (int)full->choice.number;
+	struct hawser_rom rom = {.n = 0};
+
+	full->n = hawser_accuracy_basis(&rom, &functions, &of, 0, NULL) ? 0 : rom.n;
+	full->choice.number = functions;
+	hawser_rom_clear(&rom);
+	return hawser__draft_foreseen(survey, full->n);
+}
+
 /* Whether full-order models answer in place of `row`, and what they cost. */
 static void exceed(struct hawser_plan_row *row, struct hawser_survey *survey)
 {
@@ -35,16 +55,25 @@ static void exceed(struct hawser_plan_row *row, struct hawser_survey *survey)
 	double limit = hawser_scene_written(scene, "model.accuracy") ? scene->model.accuracy : 0.0;
 	struct hawser_frf_options frf = {.method = NULL};
 	struct hawser_accuracy_options asked = hawser_accuracy_instead(&survey->fixed, limit > 0.0, &frf);
-	struct hawser_plan_row full = made("full", FUNCTIONS);
+	struct hawser_plan_row full = made("full", 0.0);
+	double accuracy = asked.accuracy > 0.0 ? asked.accuracy : scene->model.accuracy, work, drafted;
 
 	if (scene->model.energy != HAWSER_ENERGY_AUTO || !hawser_accuracy_poor(&survey->fixed, limit))
 		return;
-	full.n = 3*FUNCTIONS;
-	hawser__estimate_exact_cost(&full, survey);
-	survey->instead = full.seconds <= asked.bearable ? HAWSER__INSTEAD : HAWSER__TOO_LONG;
-	if (survey->instead == HAWSER__TOO_LONG)
+	drafted = hawser__draft_of(&full, survey, asked.most_functions, accuracy);
+	work = HAWSER__SEARCHED*drafted;
+	if (full.n == 0)
 		return;
-	full.omega_error = asked.accuracy > 0.0 ? asked.accuracy : scene->model.accuracy;
+	survey->instead = work <= asked.bearable ? HAWSER__INSTEAD
+	                  : asked.partial ? HAWSER__PARTLY : HAWSER__TOO_LONG;
+	if (survey->instead == HAWSER__TOO_LONG) {
+		hawser__estimate_work(row, survey, GIVEN_UP*drafted, 0.0);
+		return;
+	}
+	full.seconds = row->seconds; /* of the modes, whose error tells */
+	hawser__estimate_work(&full, survey, fmin(work, asked.bearable),
+	                      hawser__accuracy_settle(&asked, accuracy).step_max);
+	full.omega_error = accuracy;
 	snprintf(full.why, sizeof full.why, "what is asked of full-order models, which agree to it");
 	*row = full;
 }
@@ -53,13 +82,16 @@ static void exceed(struct hawser_plan_row *row, struct hawser_survey *survey)
  * error. */
 static void compare_unweighed(struct hawser_plan_row *row, const struct hawser_survey *survey)
 {
-	struct hawser_plan_row full = made("full", FUNCTIONS);
+	struct hawser_frf_options frf = {.method = NULL};
+	struct hawser_accuracy_options asked = hawser_accuracy_instead(NULL, 0, &frf);
+	struct hawser_plan_row full = made("full", hawser__accuracy_fewest(&survey->plan->modes.statics));
+	double drafted;
 
 	if (survey->scene->model.energy != HAWSER_ENERGY_AUTO || survey->raw.drag || isnan(row->seconds))
 		return;
-	full.n = 3*FUNCTIONS;
-	hawser__estimate_exact_cost(&full, survey);
-	hawser__estimate_with(row, fmin(full.seconds, HAWSER_INSTEAD_FOR_ERROR*survey->slowness));
+	drafted = hawser__draft_of(&full, survey, asked.most_functions,
+	                           HAWSER__BASIS_PART*asked.accuracy);
+	hawser__estimate_work(row, survey, fmin(COMPARED*drafted, HAWSER_INSTEAD_FOR_ERROR), 0.0);
 }
 
 enum hawser_status hawser__estimate_own(struct hawser_plan_row *row, struct hawser_survey *survey,
@@ -80,7 +112,7 @@ enum hawser_status hawser__estimate_own(struct hawser_plan_row *row, struct haws
 	*row = made(fidelity, number);
 	row->choice.fidelity->estimate(row, survey);
 	if (isfinite(row->seconds))
-		hawser__estimate_with(row, COMMAND);
+		hawser__estimate_work(row, survey, COMMAND, 0.0);
 	survey->fixed.estimated = NAN;
 	if (strcmp(fidelity, "condensed") != 0)
 		return HAWSER_OK;
