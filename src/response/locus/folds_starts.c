@@ -34,9 +34,10 @@
 #define PERIODS 60    /* largest number of periods in which a motion settles; chosen */
 #define TRY 10        /* periods between looks at it; chosen */
 #define SETTLED 1e-3  /* relative change over a period of a settled motion: Newton's method goes on */
-#define FINER 2       /* steps of a period relative to those of small motions; chosen */
+#define FINER 2       /* steps of a period relative to those of small motions, with which motions are
+                       * integrated again that grow without bound with the same; chosen */
 #define FEWEST 8      /* frequencies; chosen */
-#define UNASKED 4.0   /* s, as counted (hawser_orbit_work): work to which a default number of motions is
+#define UNASKED 2.0   /* s, as counted (hawser_orbit_work): work to which a default number of motions is
                        * reduced, but not below FEWEST frequencies; chosen */
 #define ALIKE 1e-4    /* largest relative difference of amplitudes of the same orbit; chosen, above the
                        * errors of orbits and below their distances */
@@ -192,7 +193,7 @@ static void random_state(struct hunt *hunt, double *x)
 
 static int steps_at(const struct hunt *hunt, double omega)
 {
-	return FINER*hawser__shooting_steps(hunt->search->rom, omega, 1);
+	return hawser__shooting_steps(hunt->search->rom, omega, 1);
 }
 
 /* The frequency g of a grid of `count`. */
@@ -221,10 +222,11 @@ static int frequencies(const struct hunt *hunt)
 }
 
 /* The motions from AT_EACH pseudo-random states until each has settled: they differ in nothing else, so
- * that they are integrated side by side. One that grows without bound is not finite at its end. */
-static void settle(struct hunt *hunt, double omega)
+ * that they are integrated side by side. One that grows without bound is not finite at its end. Returns
+ * whether all are finite. */
+static int settle(struct hunt *hunt, double omega, int finer)
 {
-	int m = 2*hunt->search->rom->n, moving = AT_EACH, steps = steps_at(hunt, omega);
+	int m = 2*hunt->search->rom->n, moving = AT_EACH, steps = finer*steps_at(hunt, omega);
 	struct hawser__stretch period = {.h = 2.0*M_PI/steps, .steps = steps, .count = AT_EACH};
 	double *now = hunt->now;
 	int settled[AT_EACH] = {0};
@@ -236,7 +238,7 @@ static void settle(struct hunt *hunt, double omega)
 		hawser__flow_map(&hunt->flow, now, NULL, &period, omega);
 		if (p % TRY == 0 && hawser__fold_told_to_stop(hunt->search, "detached curves", "frequencies",
 		                                              hunt->search->folds->starts.frequencies))
-			return;
+			return 1;
 		for (int i = 0; i < AT_EACH; i++) {
 			double *x = now + i*m;
 
@@ -248,6 +250,7 @@ static void settle(struct hunt *hunt, double omega)
 			moving -= settled[i];
 		}
 	}
+	return isfinite(cblas_dasum(AT_EACH*m, hunt->start, 1));
 }
 
 /* --- curves --- */
@@ -328,10 +331,14 @@ static enum hawser_status at_frequency(struct hunt *hunt, double omega)
 {
 	struct hawser_folds *folds = hunt->search->folds;
 	int curves = -1, m = 2*folds->n, before = folds->starts.starts;
+	uint64_t random = hunt->random;
 	struct hawser_orbit_cost cost = {.flops = -hunt->flow.flops};
 	enum hawser_status status = HAWSER_OK;
 
-	settle(hunt, omega);
+	if (!settle(hunt, omega, 1)) {
+		hunt->random = random;
+		settle(hunt, omega, FINER);
+	}
 	cost.flops += hunt->flow.flops;
 	hunt->search->walk.work += hawser_orbit_work(&cost, hunt->search->rom);
 	for (int i = 0; !status && i < AT_EACH && !ended(hunt); i++) {

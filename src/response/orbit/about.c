@@ -221,8 +221,7 @@ static enum hawser_status find(struct hawser__about *about, struct hawser__raise
 		}
 		status = open_orbit(&orbit, &y, rom, omega, report);
 		if (!status)
-			status = respond(y, orbit, &correction, fmin(tolerance, raised->rough), raised, omega,
-			                 report);
+			status = respond(y, orbit, &correction, tolerance, raised, omega, report);
 		lost = status == HAWSER_ERR_CONVERGENCE && raised->load >= 0.0 && !raised->turned;
 		if (!status) {
 			hawser__balance_transform((struct hawser__balance *)orbit);
