@@ -216,7 +216,7 @@ static void search_parts(double unit)
 	double distance;
 
 	search(&whole, unit, 1.15, 100.0, 0.0);
-	search(&part, unit, 1.15, 0.5, 0.0);
+	search(&part, unit, 1.15, 0.4, 0.0);
 	search(&none, unit, 1.15, 0.01, 0.0);
 	search(&dear, unit, 0.92, 0.25, 2e-4);
 	ok(whole.reached && isnan(whole.until), "the whole range");

@@ -82,6 +82,7 @@ struct hawser__balance {
 	double *top_block;       /* [top_count][top_count] M's last harmonics */
 	float *top_factors;      /* [top_count + 1][top_count] their factors, and a right side */
 	int top_from, top_count; /* the first of these harmonics, number of their unknowns */
+	int top_more;            /* 1: one harmonic more: new factors took many iterations */
 	int *top_pivot;          /* [top_count] */
 	double *row;             /* [size] the row of which the border is made */
 	double *rest;            /* [3][P + 1] scratch */

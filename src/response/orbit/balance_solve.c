@@ -33,6 +33,7 @@
 #define NEWTON_RESIDUAL 1e-5 /* relative: far below the contraction required of the corrector */
 #define TANGENT_RESIDUAL 1e-11 /* relative; at a fold the Omega component of the tangent is 0 */
 #define TRIED 6 /* iterations after which a solution with old factors may be given up; chosen */
+#define MANY 9 /* iterations with new factors, after which these are made better; chosen */
 #define INVERSE_ITERATIONS 3 /* for the norm of the inverse, of which two digits are used */
 /* A factorisation takes the time of P/FACTOR_COST iterations (measured for P from 100 to 600: the
  * factorisation is limited by the processor, an iteration by the memory). */
@@ -401,6 +402,7 @@ static int gmres(struct hawser__balance *balance, double *x, double goal)
 	balance->spent += k;
 	balance->iterations += k;
 	balance->base.cost.dense += k*applied(balance);
+	balance->top_more |= balance->blockwise && balance->fresh && k > MANY;
 	/* false for a NaN, too */
 	if (!(fabs(H.g[k]) <= goal*length))
 		return 1;
