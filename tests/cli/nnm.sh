@@ -59,5 +59,15 @@ import json
 curve, = json.load(open("level.json"))["curves"]
 assert {1, -1} <= set(curve["signs"]) and curve["points"][-1]["energy_gap"] < 1e-8
 END
+for step in 0.05 0.03; do
+	"$HAWSER" nnm "$scenes/level-two-to-one.yaml" -n 4 --step $step --json "level$step.json" -q 2>/dev/null
+	"$HAWSER" nnm "$scenes/conductor.yaml" -n 4 --step $step --json "conductor$step.json" -q 2>/dev/null
+done
+python "branch points do not depend on the steps" <<'END'
+import json
+for name, first in ("level", 3), ("conductor", 3):
+    a, b = (json.load(open(name + step + ".json"))["curves"][0]["branch_points"][:first] for step in ("0.05", "0.03"))
+    assert len(a) == first and all(abs(p["energy"]/q["energy"] - 1) < 5e-6 for p, q in zip(a, b)), (a, b)
+END
 refuses_like 1 "branches" nnm "$scenes/two-masses.json" --branches -1
 done_testing

@@ -12,7 +12,12 @@
 static const char where[] = "backbone";
 
 #define SAME 1e-4  /* relative difference of branch points that are one; chosen */
+/* Pivot, where rows of the whole derivative have the length 1: singular all along the curve, as where
+ * planes are equal; larger than the error of integration, chosen. */
+#define NOTHING 1e-6
 #define CLOSE 1e-6 /* width of the bracket of a branch point, relative to the step; chosen */
+#define BESIDE 1e-4 /* the same in the motion's own class: nearer to it, corrections are round-off
+                     * divided by a small pivot; chosen */
 
 enum { MOST = 40 }; /* tries for a branch point */
 
@@ -35,7 +40,7 @@ static enum hawser_status add(struct hawser_backbone *to, const double *start,
 	return HAWSER_OK;
 }
 
-static void evaluate(struct hawser__free_walk *walk, int e, double *to)
+static void evaluate(struct hawser__free_walk *walk, int e, double least, double *to)
 {
 	double value;
 
@@ -43,7 +48,7 @@ static void evaluate(struct hawser__free_walk *walk, int e, double *to)
 		to[1] = hawser__half_determinant(&walk->half, &to[0]);
 		return;
 	}
-	value = hawser__half_class_determinant(&walk->half, (e + 1)/2, e % 2 == 0);
+	value = hawser__half_class_determinant(&walk->half, (e + 1)/2, e % 2 == 0, least);
 	to[0] = (value > 0.0) - (value < 0.0);
 	to[1] = value != 0.0 ? log(fabs(value)) : 0.0;
 }
@@ -51,16 +56,16 @@ static void evaluate(struct hawser__free_walk *walk, int e, double *to)
 void hawser__free_events(struct hawser__free_walk *walk, double *event)
 {
 	for (int e = 0; e < (walk->options->branches ? walk->events : 1); e++)
-		evaluate(walk, e, event + 2*(size_t)e);
+		evaluate(walk, e, NOTHING, event + 2*(size_t)e);
 }
 
 /* at = the point at the share s of the step, by interpolation; at_t its tangent. */
 static void interpolate(struct hawser__free_walk *walk, double s)
 {
-	for (int k = 0; k < walk->half.base.size; k++) {
-		walk->at[k] = walk->y[k] + s*(walk->next[k] - walk->y[k]);
-		walk->at_t[k] = walk->t[k] + s*(walk->next_t[k] - walk->t[k]);
-	}
+	const struct hawser__node from = {walk->y, walk->t}, to = {walk->next, walk->next_t};
+	const struct hawser__metric metric = hawser__orbit_metric(&walk->half.base);
+
+	hawser__curve_between(walk->at, walk->at_t, &from, &to, s, &metric);
 }
 
 /* The same, corrected; *value: its determinant, relative. Where the kernel has two dimensions, the
@@ -76,7 +81,7 @@ static enum hawser_status between(struct hawser__free_walk *walk, int e, double 
 	status = hawser__free_correct(walk, walk->at, walk->at_t, &correction, failed, walk->report);
 	if (status || *failed)
 		return status;
-	evaluate(walk, e, to);
+	evaluate(walk, e, 0.0, to);
 	*value = to[0]*exp(fmin(to[1] - walk->event[2*e + 1], 600.0));
 	return HAWSER_OK;
 }
@@ -139,8 +144,8 @@ static enum hawser_status add_branch(struct hawser__free_walk *walk, int e)
 	return status;
 }
 
-/* The branch point in the step: the determinant with the tangent changes its sign. Near it the system
- * is nearly singular and corrections may fail; the zero is then extrapolated from the bracket. */
+/* The branch point in the step: the determinant with the tangent changes its sign. Near one of the own
+ * class the system is nearly singular: the zero is that of the line through the bracket. */
 static enum hawser_status find_branch(struct hawser__free_walk *walk, int e)
 {
 	struct hawser__bracketed in = {.a = 0.0, .b = 1.0, .fa = walk->event[2*e]};
@@ -149,7 +154,7 @@ static enum hawser_status find_branch(struct hawser__free_walk *walk, int e)
 	enum hawser_status status = HAWSER_OK;
 
 	in.fb = walk->next_event[2*e]*exp(fmin(walk->next_event[2*e + 1] - walk->event[2*e + 1], 600.0));
-	for (int i = 0; i < MOST && in.b - in.a > CLOSE && !failed; i++) {
+	for (int i = 0; i < MOST && in.b - in.a > (e > 0 ? CLOSE : BESIDE) && !failed; i++) {
 		s = hawser__false_position(&in, i);
 		if ((status = between(walk, e, s, &value, &failed)))
 			return status;
@@ -163,8 +168,8 @@ static enum hawser_status find_branch(struct hawser__free_walk *walk, int e)
 		if (!failed)
 			hawser__false_position_take(&in, s, value);
 	}
-	interpolate(walk, failed ? hawser__false_position(&in, 0) : s);
-	if (!failed) {
+	interpolate(walk, failed || e == 0 ? hawser__false_position(&in, 0) : s);
+	if (!failed && e > 0) {
 		struct hawser__correction correction;
 
 		status = hawser__free_correct(walk, walk->at, walk->at_t, &correction, &failed, walk->report);

@@ -63,8 +63,8 @@ double hawser__half_length(const struct hawser__half *half, int j, int other);
 
 /* half_class.c: at the last derived defects, for a class that is at rest: the determinant whose
  * zero says that a motion of it begins, of its signs or (other) of the opposite ones; relative, and
- * 0 within its error. The factors are lost. And s [n + 1]: that motion, of length 1. */
-double hawser__half_class_determinant(struct hawser__half *half, int c, int other);
+ * 0 where a pivot is below `least`. The factors are lost. And s [n + 1]: that motion, of length 1. */
+double hawser__half_class_determinant(struct hawser__half *half, int c, int other, double least);
 enum hawser_status hawser__half_class_other(struct hawser__half *half, double *s, int c, int other,
                                             struct hawser_report *report);
 

@@ -9,10 +9,6 @@
 
 static const char where[] = "backbone";
 
-/* Pivot, where rows of the whole derivative have the length 1: singular all along the curve, as where
- * planes are equal; larger than the error of integration, chosen. */
-#define NOTHING 1e-6
-
 /* block [count][count], column-major: the part of class `c` with its sign or the opposite one.
  * Returns its size. */
 static int block_of(const struct hawser__half *half, double *block, int c, int other)
@@ -32,7 +28,7 @@ static int block_of(const struct hawser__half *half, double *block, int c, int o
 	return count;
 }
 
-double hawser__half_class_determinant(struct hawser__half *half, int c, int other)
+double hawser__half_class_determinant(struct hawser__half *half, int c, int other, double least)
 {
 	double value = 1.0;
 	int count = block_of(half, half->matrix, c, other);
@@ -51,7 +47,7 @@ double hawser__half_class_determinant(struct hawser__half *half, int c, int othe
 	for (int j = 0; j < count; j++) {
 		double pivot = half->matrix[(size_t)j*count + j];
 
-		if (fabs(pivot) < NOTHING)
+		if (fabs(pivot) < least)
 			return 0.0;
 		value *= half->pivot[j] != j + 1 ? -pivot : pivot;
 	}

@@ -27,6 +27,8 @@
 
 #define TOLERANCE 1e-8 /* of the orbit: well below the 1e-10 of multipliers; chosen */
 #define FINE 1e-5      /* of the orbits on the way where rough ones lose it; chosen */
+#define PASSED 0.05    /* size of a coordinate, relative to the orbit, below which rough orbits may
+                        * pass its folds unnoticed; chosen */
 #define SURE 0.01      /* tolerance, relative to a coordinate, with which it is followed; chosen */
 #define NOTHING 1e-13   /* harmonics of T below this times Omega^2 change no exponent by more than the
                          * error of the orbit; chosen */
@@ -229,7 +231,7 @@ static enum hawser_status find(struct hawser__about *about, struct hawser__raise
 		}
 		if (!status && !raised->way) /* small coordinates of guides are not determined */
 			status = hawser__start_reversed(&small, y, orbit, omega, HAWSER__SEEN*tolerance,
-			                                HAWSER__SEEN*raised->rough, report);
+			                                raised->slow ? HAWSER__SEEN*raised->rough : PASSED, report);
 		about->unsure = about->counts && !raised->slow;
 		if (!status && !raised->slow && !about->counts && small == 0.0)
 			status = is_behind(&behind, about, omega, report);

@@ -27,8 +27,6 @@
 #define BEND 0.1        /* that for which the next step is meant */
 #define SHIFT 0.02      /* distance, relative to the orbit, by which rough orbits are off the curve
                          * where it turns sharply, however short the step is */
-#define LEAST_ROUGH 0.1 /* least size of a coordinate in steps of rough orbits, relative to the orbit:
-                         * with less they take a tenth longer; chosen */
 #define SAME 0.9        /* if half the step is off its prediction by this part of what the whole step
                          * was, or more, the two orbits have different harmonics; chosen */
 enum { MOST_STEPS = 500 }; /* a closed curve, to which a guide may lead, has no end; chosen */
@@ -162,12 +160,18 @@ int hawser__climb_pass(struct hawser__climb *climb, const double *y, double load
 	return raised->way && hawser__way_add(raised->way, load, y, orbit->size - 1) ? 3 : 0;
 }
 
+/* Rough orbits are compared as a whole: by coordinate, many would count as lost. */
+static double own_part(double rough)
+{
+	return rough < HAWSER__ON_THE_WAY ? rough : 1.0;
+}
+
 /* t of length 1, relative to each coordinate of the orbit, and to the load; and its dual. */
 static void direct(struct hawser__climb *climb, int count, int n, double rough)
 {
 	double *t = climb->t, length, sum = pow(t[count]/climb->load, 2);
 	int here = used(climb->good, count), moves = used(t, count);
-	double part = rough < HAWSER__ON_THE_WAY ? HAWSER__SEEN*rough : LEAST_ROUGH;
+	double part = fmin(1.0, HAWSER__SEEN*own_part(rough));
 	double least = part*part*squares(climb->good, here, 1, 0);
 
 	memset(climb->row, 0, (size_t)count*sizeof *t);
@@ -272,7 +276,8 @@ static int begin_again(double *y, struct hawser__climb *climb, struct hawser__or
 	failed = correct_arc(y, climb, orbit, correction, omega, rough, report);
 	if (failed > 1)
 		return failed;
-	if (failed || hawser__orbit_distance(y, count, climb->good, count, orbit->n, rough) > SHIFT) {
+	if (failed || hawser__orbit_distance(y, count, climb->good, count, orbit->n,
+	                                     own_part(rough)) > SHIFT) {
 		direct(climb, orbit->size - 1, orbit->n, rough);
 		return 0;
 	}
@@ -310,7 +315,7 @@ static int follow_arc(double *y, struct hawser__climb *climb, struct hawser__orb
 			y[k] = climb->guess[k] = climb->good[k] + step*climb->t[k];
 		failed = correct_arc(y, climb, orbit, correction, omega, raised->rough, report);
 		off = failed ? INFINITY : hawser__orbit_distance(y, count, climb->guess, count, orbit->n,
-		                                                raised->rough)/step;
+		                                                own_part(raised->rough))/step;
 		if (failed > 1)
 			return failed;
 		if (!failed)
