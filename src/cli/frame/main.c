@@ -246,12 +246,14 @@ static void unpacked_units(void)
 {
 #ifdef __linux__
 	/* the name by which the system started the program: /proc need not be there */
+	/* NOLINTNEXTLINE(performance-no-int-to-ptr): the system gives an address so */
 	const char *name = (const char *)getauxval(AT_EXECFN);
 	char *program = name ? realpath(name, NULL) : NULL, *slash = program ? strrchr(program, '/') : NULL;
 	char *path = slash ? malloc((size_t)(slash - program) + sizeof unit_file) : NULL;
 
 	if (path) {
 		memcpy(path, program, (size_t)(slash - program));
+		/* NOLINTNEXTLINE(clang-analyzer-security.insecureAPI.strcpy): path has its room */
 		strcpy(path + (slash - program), unit_file);
 		if (access(path, R_OK) == 0)
 			(void)setenv("UDUNITS2_XML_PATH", path, 0);

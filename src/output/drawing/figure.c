@@ -76,8 +76,8 @@ static const char *title_of(const struct hawser__figure *figure, int axis)
 /* The range that the user has chosen, which is for the first panel and those with its axis, or NULL. */
 static const struct hawser__picture_range *chosen_range(const struct hawser__figure *figure, int axis)
 {
-	return panel_axis(figure, axis)->other || strcmp(title_of(figure, axis), figure->first[axis])
-		? NULL : hawser__picture_range_of(axis);
+	return !panel_axis(figure, axis)->other && !strcmp(title_of(figure, axis), figure->first[axis])
+		? hawser__picture_range_of(axis) : NULL;
 }
 
 int hawser__figure_marked(const struct hawser__figure *figure, int axis, double *place)
