@@ -246,7 +246,6 @@ static void unpacked_units(void)
 {
 #ifdef __linux__
 	/* the name by which the system started the program: /proc need not be there */
-	/* NOLINTNEXTLINE(performance-no-int-to-ptr): the system gives an address so */
 	const char *name = (const char *)getauxval(AT_EXECFN);
 	char *program = name ? realpath(name, NULL) : NULL, *slash = program ? strrchr(program, '/') : NULL;
 	char *path = slash ? malloc((size_t)(slash - program) + sizeof unit_file) : NULL;
