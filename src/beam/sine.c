@@ -24,44 +24,23 @@ struct pair {
 	double ss, s1s1, s2s2, xs1s1, ss1, s1s2;
 };
 
-/* sin(a pi x), sin(b pi x); a, b >= 1. */
-static struct pair sines(int a, int b)
+/* sin(a pi x), sin(b pi x), a, b >= 1; or the cosines, a, b >= 0. */
+static struct pair product(int a, int b, int cosines)
 {
 	double p = pi*a, q = pi*b;
 	struct pair it = {0};
 
 	if (a == b) {
-		it.ss = 0.5;
+		it.ss = cosines && !a ? 1.0 : 0.5;
 		it.s1s1 = 0.5*p*p;
 		it.s2s2 = 0.5*p*p*p*p;
 		it.xs1s1 = 0.25*p*p;
 	} else if (odd(a, b)) {
-		double sum = a + b, difference = a - b;
+		double sum = a + b, difference = a - b, sign = cosines ? -1.0 : 1.0;
 
-		it.xs1s1 = -a*(double)b*(1.0/(difference*difference) + 1.0/(sum*sum));
-		it.ss1 = 2.0*a*b/(sum*difference);
-		it.s1s2 = 2.0*p*q*b*b/(sum*difference);
-	}
-	return it;
-}
-
-/* cos(a pi x), cos(b pi x); a, b >= 0. */
-static struct pair cosines(int a, int b)
-{
-	double p = pi*a, q = pi*b;
-	struct pair it = {0};
-
-	if (a == b) {
-		it.ss = a ? 0.5 : 1.0;
-		it.s1s1 = 0.5*p*p;
-		it.s2s2 = 0.5*p*p*p*p;
-		it.xs1s1 = 0.25*p*p;
-	} else if (odd(a, b)) {
-		double sum = a + b, difference = a - b;
-
-		it.xs1s1 = -a*(double)b*(1.0/(difference*difference) - 1.0/(sum*sum));
-		it.ss1 = 2.0*b*b/(sum*difference);
-		it.s1s2 = 2.0*p*q*a*b/(sum*difference);
+		it.xs1s1 = -a*(double)b*(1.0/(difference*difference) + sign/(sum*sum));
+		it.ss1 = 2.0*(cosines ? b : a)*b/(sum*difference);
+		it.s1s2 = 2.0*p*q*(cosines ? a : b)*b/(sum*difference);
 	}
 	return it;
 }
@@ -82,7 +61,7 @@ static void fill_clamped(struct hawser_beam_integrals *is, int j, int k)
 
 	for (int a = -1; a <= 1; a += 2)
 		for (int b = -1; b <= 1; b += 2) {
-			struct pair it = cosines(j + a, k + b);
+			struct pair it = product(j + a, k + b, 1);
 
 			add(is, x, 0.25*a*b, &it);
 		}
@@ -105,7 +84,7 @@ static enum hawser_status fill(struct hawser_beam_integrals *is, enum hawser_bea
 				fill_clamped(is, j, k);
 				continue;
 			}
-			it = sines(j, k);
+			it = product(j, k, 0);
 			add(is, (size_t)(j - 1)*(size_t)n + (size_t)(k - 1), 1.0, &it);
 		}
 	return status;

@@ -59,7 +59,7 @@ static enum hawser_status parse(struct grid *grid, int line, char *text)
 
 	for (int k = 0; k < 2; k++)
 		if (!strncasecmp(at, counts[k], strlen(counts[k]))) {
-			grid->given[k] = atoi(at + strlen(counts[k]));
+			grid->given[k] = (int)strtol(at + strlen(counts[k]), NULL, 10);
 			return grid->given[k] >= 2 ? HAWSER_OK
 				: wrong(grid, line, "%s must be a number from 2 on", counts[k]);
 		}

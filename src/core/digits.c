@@ -159,6 +159,7 @@ static char *put(char *to, const char *digit, int count, int X)
 	if (X < -4 || X >= DIGITS)
 		return put_exponent(put_digits(to, digit, count, 1), X);
 	if (X < 0) {
+		/* NOLINTNEXTLINE(bugprone-not-null-terminated-result): more follows */
 		memcpy(to, "0.0000", 6);
 		to += 1 - X;
 		memcpy(to, digit, (size_t)count);

@@ -54,5 +54,5 @@ int hawser__path_element(char *path)
 	if (digits < 1 || digits > 2 || dot[1 + digits])
 		return -1;
 	*dot = '\0';
-	return atoi(dot + 1);
+	return (int)strtol(dot + 1, NULL, 10);
 }

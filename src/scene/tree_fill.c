@@ -61,6 +61,7 @@ static void forms_of(char *text, size_t size, const char *path)
 	*text = '\0';
 	for (const struct hawser__tree_key *row = hawser__tree_next(NULL, path), *after; row; row = after) {
 		static const char *const sort[] = {"a number", "a whole number", NULL, "a name", NULL,
+		                                   /* NOLINTNEXTLINE(bugprone-suspicious-missing-comma): one text */
 		                                   "a fraction of the length such as 40 %, or a length such as "
 		                                   "12 m", "a mapping", "a list"};
 		const char *between;
@@ -228,7 +229,7 @@ int hawser__tree_default(double *value, int most, const char *given)
 		if (end == begin)
 			return 0;
 	}
-	return *end && strcmp(end, "]") ? 0 : count;
+	return *end && strcmp(end, "]") != 0 ? 0 : count;
 }
 
 /* Store a default; words about a default are none. */
@@ -301,7 +302,7 @@ static enum hawser_status choose(struct hawser__reader *reader, void *to,
 	for (const struct hawser__tree_key *row = first, *after; row; row = after, number++) {
 		const char *key = hawser__tree_key_of(row->path, of);
 		const struct hawser__tree *one = hawser__tree_find(tree, key);
-		const char *unit = row->unit && strcmp(row->unit, "1") ? row->unit : "";
+		const char *unit = row->unit && strcmp(row->unit, "1") != 0 ? row->unit : "";
 
 		after = rival_of(row, of);
 		hawser__append(keys, sizeof keys, after ? ", " : " and ", "%s", key);

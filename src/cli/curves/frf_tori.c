@@ -123,6 +123,7 @@ static const char *sentence(enum hawser_tori_end end)
 static void comment(struct hawser__table *table, const struct cli_frf_result *result, int k)
 {
 	const struct hawser_tori *tori = &result->tori[k];
+	/* NOLINTNEXTLINE(clang-analyzer-core.NullDereference): k is below their number */
 	const struct hawser_tori_point *last = tori->point + tori->points - 1;
 	double per = cli_per_omega(result->model), worst = 0.0;
 	const struct cli_over *over = result->over;

@@ -368,8 +368,7 @@ static void keep(char **into, const char *line)
 
 	if (!text)
 		return;
-	memcpy(text + used, line, more);
-	memcpy(text + used + more, "\n", 2);
+	snprintf(text + used, more + 2, "%s\n", line);
 	*into = text;
 }
 

@@ -77,7 +77,7 @@ static enum hawser_status not_among(const struct cli_option *option, const char 
 	size_t used = 0;
 
 	for (const char *c = option->words; *c && used < sizeof list - 2; c++) {
-		list[used++] = *c == '|' ? ',' : *c;
+		list[used++] = (char)(*c == '|' ? ',' : *c);
 		if (*c == '|')
 			list[used++] = ' ';
 	}

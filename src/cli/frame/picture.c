@@ -98,7 +98,8 @@ enum hawser_status cli_picture_choose(struct cli_common *common, struct hawser_r
 	if (name && !common->plot && !common->gp)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "options",
 		                    "--%s is of a picture: give --plot FILE too", name);
-	if (common->gp && (strlen(common->gp) < 4 || strcmp(common->gp + strlen(common->gp) - 3, ".gp")))
+	if (common->gp &&
+	    (strlen(common->gp) < 4 || strcmp(common->gp + strlen(common->gp) - 3, ".gp") != 0))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "options",
 		                    "--gp %s: the name of the script must end in .gp", common->gp);
 	if (common->gp && !common->plot) {

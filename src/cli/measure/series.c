@@ -58,6 +58,7 @@ static enum hawser_status find(int *column, const struct table *table, const cha
                                const char *wanted, struct hawser_report *report)
 {
 	char *end;
+	/* NOLINTNEXTLINE(clang-analyzer-core.NonNullParamChecker): options have defaults */
 	long number = strtol(wanted, &end, 10);
 
 	if (*wanted && !*end && number >= 1 && number <= most_columns) {

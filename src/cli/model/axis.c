@@ -121,7 +121,7 @@ static char next(const char **key)
 	c = **key;
 	if (c)
 		++*key;
-	return c == '[' ? '.' : c;
+	return (char)(c == '[' ? '.' : c);
 }
 
 /* What follows in a key the part that a row names, in which "[]" stands for every index and name:
@@ -181,7 +181,7 @@ void cli_key_title(char *text, size_t size, const char *key)
 	for (const char *c = key; *c && k + 2 < size; c++) {
 		if (*c == '_')
 			text[k++] = '\\';
-		text[k++] = *c == '\'' ? ' ' : *c;
+		text[k++] = (char)(*c == '\'' ? ' ' : *c);
 	}
 	text[k] = '\0';
 }

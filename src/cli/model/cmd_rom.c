@@ -246,6 +246,7 @@ static enum hawser_status check(const struct settings *settings, struct hawser_r
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
 		                    "--export %s: the formats are auto, coco, matcont and bifurcationkit",
 		                    settings->export[0]);
+	/* NOLINTNEXTLINE(clang-analyzer-core.NonNullParamChecker): --over needs --export */
 	if (settings->over && strcmp(settings->export[0], "auto") != 0)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
 		                    "--over goes with --export auto: the other formats have no equations over "

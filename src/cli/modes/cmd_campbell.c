@@ -74,6 +74,7 @@ static enum hawser_status trace(struct cli_campbell_result *result,
 	choice->basis = modes.basis;
 	choice->tolerance = modes.tolerance;
 	status = hawser_campbell_trace(&result->campbell, &result->scene, choice, report);
+	choice->progress = (struct hawser_progress){NULL, NULL};
 	cli_progress_end(&watch.progress);
 	if (!status && result->harmonics > 0)
 		status = hawser_campbell_resonances(&result->resonance, &result->resonances,

@@ -261,7 +261,8 @@ enum hawser_status cli_irvine_draw(const char *path, const void *context,
 		return status;
 	measure(&low, &high, &top, result);
 	for (int k = 0; k < count; k++) {
-		double left = margin + k % columns*wide, bottom = foot + (rows - 1 - k/columns)*tall;
+		int above = rows - 1 - k/columns;
+		double left = margin + k % columns*wide, bottom = foot + above*tall;
 		int logarithmic = (!result->over_value ||
 		                   result->sweep->irvine.sweep != HAWSER_GIVEN_LENGTH0) &&
 		                  high > logarithmic_from*low;

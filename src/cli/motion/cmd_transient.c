@@ -222,19 +222,19 @@ static void warn(const struct cli_transient *of)
 
 	if (run->slips) {
 		snprintf(text, sizeof text, "the rope slips on the whole drive bullwheel for %.4g s, by %.4g m",
-		         run->slips*run->options.step, run->slipped);
+		         (double)run->slips*run->options.step, run->slipped);
 		cli_warn(text);
 	}
 	if (run->lifts) {
 		snprintf(text, sizeof text, "the rope is not pressed on a battery for %.4g s, from t = %.4g s "
 		         "on: its motion is then not modelled (see --towers)",
-		         run->lifts*run->options.step, run->lifts_at);
+		         (double)run->lifts*run->options.step, run->lifts_at);
 		cli_warn(text);
 	}
 	if (run->stops) {
 		snprintf(text, sizeof text, "the carriage is beyond its stops for %.4g s: from %.4g m to "
 		                            "%.4g m, "
-		         "with tension.travel from %.4g m to %.4g m", run->stops*run->options.step,
+		         "with tension.travel from %.4g m to %.4g m", (double)run->stops*run->options.step,
 		         run->travel.min, run->travel.max, of->ropeway.travel[0], of->ropeway.travel[1]);
 		cli_warn(text);
 	}

@@ -86,7 +86,6 @@ static int settled_from(const struct cli_integrate_result *result)
 
 	if (cli_integrate_section(result)) /* all of a section after a transient */
 		return result->forcing.begin > 0.0 ? 0 : rows/2;
-	/* NOLINTNEXTLINE(bugprone-integer-division): the whole part is meant */
 	return shown < rows/2 ? rows - (int)shown - 1 : rows/2;
 }
 

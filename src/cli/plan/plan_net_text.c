@@ -74,7 +74,7 @@ static void print_cables(FILE *stream, const struct cli_plan_net_result *result)
 		        figure(text[2], "%.4g", at->T_min), figure(text[3], "%.4g", at->T_max),
 		        figure(text[4], "%.1e", at->strain), figure(text[5], "%.1e", at->error),
 		        figure(text[6], "%.1e", at->reach > 0.0 ? at->error/at->reach : NAN),
-		        figure(text[7], "%.0f", at->wanted > 0 ? at->wanted : NAN),
+		        figure(text[7], "%.0f", at->wanted > 0 ? at->wanted : (double)NAN),
 		        at->slack ? "  slack" : "");
 	}
 	free(sorted);

@@ -31,7 +31,7 @@ static void head(FILE *to, const struct cli_report_page *page)
 	struct tm when;
 
 	if (!page->common->reproducible && gmtime_r(&now, &when))
-		strftime(day, sizeof day, ", %Y-%m-%d", &when);
+		(void)strftime(day, sizeof day, ", %Y-%m-%d", &when);
 	fputs("<a class=\"skip\" href=\"#main\">Skip to the results</a>\n<header>\n", to);
 	hawser__html_element(to, "h1", page->title);
 	fprintf(to, "<p class=\"faint\">hawser %s%s; scene ", hawser_version(), day);

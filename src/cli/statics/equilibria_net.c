@@ -149,8 +149,7 @@ static enum hawser_status draw(const char *path, const void *of, struct hawser_r
 			hawser__box_add(&box, found->list[i].x[n], 2);
 	for (int n = 0; n < net->nodes; n++)
 		hawser__box_add(&box, net->node[n].x, net->node[n].support ? 2 : 0);
-	hawser__panel_even(&at, box.low, box.high, (at.right - at.left)*width,
-	                   (at.top - at.bottom)*height, 0);
+	hawser__panel_even(&at, &box, 1, (at.right - at.left)*width, (at.top - at.bottom)*height);
 	hawser__figure_panel(&figure, &at);
 	for (int k = 2; k >= 0; k--) {
 		for (int i = 0; i < found->count; i++)

@@ -137,8 +137,9 @@ static enum hawser_status check_command(const struct cli_study *sweep, int words
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "sweep",
 		                      "--%s: each variation would write "
 		                      "this file again; write it before the -- for the whole sweep%s", file,
-		                      strcmp(file, "json") && strcmp(file, "tsv") && strcmp(file, "plot") &&
-		                      strcmp(file, "gp") && strcmp(file, "checkpoint")
+		                      strcmp(file, "json") != 0 && strcmp(file, "tsv") != 0 &&
+		                      strcmp(file, "plot") != 0 && strcmp(file, "gp") != 0 &&
+		                      strcmp(file, "checkpoint") != 0
 		                      ? ", or run that variation alone" : "");
 	free(common);
 	return status;

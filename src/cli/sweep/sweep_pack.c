@@ -123,7 +123,7 @@ enum hawser_status cli_sweep_pack_failure(struct cli_sweep_packed *packed,
 
 enum hawser_status cli_sweep_status(const char *packed)
 {
-	return (enum hawser_status)atoi(packed + 2);
+	return (enum hawser_status)strtol(packed + 2, NULL, 10);
 }
 
 const char *cli_sweep_why(const struct cli_sweep_packed *packed, int *length)

@@ -107,7 +107,7 @@ static enum hawser_status read_type(struct cli_mooring *mooring, const struct wo
 		*bar = '\0';
 	if (second)
 		*second = '\0';
-	if (second && strcmp(second + 1, "0"))
+	if (second && strcmp(second + 1, "0") != 0)
 		left_out(mooring, "of the type %s, the damping after '|'", type.name);
 	status = numbers(&type.diameter, 1, mooring, words, 1, report);
 	if (!status)
@@ -240,7 +240,7 @@ static enum hawser_status attach(struct cli_mooring_point *point, const struct c
 	if (point->held)
 		return HAWSER_OK;
 	for (int i = 0; i < mooring->bodies && !strncasecmp(word, "body", 4); i++)
-		if (mooring->body[i].id == atoi(word + 4)) {
+		if (mooring->body[i].id == strtol(word + 4, NULL, 10)) {
 			for (int k = 0; k < 3; k++)
 				point->x[k] += mooring->body[i].x[k];
 			point->held = !mooring->body[i].moves;
@@ -263,7 +263,7 @@ static enum hawser_status read_point(struct cli_mooring *mooring, const struct w
                                      struct hawser_report *report)
 {
 	struct cli_mooring_point point = {.id = 0};
-	double value[4];
+	double value[4] = {0.0};
 	enum hawser_status status = identity(&point.id, mooring, words, report);
 
 	if (!status)
@@ -290,7 +290,7 @@ static enum hawser_status read_line(struct cli_mooring *mooring, const struct wo
                                     struct hawser_report *report)
 {
 	struct cli_mooring_line line = {.type = -1};
-	double value[4];
+	double value[4] = {0.0};
 	enum hawser_status status = identity(&line.id, mooring, words, report);
 
 	for (int i = 0; i < mooring->types; i++)
@@ -325,7 +325,7 @@ static enum hawser_status read_failure(struct cli_mooring *mooring, const struct
                                        struct hawser_report *report)
 {
 	const char *point = words->word[1] + strspn(words->word[1], "PpOoIiNnTt");
-	struct cli_mooring_failure failure = {.point = point_of(mooring, atoi(point))};
+	struct cli_mooring_failure failure = {.point = point_of(mooring, (int)strtol(point, NULL, 10))};
 	double value[2] = {0.0};
 	char *rest = NULL;
 	enum hawser_status status = numbers(value, 2, mooring, words, 3, report);
@@ -337,7 +337,7 @@ static enum hawser_status read_failure(struct cli_mooring *mooring, const struct
 	for (char *word = strtok_r(words->word[2], ",", &rest); word && !status;
 	     word = strtok_r(NULL, ",", &rest)) {
 		for (failure.line = mooring->lines - 1; failure.line >= 0; failure.line--)
-			if (mooring->line[failure.line].id == atoi(word) && failure.point >= 0 &&
+			if (mooring->line[failure.line].id == strtol(word, NULL, 10) && failure.point >= 0 &&
 			    (mooring->line[failure.line].end[0] == failure.point ||
 			     mooring->line[failure.line].end[1] == failure.point))
 				break;
@@ -401,8 +401,7 @@ static const struct section *heading(const char *line)
 	size_t length = 0;
 
 	for (; line[length] && length + 1 < sizeof text; length++)
-		text[length] = line[length] >= 'a' && line[length] <= 'z' ? (char)(line[length] - 32)
-		                                                          : line[length];
+		text[length] = (char)(line[length] - (line[length] >= 'a' && line[length] <= 'z' ? 32 : 0));
 	text[length] = '\0';
 	for (size_t i = 0; i < sizeof section/sizeof *section; i++)
 		if (strstr(text, section[i].name) || strstr(text, section[i].other))

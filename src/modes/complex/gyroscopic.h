@@ -3,6 +3,8 @@
 #ifndef HAWSER_MODES_GYROSCOPIC_H
 #define HAWSER_MODES_GYROSCOPIC_H
 
+#include <complex.h>
+
 #include <hawser/gyroscopic.h>
 
 #include "modes/cable.h"
@@ -19,6 +21,12 @@ enum hawser_status hawser__gyroscopic_fdm(struct hawser_modes *modes,
                                           const struct hawser_statics *statics,
                                           const struct hawser_modes_options *options,
                                           struct hawser_report *report);
+
+/* gyroscopic_spectral.c: the `count` largest eigenvalues mu [2n], ascending, of the Hermitian matrix of
+ * modes with the frequencies omega [n] at rest, which G [n][n] couples, with the vectors z [count][2n];
+ * mu is 1 over the frequency. *found: how many. Returns as LAPACK. */
+int hawser__gyroscopic_pairs(double *mu, double complex *z, int *found, int count, const double *G,
+                             const double *omega, int n);
 
 /* Modes by a method for cables at rest, converted to complex modes, for a cable that does not
  * travel. */

@@ -129,45 +129,50 @@ static enum hawser_status side_init(struct side *side, const struct hawser_modes
 	return HAWSER_OK;
 }
 
-/* i S, lower triangle, columns of 2n. */
-static void hermitian(double complex *H, const struct side *side)
+int hawser__gyroscopic_pairs(double *mu, double complex *z, int *found, int count, const double *G,
+                             const double *omega, int n)
 {
-	size_t n = (size_t)side->n, order = 2*n;
+	size_t order = 2*(size_t)n, rows = (size_t)n;
+	double complex *H = calloc(order*order + 1, sizeof *H);
+	lapack_int *support = calloc(2*(size_t)count + 1, sizeof *support), have = 0;
+	lapack_int info = H && support ? 0 : LAPACK_WORK_MEMORY_ERROR;
 
-	for (size_t k = 0; k < n; k++) {
-		for (size_t j = k; j < n; j++)
-			H[k*order + j] = -I*(side->G[k*n + j]/(side->omega[j]*side->omega[k]));
-		H[k*order + n + k] = I/side->omega[k];
+	for (size_t k = 0; k < rows && !info; k++) {
+		for (size_t j = k; j < rows; j++)
+			H[k*order + j] = -I*(G[k*rows + j]/(omega[j]*omega[k]));
+		H[k*order + rows + k] = I/omega[k];
 	}
+	if (!info)
+		info = LAPACKE_zheevr(LAPACK_COL_MAJOR, 'V', 'I', 'L', (int)order, H, (int)order, 0.0, 0.0,
+		                      (int)order - count + 1, (int)order, 0.0, &have, mu, z, (int)order,
+		                      support);
+	*found = have;
+	free(H);
+	free(support);
+	return info;
 }
 
 /* The largest eigenvalues of i S. */
 static enum hawser_status eigen(struct side *side, struct hawser_report *report)
 {
 	size_t n = (size_t)side->n, order = 2*n, count = (size_t)side->count;
-	double complex *H = calloc(order*order, sizeof *H), *z = calloc(order*count, sizeof *z);
-	double *mu = hawser__numbers(order, 1), largest;
-	lapack_int *support = calloc(2*count, sizeof *support), found = 0, info;
+	double complex *z = calloc(order*count + 1, sizeof *z);
+	double *mu = hawser__numbers(order, 1), largest = 1.0;
+	int found = 0, info = z && mu ? hawser__gyroscopic_pairs(mu, z, &found, side->count, side->G,
+	                                                         side->omega, side->n)
+	                              : LAPACK_WORK_MEMORY_ERROR;
 	enum hawser_status status = HAWSER_OK;
 
-	if (!H || !z || !mu || !support) {
+	if (!info && count)
+		largest = mu[count - 1];
+	if (hawser__lapack_starved(info))
 		status = hawser__no_memory(report, "modes");
-		goto done;
-	}
-	hermitian(H, side);
-	info = LAPACKE_zheevr(LAPACK_COL_MAJOR, 'V', 'I', 'L', (int)order, H, (int)order, 0.0, 0.0,
-	                      (int)(order - count) + 1, (int)order, 0.0, &found, mu, z, (int)order,
-	                      support);
-	largest = side->count ? mu[count - 1] : 1.0;
-	if (info || found != side->count || !(largest > 0.0)) {
-		status = hawser__lapack_starved(info) ? hawser__no_memory(report, "modes")
-			: hawser__fail(report, HAWSER_ERR_NAN, "modes",
-			               "the eigenvalue solver met a not-a-number with %d modes of the cable "
-			               "at rest: check EA, rho, d, the speed and the tension of the span",
-			               side->n);
-		goto done;
-	}
-	for (size_t k = 0; k < count; k++) {
+	else if (info || found != side->count || !(largest > 0.0))
+		status = hawser__fail(report, HAWSER_ERR_NAN, "modes",
+		                      "the eigenvalue solver met a not-a-number with %d modes of the cable "
+		                      "at rest: check EA, rho, d, the speed and the tension of the span",
+		                      side->n);
+	for (size_t k = 0; k < count && !status; k++) {
 		double one = mu[count - 1 - k];
 
 		/* round-off, as in compliance.c */
@@ -175,11 +180,8 @@ static enum hawser_status eigen(struct side *side, struct hawser_report *report)
 		for (size_t j = 0; j < n; j++)
 			side->q[k*n + j] = z[(count - 1 - k)*order + j]/side->omega[j];
 	}
-done:
-	free(H);
 	free(z);
 	free(mu);
-	free(support);
 	return status;
 }
 

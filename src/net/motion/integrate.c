@@ -68,6 +68,7 @@ static int place(struct run *run)
 	for (int i = 0; i < mesh->nodes && run->state; i++) {
 		const double *x = hawser__motion_place(run->state, i);
 
+		/* NOLINTNEXTLINE(bugprone-suspicious-memory-comparison,cert-*): are they the same bytes */
 		same = same && memcmp(mesh->q[i], x, sizeof *mesh->q) == 0;
 		memcpy(mesh->q[i], x, sizeof *mesh->q);
 	}

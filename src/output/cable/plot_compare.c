@@ -25,7 +25,7 @@ static int methods_of(int *first, const struct hawser__cost *run, int runs)
 	int methods = 0;
 
 	for (int i = 0; i < runs; i++)
-		if (i == 0 || strcmp(run[i].method, run[i - 1].method))
+		if (i == 0 || strcmp(run[i].method, run[i - 1].method) != 0)
 			first[methods++] = i;
 	first[methods] = runs;
 	return methods;

@@ -76,8 +76,8 @@ static const char *title_of(const struct hawser__figure *figure, int axis)
 /* The range that the user has chosen, which is for the first panel and those with its axis, or NULL. */
 static const struct hawser__picture_range *chosen_range(const struct hawser__figure *figure, int axis)
 {
-	return panel_axis(figure, axis)->other || strcmp(title_of(figure, axis), figure->first[axis])
-		? NULL : hawser__picture_range_of(axis);
+	return !panel_axis(figure, axis)->other && !strcmp(title_of(figure, axis), figure->first[axis])
+		? hawser__picture_range_of(axis) : NULL;
 }
 
 int hawser__figure_marked(const struct hawser__figure *figure, int axis, double *place)
@@ -220,16 +220,17 @@ static void end_panel(struct hawser__figure *figure)
 	release(figure);
 }
 
-void hawser__panel_even(struct hawser__panel_frame *at, const double low[2], const double high[2],
-                        double width, double height, int downwards)
+void hawser__panel_even(struct hawser__panel_frame *at, const struct hawser__box *box, int k,
+                        double width, double height)
 {
-	double x = 0.5*(low[0] + high[0]), y = 0.5*(low[1] + high[1]);
+	double x = 0.5*(box->low[0] + box->high[0]), y = 0.5*(box->low[k] + box->high[k]);
 	/* a margin of 8 % on each side */
-	double per_cm = 1.16*fmax((high[0] - low[0])/width, (high[1] - low[1])/height), half;
+	double per_cm = 1.16*fmax((box->high[0] - box->low[0])/width, (box->high[k] - box->low[k])/height);
+	double half;
 
 	if (!(per_cm > 0.0))
 		per_cm = 0.1; /* a point: 1 m in 10 cm */
-	half = downwards ? -0.5*per_cm*height : 0.5*per_cm*height;
+	half = k == 2 ? -0.5*per_cm*height : 0.5*per_cm*height;
 	at->x.from = x - 0.5*per_cm*width;
 	at->x.to = x + 0.5*per_cm*width;
 	at->y.from = y - half;

@@ -69,9 +69,10 @@ struct hawser__figure {
 /* *figure is all zero, but for entries of the legend that precede those of what is drawn. */
 enum hawser_status hawser__figure_begin(struct hawser__figure *figure, const char *path, double width,
                                         double height, struct hawser_report *report) HAWSER_MUST_CHECK;
-/* Ends of both axes with one scale, so that [low, high] (x, y) fits a panel of that size, cm. */
-void hawser__panel_even(struct hawser__panel_frame *at, const double low[2], const double high[2],
-                        double width, double height, int downwards /* 1: y points down */);
+/* Ends of both axes with one scale, so that the box fits a panel of that size, cm: seen along z (k 1: y
+ * over x) or from above (k 2: z over x, downwards). */
+void hawser__panel_even(struct hawser__panel_frame *at, const struct hawser__box *box, int k,
+                        double width, double height);
 /* The next panel; labels, arrows and objects of the one before end. */
 void hawser__figure_panel(struct hawser__figure *figure, const struct hawser__panel_frame *at);
 

@@ -33,6 +33,7 @@ void hawser__frames_write(FILE *to, FILE *messages, double height)
 		double v[9];
 
 		if (!hawser__frames_answer(line) ||
+		    /* NOLINTNEXTLINE(cert-err34-c): what the script prints */
 		    sscanf(line + sizeof mark - 1, "%lf %lf %lf %lf %lf %lf %lf %lf %lf", &v[0], &v[1],
 		           &v[2], &v[3],
 		           &v[4], &v[5], &v[6], &v[7], &v[8]) != 9 || !(v[3] - v[2] > lowest))

@@ -164,7 +164,7 @@ static int put_number(FILE *to, const char *text)
 
 	if (!*text || text[strspn(text, "+-.0123456789eE")])
 		return 0;
-	strtod(text, &end);
+	(void)strtod(text, &end);
 	if (*end || end == text)
 		return 0;
 	if (power)
@@ -254,6 +254,7 @@ static char *drawing_of(const char *path)
 	char *drawing = strdup(path);
 
 	if (drawing)
+		/* NOLINTNEXTLINE(bugprone-not-null-terminated-result): the zero is there */
 		memcpy(drawing + strlen(drawing) - 3, "pdf", 3);
 	return drawing;
 }

@@ -157,7 +157,7 @@ static void combine(struct hawser__shown_unit *shown, const char *si, int own)
 		int part = part_at(si, &length), swap = part >= 0 && *chosen.unit[part];
 		const char *text = swap ? chosen.unit[part] : si, *after = si + length;
 		int open = swap && strpbrk(text, "/. ") && (used > 0 || (*after && *after != '/'));
-		int power = *after == '^' ? atoi(after + 1) : 1;
+		int power = *after == '^' ? (int)strtol(after + 1, NULL, 10) : 1;
 
 		used += (size_t)snprintf(name + used, sizeof name - used, open ? "(%.*s)" : "%.*s",
 		                         swap ? HAWSER__UNIT_SIZE : (int)length, text);

@@ -63,23 +63,24 @@ void hawser__plot_bed_contours(struct hawser__figure *figure, const struct hawse
 
 	for (int k = 0; k < 2; k++)
 		d[k] = (high[2*k] - low[2*k])/ACROSS;
-	for (int i = 0; i < (ACROSS + 1)*(ACROSS + 1); i++) {
-		double y = hawser_heights_at(bed->heights, low[0] + i % (ACROSS + 1)*d[0],
-		                             low[2] + i/(ACROSS + 1)*d[1]);
+	for (int j = 0; j <= ACROSS; j++)
+		for (int i = 0; i <= ACROSS; i++) {
+			double y = hawser_heights_at(bed->heights, low[0] + i*d[0], low[2] + j*d[1]);
 
-		h[0] = fmin(h[0], y);
-		h[1] = fmax(h[1], y);
-	}
+			h[0] = fmin(h[0], y);
+			h[1] = fmax(h[1], y);
+		}
 	step = interval(h[1] - h[0]);
 	if (!(h[1] - h[0] > 0.0))
 		return;
 	for (double level = ceil(h[0]/step)*step; level <= h[1]; level += step)
 		for (int i = 0; i < ACROSS*ACROSS; i++) {
 			double at[4][3];
+			int beside = i % ACROSS, behind = i/ACROSS;
 
 			for (int k = 0; k < 4; k++) {
-				at[k][0] = low[0] + (i % ACROSS + (k == 1 || k == 2))*d[0];
-				at[k][1] = low[2] + (i/ACROSS + k/2)*d[1];
+				at[k][0] = low[0] + (beside + (k == 1 || k == 2))*d[0];
+				at[k][1] = low[2] + (behind + (k >= 2))*d[1];
 				at[k][2] = hawser_heights_at(bed->heights, at[k][0], at[k][1]) - level;
 			}
 			part(figure, (const double (*)[3])at);

@@ -20,42 +20,31 @@ struct frame {
 	const struct hawser_net *net;
 	const struct hawser_net_statics *st;
 	struct hawser__axis x, y, z, T;
-	double low[3], high[3], tall[3], height; /* tall [k]: cm, of the view with axis k upwards */
+	struct hawser__box box;
+	double tall[3], height; /* cm; tall [k]: of the view with axis k upwards */
 	int flat;            /* 1: all is at one z, so that there is nothing to see from above */
 };
-
-static void add(struct frame *frame, const double x[3])
-{
-	for (int k = 0; k < 3; k++) {
-		frame->low[k] = fmin(frame->low[k], x[k]);
-		frame->high[k] = fmax(frame->high[k], x[k]);
-	}
-}
 
 static void measure(struct frame *frame)
 {
 	const struct hawser_net_statics *st = frame->st;
 	double most = 0.0, size = 0.0, scale;
 
-	for (int k = 0; k < 3; k++) {
-		frame->low[k] = INFINITY;
-		frame->high[k] = -INFINITY;
-	}
 	for (int i = 0; i < st->points; i++)
-		add(frame, st->point[i].x);
+		hawser__box_add(&frame->box, st->point[i].x, 3);
 	for (int i = 0; i < st->nodes; i++)
-		add(frame, st->x[i]);
-	frame->high[1] = fmax(frame->high[1], frame->net->water.surface);
+		hawser__box_add(&frame->box, st->x[i], 3);
+	frame->box.high[1] = fmax(frame->box.high[1], frame->net->water.surface);
 	for (int k = 0; k < 3; k++)
-		size = fmax(size, frame->high[k] - frame->low[k]);
-	frame->flat = frame->high[2] - frame->low[2] < ROOM*size;
+		size = fmax(size, frame->box.high[k] - frame->box.low[k]);
+	frame->flat = frame->box.high[2] - frame->box.low[2] < ROOM*size;
 	for (int k = 0; k < 3; k++) {
-		frame->low[k] -= ROOM*size;
-		frame->high[k] += ROOM*size;
+		frame->box.low[k] -= ROOM*size;
+		frame->box.high[k] += ROOM*size;
 	}
-	scale = (RIGHT - LEFT)*WIDTH/(frame->high[0] - frame->low[0]);
+	scale = (RIGHT - LEFT)*WIDTH/(frame->box.high[0] - frame->box.low[0]);
 	for (int k = 1; k < 3; k++)
-		frame->tall[k] = fmin(fmax(scale*(frame->high[k] - frame->low[k]), LEAST), MOST);
+		frame->tall[k] = fmin(fmax(scale*(frame->box.high[k] - frame->box.low[k]), LEAST), MOST);
 	for (int c = 0; c < st->cables; c++)
 		most = fmax(most, st->member[c].T_max);
 	frame->x = hawser__axis_of("{/:Italic x}", "m", 0.0);
@@ -69,15 +58,15 @@ static void measure(struct frame *frame)
 /* The bed as the view along z cuts it in the middle of the net; the surface of the water. */
 static void draw_levels(struct hawser__figure *figure, const struct frame *frame)
 {
-	const double surface = frame->net->water.surface, z = 0.5*(frame->low[2] + frame->high[2]);
+	const double surface = frame->net->water.surface, z = 0.5*(frame->box.low[2] + frame->box.high[2]);
 
 	for (int i = 0; i < frame->net->surfaces; i++) {
 		const struct hawser_surface *of = &frame->net->surface[i];
 
 		if (of->heights)
-			hawser__plot_bed_section(figure, of, frame->st, frame->low, frame->high);
+			hawser__plot_bed_section(figure, of, frame->st, frame->box.low, frame->box.high);
 		for (int end = 0; end < 2; end++) {
-			double x = end ? frame->high[0] : frame->low[0];
+			double x = end ? frame->box.high[0] : frame->box.low[0];
 
 			if (of->kind == HAWSER_SURFACE_SEGMENT)
 				hawser__figure_put(figure, end ? of->to[0] : of->at[0], end ? of->to[1] : of->at[1]);
@@ -88,8 +77,8 @@ static void draw_levels(struct hawser__figure *figure, const struct frame *frame
 		hawser__figure_gap(figure);
 	}
 	hawser__figure_draw(figure, "obstacles", "with lines lw 2.5 lc rgb '#a08060'");
-	hawser__figure_put(figure, frame->low[0], surface);
-	hawser__figure_put(figure, frame->high[0], surface);
+	hawser__figure_put(figure, frame->box.low[0], surface);
+	hawser__figure_put(figure, frame->box.high[0], surface);
 	hawser__figure_draw(figure, "surface of the water", "with lines lw 1.5 lc rgb '#56b4e9'");
 }
 
@@ -114,7 +103,7 @@ static void draw_lines(struct hawser__figure *figure, const struct frame *frame,
 /* 1 if a node before it is so near that both names would be on each other. */
 static int crowded(const struct frame *frame, int node, int k)
 {
-	const double near = BESIDE*(frame->high[0] - frame->low[0]);
+	const double near = BESIDE*(frame->box.high[0] - frame->box.low[0]);
 	int is = 0;
 
 	for (int i = 0; i < node && !is; i++)
@@ -159,8 +148,7 @@ static void draw_view(struct hawser__figure *figure, const struct frame *frame, 
 	                                 1.0 - top/frame->height,
 		.x = {&frame->x, .tics = 10}, .y = {k == 1 ? &frame->y : &frame->z, .tics = 6}};
 
-	hawser__panel_even(&at, (double[]){frame->low[0], frame->low[k]},
-	                   (double[]){frame->high[0], frame->high[k]}, (RIGHT - LEFT)*WIDTH, tall, k == 2);
+	hawser__panel_even(&at, &frame->box, k, (RIGHT - LEFT)*WIDTH, tall);
 	hawser__figure_panel(figure, &at);
 	if (k == 1)
 		colours(figure->out.script, frame, frame->height - top - tall, tall);
@@ -170,7 +158,7 @@ static void draw_view(struct hawser__figure *figure, const struct frame *frame, 
 		draw_levels(figure, frame);
 	for (int i = 0; i < frame->net->surfaces && k == 2; i++)
 		if (frame->net->surface[i].heights)
-			hawser__plot_bed_contours(figure, &frame->net->surface[i], frame->low, frame->high);
+			hawser__plot_bed_contours(figure, &frame->net->surface[i], frame->box.low, frame->box.high);
 	draw_lines(figure, frame, k, 1);
 	draw_lines(figure, frame, k, 0);
 	draw_nodes(figure, frame, k);

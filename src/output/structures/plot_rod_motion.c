@@ -57,19 +57,16 @@ static void draw_shapes(struct hawser__figure *figure, const struct hawser_rod_m
 /* The axes along which the probe moves, as a mask. */
 static int moving(const struct hawser_rod_motion *motion, int probe)
 {
-	double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
+	struct hawser__box box = {.any = 0};
 	double most = 0.0;
 	int mask = 0;
 
 	for (int i = 0; i < motion->rows; i++)
-		for (int k = 0; k < 3; k++) {
-			low[k] = fmin(low[k], motion->x[i*motion->probes + probe][k]);
-			high[k] = fmax(high[k], motion->x[i*motion->probes + probe][k]);
-		}
+		hawser__box_add(&box, motion->x[i*motion->probes + probe], 3);
 	for (int k = 0; k < 3; k++)
-		most = fmax(most, high[k] - low[k]);
+		most = fmax(most, box.high[k] - box.low[k]);
 	for (int k = 0; k < 3; k++)
-		mask |= high[k] - low[k] > STILL*most ? 1 << k : 0;
+		mask |= box.high[k] - box.low[k] > STILL*most ? 1 << k : 0;
 	return mask ? mask : 1;
 }
 

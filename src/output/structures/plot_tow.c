@@ -24,7 +24,8 @@ struct frame {
 	const struct hawser_tow *tow;
 	const struct hawser_tow_steady *steady;
 	struct hawser__axis x, y, z, s, T;
-	double low[3], high[3], height;
+	struct hawser__box box;
+	double height;
 };
 
 static void ring_point(double x[3], const struct frame *frame, double angle)
@@ -45,14 +46,6 @@ static void ring_point(double x[3], const struct frame *frame, double angle)
 		       frame->tow->body.ring.radius*(cos(angle)*e[k] + sin(angle)*g[k]);
 }
 
-static void add(struct frame *frame, const double *x)
-{
-	for (int k = 0; k < 3; k++) {
-		frame->low[k] = fmin(frame->low[k], x[k]);
-		frame->high[k] = fmax(frame->high[k], x[k]);
-	}
-}
-
 static int has_ring(const struct frame *frame)
 {
 	return frame->tow->body.kind == HAWSER_TOW_RING;
@@ -62,15 +55,11 @@ static void measure(struct frame *frame)
 {
 	double x[3];
 
-	for (int k = 0; k < 3; k++) {
-		frame->low[k] = INFINITY;
-		frame->high[k] = -INFINITY;
-	}
 	for (int i = 0; i < frame->steady->points; i++)
-		add(frame, frame->steady->point[i].x);
+		hawser__box_add(&frame->box, frame->steady->point[i].x, 3);
 	for (int i = 0; has_ring(frame) && i < AROUND; i++) {
 		ring_point(x, frame, 2.0*acos(-1.0)*i/AROUND);
-		add(frame, x);
+		hawser__box_add(&frame->box, x, 3);
 	}
 	frame->x = hawser__axis_of("{/:Italic x}", "m", 0.0);
 	frame->y = hawser__axis_of("{/:Italic y}", "m", 0.0);
@@ -126,8 +115,7 @@ static void draw_view(struct hawser__figure *figure, const struct frame *frame, 
 	                                 1.0 - top/frame->height,
 		.x = {&frame->x, .tics = 10}, .y = {k == 1 ? &frame->y : &frame->z, .tics = 6}};
 
-	hawser__panel_even(&at, (double[]){frame->low[0], frame->low[k]},
-	                   (double[]){frame->high[0], frame->high[k]}, (RIGHT - LEFT)*WIDTH, tall, k == 2);
+	hawser__panel_even(&at, &frame->box, k, (RIGHT - LEFT)*WIDTH, tall);
 	hawser__figure_panel(figure, &at);
 	fprintf(figure->out.script, "set label '%s' at graph 0.985,%s right font ',9'\n",
 	        k == 1 ? "seen along {/:Italic z}" : "seen from above", k == 1 ? "0.95" : "0.07");

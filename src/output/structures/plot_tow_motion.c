@@ -20,7 +20,8 @@
 struct frame {
 	const struct hawser_tow_motion *motion;
 	struct hawser__axis x, z, t, tilt, T, range, s;
-	double low[2], high[2], height, below; /* of x and z; cm, of the picture and above the next panel */
+	struct hawser__box box;
+	double height, below; /* cm, of the picture and above the next panel */
 };
 
 static void measure(struct frame *frame)
@@ -28,25 +29,19 @@ static void measure(struct frame *frame)
 	const struct hawser_tow_motion *motion = frame->motion;
 	double most = 0.0, top = 0.0;
 
-	for (int k = 0; k < 2; k++) {
-		frame->low[k] = INFINITY;
-		frame->high[k] = -INFINITY;
+	for (int i = 0; i < motion->samples; i++) {
+		const struct hawser_tow_sample *at = &motion->sample[i];
+
+		hawser__box_add(&frame->box, at->top, 3);
+		hawser__box_add(&frame->box, at->body, 3);
+		top = fmax(top, at->tension_top);
 	}
-	for (int i = 0; i < motion->samples; i++)
-		for (int k = 0; k < 4; k++) {
-			const struct hawser_tow_sample *at = &motion->sample[i];
-			double value = (k < 2 ? at->top : at->body)[k % 2 ? 2 : 0];
+	for (int k = 0; k <= 2; k += 2) { /* a way that is too narrow is drawn in a range so wide */
+		double *low = frame->box.low, *high = frame->box.high;
+		double narrow = FLAT*(high[2 - k] - low[2 - k]) - (high[k] - low[k]);
 
-			frame->low[k % 2] = fmin(frame->low[k % 2], value);
-			frame->high[k % 2] = fmax(frame->high[k % 2], value);
-			top = fmax(top, at->tension_top);
-		}
-	for (int k = 0; k < 2; k++) { /* a way that is too narrow is drawn in a range so wide */
-		double narrow =
-			FLAT*(frame->high[1 - k] - frame->low[1 - k]) - (frame->high[k] - frame->low[k]);
-
-		frame->low[k] -= 0.5*fmax(narrow, 0.0);
-		frame->high[k] += 0.5*fmax(narrow, 0.0);
+		low[k] -= 0.5*fmax(narrow, 0.0);
+		high[k] += 0.5*fmax(narrow, 0.0);
 	}
 	for (int e = 0; e < motion->elements; e++)
 		most = fmax(most, motion->range[e].most);
@@ -79,7 +74,7 @@ static void draw_above(struct hawser__figure *figure, struct frame *frame)
 	struct hawser__panel_frame at = {.x = {&frame->x, .tics = 10}, .y = {&frame->z, .tics = 6}};
 	int count = frame->motion->samples;
 
-	hawser__panel_even(&at, frame->low, frame->high, (RIGHT - LEFT)*WIDTH, ABOVE, 1);
+	hawser__panel_even(&at, &frame->box, 2, (RIGHT - LEFT)*WIDTH, ABOVE);
 	panel(figure, frame, ABOVE, &at);
 	fputs("set label 'seen from above' at graph 0.985,0.07 right font ',9'\n", figure->out.script);
 	hawser__figure_bind(figure, count, &sample->top[0], sizeof *sample, &sample->top[2],

@@ -29,7 +29,8 @@ static const char *const component[3] = {"lc rgb '#0072b2' lw 1", "lc rgb '#009e
 struct frame {
 	const struct hawser__trajectory_picture *of;
 	struct hawser__axis t, x, y, z, rate[2];
-	double low[3], high[3], height;
+	struct hawser__box box;
+	double height;
 	int climbs; /* 1: with a panel of the height */
 };
 
@@ -38,16 +39,11 @@ static void measure(struct frame *frame)
 	const struct hawser__trajectory_picture *of = frame->of;
 	double extent = 0.0;
 
-	for (int axis = 0; axis < 3; axis++) {
-		frame->low[axis] = INFINITY;
-		frame->high[axis] = -INFINITY;
-		for (int i = 0; i < of->points; i++) {
-			frame->low[axis] = fmin(frame->low[axis], of->point[i].state[0][axis]);
-			frame->high[axis] = fmax(frame->high[axis], of->point[i].state[0][axis]);
-		}
-		extent = fmax(extent, frame->high[axis] - frame->low[axis]);
-	}
-	frame->climbs = frame->high[1] - frame->low[1] > LEVEL*extent;
+	for (int i = 0; i < of->points; i++)
+		hawser__box_add(&frame->box, of->point[i].state[0], 3);
+	for (int axis = 0; axis < 3; axis++)
+		extent = fmax(extent, frame->box.high[axis] - frame->box.low[axis]);
+	frame->climbs = frame->box.high[1] - frame->box.low[1] > LEVEL*extent;
 	frame->height = TOP + PLAN + TITLE + (2 + frame->climbs)*(TALL + GAP) + HAWSER__LEGEND_CM - GAP;
 	frame->t = hawser__axis_of("Time {/:Italic t}", "s", 0.0);
 	frame->x = hawser__axis_of("{/:Italic x}", "m", 0.0);
@@ -65,8 +61,7 @@ static void draw_plan(struct hawser__figure *figure, const struct frame *frame)
 		.x = {&frame->x, .tics = 10}, .y = {&frame->z, .tics = 6}};
 	size_t step = sizeof *of->point;
 
-	hawser__panel_even(&at, (double[]){frame->low[0], frame->low[2]},
-	                   (double[]){frame->high[0], frame->high[2]}, (RIGHT - LEFT)*WIDTH, PLAN, 1);
+	hawser__panel_even(&at, &frame->box, 2, (RIGHT - LEFT)*WIDTH, PLAN);
 	hawser__figure_panel(figure, &at);
 	fputs("set label 'seen from above' at graph 0.985,0.05 right font ',9'\n", figure->out.script);
 	hawser__figure_bind(figure, of->points, &of->point->state[0][0], step, &of->point->state[0][2],

@@ -48,7 +48,6 @@ enum hawser_status hawser__balance_init(struct hawser__balance *balance,
 	balance->base.ops = &ops;
 	balance->base.counted = 1;
 	hawser__blocks_init(&balance->blocks);
-	/* NOLINTNEXTLINE(bugprone-integer-division): integer division is meant */
 	balance->top = (int)fmin(MOST_HARMONICS*hawser__balance_lowest(rom),
 	                         (MOST_COEFFICIENTS/rom->n - 1)/2);
 	if (balance->top < 2*highest(rom))

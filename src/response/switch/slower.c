@@ -72,6 +72,7 @@ static enum hawser_status model_at(void *context, const struct hawser_rom **rom,
 		slower->count += slower->count == slower->next;
 		slower->next = slower->next%MODELS + 1;
 	}
+	/* NOLINTNEXTLINE(bugprone-suspicious-memory-comparison,cert-*): are they the same bytes */
 	if (model->at != p || memcmp(&model->from, from, sizeof *from) != 0) {
 		close_model(model);
 		model->at = p;

@@ -76,7 +76,6 @@ static enum hawser_status project(double *b, struct work *work, const double *va
 		return hawser__no_memory(report, where);
 	memset(b, 0, (size_t)n*sizeof *b);
 	for (int p = 0; p < PANELS*GAUSS; p++) {
-		/* NOLINTNEXTLINE(bugprone-integer-division): the whole part is meant */
 		double x = (p/GAUSS + node[p%GAUSS])/PANELS, w = weight[p%GAUSS]/PANELS;
 
 		work->row->at(s, work->beam->ends, work->size, 0, x);

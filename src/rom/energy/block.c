@@ -287,7 +287,6 @@ double hawser__rom_flops(const struct hawser_rom *rom, int tangent)
 	const struct hawser__kernel_panels *panels = form ? rom->kernel->gradient : rom->kernel->panels;
 	/* operations of a row besides its sums: g, the tangent and the force; or the sum of the parts */
 	double row = form ? 1.0 : (tangent ? 4.0 : 2.0) + (rom->kernel->symmetric ? 4.0 : 2.0);
-	/* NOLINTNEXTLINE(bugprone-integer-division): the whole part is meant */
 	double sum = (form ? 5.0 : 1.0)*(n*(n + 1)/2); /* products u_l u_m, and their part of a force */
 
 	if (rom->exact)

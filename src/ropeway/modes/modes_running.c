@@ -28,6 +28,7 @@
 
 #include "core/hold.h"
 #include "core/report.h"
+#include "modes/complex/gyroscopic.h"
 #include "ropeway/modes/modes.h"
 
 /* Rounds on the first grids, and on the fine ones; further modes that speed up their convergence. */
@@ -249,18 +250,6 @@ done:
 	return status;
 }
 
-/* i S of gyroscopic_spectral.c, lower triangle, columns of 2 kept: its eigenvalues are 1/omega. */
-static void hermitian(double complex *H, const struct basis *t)
-{
-	size_t n = (size_t)t->kept, order = 2*n;
-
-	for (size_t k = 0; k < n; k++) {
-		for (size_t j = k; j < n; j++)
-			H[k*order + j] = -I*(t->C[k*n + j]/(t->at_rest[j]*t->at_rest[k]));
-		H[k*order + n + k] = I/t->at_rest[k];
-	}
-}
-
 /* State and strain of the combination q [kept] of the basis, of unit norm with a phase that makes the
  * sum of x M x real: real and imaginary part are then orthogonal. */
 static void unfold(struct hawser__lmode_pairs *pairs, int k, const struct basis *t,
@@ -321,25 +310,20 @@ static enum hawser_status solve(double *change, struct hawser__lmode_pairs *pair
                                 struct hawser_report *report)
 {
 	size_t order = 2*(size_t)t->kept, n = (size_t)pairs->n;
-	double complex *H = calloc(order*order + 1, sizeof *H), *z = calloc(order*n + 1, sizeof *z);
+	double complex *z = calloc(order*n + 1, sizeof *z);
 	double *mu = hawser__numbers(order, 1);
-	lapack_int *support = calloc(2*n + 1, sizeof *support), have = 0, info = 0;
+	int have = 0, info = z && mu ? 0 : LAPACK_WORK_MEMORY_ERROR;
 	enum hawser_status status = HAWSER_OK;
 
-	if (!H || !z || !mu || !support) {
+	if (!info && t->kept >= pairs->n)
+		info = hawser__gyroscopic_pairs(mu, z, &have, pairs->n, t->C, t->at_rest, t->kept);
+	if (hawser__lapack_starved(info))
 		status = hawser__no_memory(report, "line modes");
+	else if (info || have != pairs->n || !(mu[0] > 0.0))
+		status = hawser__fail(report, HAWSER_ERR_CONVERGENCE, "line modes", "the modes of the running "
+		                      "rope were not found: ask for fewer than %d", pairs->n);
+	if (status)
 		goto done;
-	}
-	hermitian(H, t);
-	if (t->kept >= pairs->n)
-		info = LAPACKE_zheevr(LAPACK_COL_MAJOR, 'V', 'I', 'L', (int)order, H, (int)order, 0.0, 0.0,
-		                      (int)(order - n) + 1, (int)order, 0.0, &have, mu, z, (int)order, support);
-	if (info || have != pairs->n || !(mu[0] > 0.0)) {
-		status = hawser__lapack_starved((int)info) ? hawser__no_memory(report, "line modes")
-			: hawser__fail(report, HAWSER_ERR_CONVERGENCE, "line modes", "the modes of the running "
-			               "rope were not found: ask for fewer than %d", pairs->n);
-		goto done;
-	}
 	*change = 0.0;
 	for (int k = 0; k < pairs->n; k++) {
 		double complex *q = z + (n - 1 - (size_t)k)*order;
@@ -353,10 +337,8 @@ static enum hawser_status solve(double *change, struct hawser__lmode_pairs *pair
 		unfold(pairs, k, t, q);
 	}
 done:
-	free(H);
 	free(z);
 	free(mu);
-	free(support);
 	return status;
 }
 

@@ -75,7 +75,7 @@ static void path_of(const char *path)
 static void form(const struct hawser__tree_key *row)
 {
 	int number = row->type == HAWSER__TREE_NUMBER;
-	const char *unit = number && row->unit && strcmp(row->unit, "1") ? row->unit : "";
+	const char *unit = number && row->unit && strcmp(row->unit, "1") != 0 ? row->unit : "";
 	char what[400];
 
 	if (row->type == HAWSER__TREE_INTEGER)

@@ -55,10 +55,11 @@ static enum hawser_status growth(struct hawser__map_room *room, struct hawser_ma
 	return status;
 }
 
-/* That of motions about a response, or of a parametrically excited model: with its sign. */
-static enum hawser_status floquet(struct hawser__map_room *room, struct hawser_map_sample *sample,
-                                  const struct hawser_rom *rom, double omega,
-                                  struct hawser_report *report)
+/* The largest multiplier, log [1]; 0 where it is undecided, so that its value is only an error: a map
+ * would show a picture of errors. */
+static enum hawser_status largest_log(double *log, struct hawser__map_room *room,
+                                      struct hawser_map_sample *sample, const struct hawser_rom *rom,
+                                      double omega, struct hawser_report *report)
 {
 	enum hawser_status status = hawser_linear_multipliers(room->linear, room->log_modulus,
 	                                                      room->argument, NULL, rom, omega, report);
@@ -67,10 +68,22 @@ static enum hawser_status floquet(struct hawser__map_room *room, struct hawser_m
 	if (status)
 		return status;
 	circle = hawser__linear_circle(room->linear);
-	sample->value = circle.undecided > 0 && circle.unstable == 0
-		? 0.0 : room->log_modulus[0]*omega/(2.0*M_PI*rom->time);
+	*log = circle.undecided > 0 && circle.unstable == 0 ? 0.0 : room->log_modulus[0];
 	sample->number = circle.unstable;
 	return HAWSER_OK;
+}
+
+/* That of motions about a response, or of a parametrically excited model: with its sign. */
+static enum hawser_status floquet(struct hawser__map_room *room, struct hawser_map_sample *sample,
+                                  const struct hawser_rom *rom, double omega,
+                                  struct hawser_report *report)
+{
+	double log;
+	enum hawser_status status = largest_log(&log, room, sample, rom, omega, report);
+
+	if (!status)
+		sample->value = log*omega/(2.0*M_PI*rom->time);
+	return status;
 }
 
 static enum hawser_status any_growth(struct hawser__map_room *room, struct hawser_map_sample *sample,
@@ -84,20 +97,12 @@ static enum hawser_status multiplier(struct hawser__map_room *room, struct hawse
                                      const struct hawser_rom *rom, double omega,
                                      struct hawser_report *report)
 {
-	enum hawser_status status = hawser_linear_multipliers(room->linear, room->log_modulus,
-	                                                      room->argument, NULL, rom, omega,
-	                                                      report);
-	struct hawser__circle circle;
+	double log;
+	enum hawser_status status = largest_log(&log, room, sample, rom, omega, report);
 
-	if (status)
-		return status;
-	circle = hawser__linear_circle(room->linear);
-	/* if the largest multiplier is undecided, its value is only an error; a map would show a
-	 * picture of errors */
-	sample->value = circle.undecided > 0 && circle.unstable == 0
-		? 1.0 : exp(fmin(room->log_modulus[0], MOST_LOG));
-	sample->number = circle.unstable;
-	return HAWSER_OK;
+	if (!status)
+		sample->value = exp(fmin(log, MOST_LOG));
+	return status;
 }
 
 static enum hawser_status unstable(struct hawser__map_room *room, struct hawser_map_sample *sample,
