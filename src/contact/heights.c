@@ -25,6 +25,7 @@
 #include <string.h>
 
 #include "contact/heights.h"
+#include "core/order.h"
 #include "core/report.h"
 #include "core/vec3.h"
 
@@ -49,19 +50,11 @@ struct within {
 
 static void locate(struct within *at, const double *x, const double *round, int n, double value)
 {
-	int low = 0, high = n - 1, line;
+	int low = hawser__interval(x, n - 1, value), line;
 
 	*at = (struct within){.count = n < 2 ? n : 2};
 	if (n < 2)
 		return;
-	while (high - low > 1) {
-		int middle = (low + high)/2;
-
-		if (value < x[middle])
-			high = middle;
-		else
-			low = middle;
-	}
 	line = fabs(value - x[low]) < round[low] ? low
 		: fabs(value - x[low + 1]) < round[low + 1] ? low + 1 : -1;
 	at->first = line < 0 ? low : line - 1;

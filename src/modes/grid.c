@@ -13,6 +13,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "core/order.h"
 #include "core/report.h"
 #include "modes/grid.h"
 
@@ -195,24 +196,9 @@ double hawser__grid_running(double *out, const struct hawser_grid *grid,
 	return base;
 }
 
-static int element_of(const struct hawser_grid *grid, double s)
-{
-	int low = 0, high = grid->elements;
-
-	while (high - low > 1) {
-		int middle = (low + high)/2;
-
-		if (s < grid->edge[middle])
-			high = middle;
-		else
-			low = middle;
-	}
-	return low;
-}
-
 int hawser__grid_weights(double *weight, const struct hawser_grid *grid, double s)
 {
-	int m = grid->order, e = element_of(grid, s);
+	int m = grid->order, e = hawser__interval(grid->edge, grid->elements, s);
 	double a = grid->edge[e], b = grid->edge[e + 1], x = ((s - a) - (b - s))/(b - a), sum = 0.0;
 
 	for (int i = 0; i < m; i++) {
@@ -234,7 +220,7 @@ int hawser__grid_weights(double *weight, const struct hawser_grid *grid, double 
 void hawser__grid_at(double *out, const struct hawser_grid *grid, const double *in, int stride,
                      int fields, double s)
 {
-	int m = grid->order, e = element_of(grid, s);
+	int m = grid->order, e = hawser__interval(grid->edge, grid->elements, s);
 	double a = grid->edge[e], b = grid->edge[e + 1], x = ((s - a) - (b - s))/(b - a), sum = 0.0;
 	const double *value = in + (size_t)e*(size_t)m*(size_t)stride;
 

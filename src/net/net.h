@@ -161,6 +161,12 @@ void hawser__mesh_clear(struct hawser__mesh *mesh);
 void hawser__mesh_gradient(double (*residual)[3], double *T, const struct hawser__mesh *mesh);
 /* Bound of the round-off of this gradient: EA*ulp(position)/length0, largest over the nodes, N. */
 double hawser__mesh_floor(const struct hawser__mesh *mesh);
+/* The unknowns of the two ends of an element; -1: held. */
+static inline void hawser__mesh_unknowns(int u[6], const struct hawser__mesh *mesh, int element)
+{
+	for (int k = 0; k < 6; k++)
+		u[k] = mesh->unknown[mesh->end[element][k/3]][k%3];
+}
 /* Length of an element, and unit vector along it (zero if the length is 0). */
 double hawser__mesh_direction(double e[3], const struct hawser__mesh *mesh, int element);
 

@@ -61,7 +61,7 @@ static void forms_of(char *text, size_t size, const char *path)
 	*text = '\0';
 	for (const struct hawser__tree_key *row = hawser__tree_next(NULL, path), *after; row; row = after) {
 		static const char *const sort[] = {"a number", "a whole number", NULL, "a name", NULL,
-		                                   /* NOLINTNEXTLINE(bugprone-suspicious-missing-comma): one text */
+			/* NOLINTNEXTLINE(bugprone-suspicious-missing-comma): one text */
 		                                   "a fraction of the length such as 40 %, or a length such as "
 		                                   "12 m", "a mapping", "a list"};
 		const char *between;

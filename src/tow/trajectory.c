@@ -12,6 +12,7 @@
 #include <string.h>
 
 #include "core/names.h"
+#include "core/order.h"
 #include "core/report.h"
 #include "tow/trajectory.h"
 
@@ -212,24 +213,9 @@ enum hawser_status hawser_path_waypoints(struct hawser_path *trajectory,
 /* --- values --- */
 
 /* The piece that contains t. */
-static int find(const struct hawser_path *of, double t)
-{
-	int low = 0, high = of->pieces;
-
-	while (high - low > 1) {
-		int middle = (low + high)/2;
-
-		if (t < of->time[middle])
-			high = middle;
-		else
-			low = middle;
-	}
-	return low;
-}
-
 static void piece_at(double (*state)[3], const struct hawser_path *of, double t)
 {
-	int i = find(of, t), n = of->degree + 1;
+	int i = hawser__interval(of->time, of->pieces, t), n = of->degree + 1;
 	double h = of->time[i + 1] - of->time[i];
 	double tau = 2.0*(t - of->time[i])/h - 1.0, per = 1.0; /* exact at both ends */
 

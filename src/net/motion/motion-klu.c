@@ -66,12 +66,6 @@ static int find(const struct hawser__klu *klu, int row, int column)
 	return hawser__columns_find(klu->p, klu->i, row, column);
 }
 
-static void unknowns(int u[DIRECTIONS], const struct hawser__mesh *mesh, int element)
-{
-	for (int k = 0; k < DIRECTIONS; k++)
-		u[k] = mesh->unknown[mesh->end[element][k/3]][k%3];
-}
-
 /* Entries (column, row) of all elements and of the diagonal. */
 static size_t list_entries(int (*list)[2], const struct hawser__mesh *mesh)
 {
@@ -82,7 +76,7 @@ static size_t list_entries(int (*list)[2], const struct hawser__mesh *mesh)
 	for (int e = 0; e < mesh->elements; e++) {
 		int u[DIRECTIONS];
 
-		unknowns(u, mesh, e);
+		hawser__mesh_unknowns(u, mesh, e);
 		for (int k = 0; k < ENTRIES; k++)
 			if (u[k/6] >= 0 && u[k%6] >= 0) {
 				list[count][1] = u[k/6];
@@ -101,7 +95,7 @@ static void locate(struct hawser__klu *klu, const struct hawser__mesh *mesh)
 	for (int e = 0; e < mesh->elements; e++) {
 		int u[DIRECTIONS];
 
-		unknowns(u, mesh, e);
+		hawser__mesh_unknowns(u, mesh, e);
 		for (int k = 0; k < ENTRIES; k++)
 			klu->at[e][k] = u[k/6] < 0 || u[k%6] < 0 ? -1 : find(klu, u[k/6], u[k%6]);
 	}

@@ -12,29 +12,13 @@
 
 #include "core/grow.h"
 #include "core/locale.h"
+#include "core/order.h"
 #include "core/report.h"
 #include "net/motion/motion.h"
 
-/* Rows before and after a time; returns the latter. */
-static int interval(int *low, const struct hawser__support_table *table, double t)
-{
-	int high = table->rows - 1;
-
-	*low = 0;
-	while (high - *low > 1) {
-		int mid = *low + (high - *low)/2;
-
-		if (table->t[mid] <= t)
-			*low = mid;
-		else
-			high = mid;
-	}
-	return high;
-}
-
 void hawser__support_acceleration(double a[3], const struct hawser__support_table *table, double t)
 {
-	int low, high = interval(&low, table, t);
+	int low = hawser__interval(table->t, table->rows - 1, t), high = low + 1;
 	double part = (t - table->t[low])/(table->t[high] - table->t[low]);
 
 	for (int k = 0; k < 3; k++)
@@ -142,7 +126,7 @@ static void spline(struct hawser__support_table *table, int k, double *work)
 
 void hawser__support_at(double x[3], double v[3], const struct hawser__support_table *table, double t)
 {
-	int low, high = interval(&low, table, t);
+	int low = hawser__interval(table->t, table->rows - 1, t), high = low + 1;
 	double h, a, b;
 
 	h = table->t[high] - table->t[low];

@@ -85,13 +85,6 @@ static enum hawser_status failed(struct hawser__sparse *sparse, struct hawser_re
 	                    sparse->common.status);
 }
 
-/* The unknowns of the two ends of an element. */
-static void unknowns(int u[DIRECTIONS], const struct hawser__mesh *mesh, int element)
-{
-	for (int k = 0; k < DIRECTIONS; k++)
-		u[k] = mesh->unknown[mesh->end[element][k/3]][k%3];
-}
-
 /* Row and column of the entry-th of the lower triangle of 6x6. */
 static void pair(int *i, int *j, int entry)
 {
@@ -110,7 +103,7 @@ static size_t list_entries(int (*list)[2], const struct hawser__mesh *mesh)
 	for (int e = 0; e < mesh->elements; e++) {
 		int u[DIRECTIONS];
 
-		unknowns(u, mesh, e);
+		hawser__mesh_unknowns(u, mesh, e);
 		for (int i = 0; i < DIRECTIONS; i++)
 			for (int j = 0; j < i; j++) {
 				if (u[i] < 0 || u[j] < 0)
@@ -140,7 +133,7 @@ static void locate(struct hawser__sparse *sparse, const struct hawser__mesh *mes
 	for (int e = 0; e < mesh->elements; e++) {
 		int u[DIRECTIONS], i, j;
 
-		unknowns(u, mesh, e);
+		hawser__mesh_unknowns(u, mesh, e);
 		for (int entry = 0; entry < ENTRIES; entry++) {
 			pair(&i, &j, entry);
 			sparse->at[e][entry] = u[i] < 0 || u[j] < 0 ? -1

@@ -22,6 +22,7 @@
 #include <lapacke.h>
 
 #include "core/grow.h"
+#include "core/order.h"
 #include "core/report.h"
 #include "rom/terms/ends.h"
 #include "rom/energy/exact.h"
@@ -75,26 +76,10 @@ static enum hawser_status bend(double *M, const double *p, const double *t, int 
 	       : hawser__fail(report, HAWSER_ERR_NAN, where, "a value of the history is not finite");
 }
 
-/* Last row whose time is not after t; at most the last but one. */
-static int interval(const struct hawser_history_signal *signal, double t)
-{
-	int low = 0, high = signal->rows - 1;
-
-	while (high - low > 1) {
-		int middle = low + (high - low)/2;
-
-		if (signal->time[middle] <= t)
-			low = middle;
-		else
-			high = middle;
-	}
-	return low;
-}
-
 double hawser__history_value(const struct hawser_rom_history *history, int number, double t, int rate)
 {
 	const struct hawser_history_signal *signal = &history->signal[number];
-	int i = signal->rows > 0 ? interval(signal, t) : 0;
+	int i = signal->rows > 0 ? hawser__interval(signal->time, signal->rows - 1, t) : 0;
 	const double *p = signal->value + i, *M = signal->bend + i;
 	double h, a, b;
 
