@@ -12,7 +12,7 @@
 #define LONG 0.2        /* largest step of a curve for comparison, relative to the range; chosen */
 #define CARRIED 0.3     /* work of the marks in the next basis over that of a draft; chosen */
 /* For the time left alone, relative to the work of a draft: the work after the first draft until two
- * bases agree (0.3 with deep-sag.yaml, 0.5 with rope.yaml and inclined.yaml, 4 with conductor.yaml),
+ * bases agree (0.1 with deep-sag.yaml, rope.yaml and inclined.yaml, 3 with conductor.yaml),
  * and that after a further draft. */
 #define AGAIN 1.0
 #define CHECKED 0.5
