@@ -142,7 +142,8 @@ static enum hawser_status level_point(int *e, struct hawser__trace *trace)
 	const struct hawser__test *test = trace->here.test;
 	double omega = trace->here.y[orbit->size - 1], tolerance = trace->options.event_tolerance;
 	struct hawser_frf_event event = {.kind = HAWSER_BRANCH_POINT, .turns = 1, .located = 1,
-		.arc = trace->here.arc, .omega = hawser__orbit_omega(orbit, trace->here.y),
+		.arc = trace->here.arc,
+		.omega = orbit->own == HAWSER__RESTS ? 0.0 : hawser__orbit_omega(orbit, trace->here.y),
 		.parameter = omega, .bracket = {omega, trace->level.omega},
 		.error = tolerance + trace->here.mesh, .after = trace->level.point};
 	enum hawser_status status;

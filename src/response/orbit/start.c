@@ -354,7 +354,7 @@ enum hawser_status hawser__start_reversed(double *size, const double *y, struct 
 			*size = own/all;
 	}
 	free(linear);
-	return status;
+	return status == HAWSER_ERR_NO_SOLUTION ? HAWSER_OK : status; /* a resonance without damping */
 }
 
 /* Whether y, known to `rough`, is far from the linear response. */
