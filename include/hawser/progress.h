@@ -25,7 +25,8 @@ struct hawser_progress_state {
 	long fresh;         /* of `done`, those computed by this call; the others are from a file */
 	double fraction;    /* of the work that is done, 0 to 1; NAN: unknown */
 	double seconds;     /* wall time since the computation of this stage began */
-	double left;        /* s, estimated wall time until its end; NAN: unknown */
+	double left;        /* s, estimated wall time until its end; NAN: unknown, INFINITY: and what was
+	                     * told before does not hold */
 	double omega;       /* forcing frequency of the last point, rad/s (if the model has no units, its
 	                     * Omega); NAN: none */
 	double load;        /* load factor of the last point; NAN: none */

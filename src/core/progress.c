@@ -180,7 +180,7 @@ void hawser_progress_text(const struct hawser_progress_state *state, char *text,
 		add(&text, &size, ", Omega %.6g", state->omega);
 	if (!isnan(state->load))
 		add(&text, &size, ", load %.4g", state->load);
-	if (!isnan(state->left))
+	if (isfinite(state->left))
 		add(&text, &size, ", about %.0f s left%s", state->left,
 		    state->longer ? ", more than foreseen" : "");
 }
