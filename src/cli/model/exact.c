@@ -22,7 +22,7 @@ static const double glance = 5.0;
 
 /* Work after which a curve of modes is judged first, and the factor from one judgement to the next,
  * which takes 0.1 to 0.3 s; fewest points then; chosen. */
-static const double soon = 0.35, later = 3.0;
+static const double soon = 1.0, later = 3.0;
 enum { fewest = 24 };
 
 static int has_accuracy(const struct cli_model *model)
