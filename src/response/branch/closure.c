@@ -155,8 +155,8 @@ static enum hawser_status level_point(int *e, struct hawser__trace *trace)
 		trace->level.sign[1] = test[HAWSER_BRANCH_POINT].sign;
 		trace->level.point = frf->points - 1;
 	}
-	if (trace->level.sign[0]*test[HAWSER_FOLD].sign > 0.0 ||
-	    trace->level.sign[1]*test[HAWSER_BRANCH_POINT].sign > 0.0)
+	if (!(trace->level.sign[0]*test[HAWSER_FOLD].sign < 0.0 &&
+	      trace->level.sign[1]*test[HAWSER_BRANCH_POINT].sign < 0.0))
 		return HAWSER_OK;
 	while (frf->events > 0 && frf->event[frf->events - 1].after >= trace->level.point)
 		frf->events--;
