@@ -100,7 +100,7 @@ def main():
             if seconds > 5.0:
                 long.append(f"{command} {os.path.basename(scene)}")
             plan = foreseen(given.hawser, scene, span) if command == "frf" else None
-            if plan:
+            if plan and status is not None:
                 ratios.append((seconds/plan[1], plan[0] <= seconds <= plan[2]))
                 said = f"planned {plan[1]:.2g} s{'' if ratios[-1][1] else ' BEYOND'}  {said}"
             print(f"{command:12s} {os.path.basename(scene):28s} {seconds:7.2f} s  "

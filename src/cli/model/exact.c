@@ -150,8 +150,8 @@ struct told {
 	double began, bearable; /* s of processor time */
 };
 
-/* One that foresees more than can be borne, or half of it, may end before, if its range does not: how
- * long the command takes is not known then. */
+/* One that foresees more than can be borne, or half of it, may end before, unless its range may (then
+ * the drafts tell): how long the command takes is not known then. */
 static int tell(void *data, const struct hawser_progress_state *state)
 {
 	const struct told *told = data;

@@ -168,7 +168,7 @@ static enum hawser_status find_branch(struct hawser__free_walk *walk, int e)
 		if (!failed)
 			hawser__false_position_take(&in, s, value);
 	}
-	interpolate(walk, failed || e == 0 ? hawser__false_position(&in, 0) : s);
+	interpolate(walk, failed || (e == 0 && value != 0.0) ? hawser__false_position(&in, 0) : s);
 	if (!failed && e > 0) {
 		struct hawser__correction correction;
 

@@ -148,7 +148,7 @@ static enum hawser_status level_point(int *e, struct hawser__trace *trace)
 		.error = tolerance + trace->here.mesh, .after = trace->level.point};
 	enum hawser_status status;
 
-	if (trace->level.point >= frf->points || /* after a step back */
+	if (trace->level.sign[0] == 0.0 || trace->level.point >= frf->points - 1 || /* stepped back */
 	    !(fabs(omega - trace->level.omega) <= tolerance*hawser__orbit_extent(orbit, trace->here.y))) {
 		trace->level.omega = omega;
 		trace->level.sign[0] = test[HAWSER_FOLD].sign;

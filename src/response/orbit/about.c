@@ -27,7 +27,7 @@
 
 #define TOLERANCE 1e-8 /* of the orbit: well below the 1e-10 of multipliers; chosen */
 #define FINE 1e-5      /* of the orbits on the way where rough ones lose it; chosen */
-#define PASSED 0.05    /* size of a coordinate, relative to the orbit, below which rough orbits may
+#define PASSED 0.2     /* size of a coordinate, relative to the orbit, below which rough orbits may
                         * pass its folds unnoticed; chosen */
 #define SURE 0.01      /* tolerance, relative to a coordinate, with which it is followed; chosen */
 #define NOTHING 1e-13   /* harmonics of T below this times Omega^2 change no exponent by more than the

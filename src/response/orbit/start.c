@@ -13,6 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/hold.h"
 #include "core/report.h"
 #include "response/orbit/load.h"
 #include "response/orbit/shooting.h"
@@ -21,7 +22,8 @@
 #define SMALLEST_LOAD_STEP 1e-4 /* fraction of the load: if a smaller step is needed, there is a
                                  * fold in the load; chosen */
 #define SETTLE_PERIODS 400 /* periods of the motion from rest before the attempt ends; chosen */
-#define SETTLE_FLOPS 1e11 /* operations, some 25 s, after which it ends too, and */
+#define SETTLE_FLOPS 1e11 /* operations, 5 s with 16 coordinates and 13 s with 5, as counted, after
+                           * which it ends too, and */
 #define SETTLE_EXACT 4e9  /* the same with exact energy, whose products are short: some take 1e9 a
                            * period, and the curves of detour.c lead there sooner; chosen */
 #define SETTLE_TRY 20 /* periods between two attempts of Newton's method; chosen */
@@ -335,7 +337,7 @@ enum hawser_status hawser__start_reversed(double *size, const double *y, struct 
                                           struct hawser_report *report)
 {
 	int n = orbit->n, count = orbit->size - 1, known = 0;
-	double *linear = calloc(2*(size_t)orbit->size, sizeof *linear), *dy = linear + orbit->size;
+	double *linear = calloc(2*(size_t)orbit->size, sizeof *linear), *dy = hawser__behind(linear, (size_t)orbit->size);
 	double all = cblas_dnrm2(count, y, 1);
 	enum hawser_status status = linear ? linear_response(linear, orbit, omega, report)
 	                                   : hawser__no_memory(report, "frf");

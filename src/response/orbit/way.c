@@ -1,8 +1,9 @@
 /* response/orbit/way.c - the orbits that a response passes as its load is raised from rest, and the
  * curve over the load where that does not lead on.
  *
- *    t    direction of the curve, of length 1 relative to each coordinate of the orbit and to the load:
- *         by the metric of branches, small components would make the steps short
+ *    t    direction of the curve, of length 1 relative to each coordinate of the orbit and to the load
+ *         (of fine orbits; rough ones as a whole): by the metric of branches, small components
+ *         would make the steps short
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <cblas.h>

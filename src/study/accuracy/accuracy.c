@@ -26,7 +26,6 @@
 #include "study/accuracy/motions.h"
 
 /* Parts are relative to the accuracy. Where no bench is named, a value was chosen. */
-#define MANY 48       /* largest number of candidate modes, which limits the cost of their tensors */
 #define KEPT_MOST 40  /* default of the largest number of modes of a model */
 #define ROOM 0.25     /* the same, relative to the accuracy less the truncation error */
 #define BEYOND 0.35   /* largest effect of the modes above the candidates */
@@ -89,10 +88,10 @@ enum hawser_status hawser__accuracy_candidates(struct hawser_modes *modes,
 
 	if (status)
 		return status;
-	if (modes->mode[fewest - 1].omega < top && fewest < MANY) {
+	if (modes->mode[fewest - 1].omega < top && fewest < HAWSER__MANY) {
 		double wanted = ceil(fewest*top/modes->mode[fewest - 1].omega);
 
-		options.n = (int)fmin(wanted, MANY);
+		options.n = (int)fmin(wanted, HAWSER__MANY);
 		hawser_modes_clear(modes);
 		status = hawser_modes_solve(modes, statics, &options, report);
 	}
@@ -249,7 +248,7 @@ static int kept(const struct hawser_choice *choice)
 static enum hawser_status widen(struct hawser_accuracy *a, const struct hawser__marks *marks,
                                 const struct hawser_scene *scene, struct hawser_report *report)
 {
-	struct hawser_modes_options options = settings(scene, (int)fmin(WIDER*a->modes.n, MANY));
+	struct hawser_modes_options options = settings(scene, (int)fmin(WIDER*a->modes.n, HAWSER__MANY));
 	struct hawser_modes before = a->modes;
 	struct hawser_choice old = a->choice;
 	enum hawser_status status = hawser_modes_solve(&a->modes, &before.statics, &options, report);
@@ -280,7 +279,7 @@ static enum hawser_status judge(struct hawser_accuracy *a, const struct hawser__
 	enum hawser_status status = hawser__weigh_response(&a->choice, &a->rom, &a->frf, marks,
 	                                                   HAWSER__BETWEEN, report);
 
-	while (!status && hawser_choice_beyond(&a->choice) > BEYOND*a->asked && a->modes.n < MANY)
+	while (!status && hawser_choice_beyond(&a->choice) > BEYOND*a->asked && a->modes.n < HAWSER__MANY)
 		status = widen(a, marks, scene, report);
 	this->rest = hawser_choice_rest(&a->choice) + hawser_choice_beyond(&a->choice);
 	this->truncation = a->choice.truncation;

@@ -122,7 +122,9 @@ static void tell_left(struct hawser_progress_state *state, const struct hawser__
 	double left = fmax(all - done, 0.0), most = fmax(watch->most - done, 0.0);
 	int limited = watch->most > 0.0, unsure = limited && most > UNSURE*left;
 
-	if (limited && !unsure)
+	if (!(done > 0.0))
+		return;
+	if (limited && !unsure && most > 0.0)
 		left = sqrt(fmin(left, most)*most);
 	state->fraction = done/(done + left);
 	state->left = watch->drafts && unsure ? INFINITY

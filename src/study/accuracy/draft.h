@@ -42,13 +42,13 @@ struct hawser__draft_watch {
 	const struct hawser_accuracy_options *options;
 	struct hawser_accuracy *a;
 	double before; /* work of the traces that have ended */
-	double next;   /* work of another draft, over that of this one */
+	double next;   /* work of another draft, over that of this one; of counterparts: theirs, in all */
 	double began;  /* s, hawser__wall_seconds: when the first of those traces began */
-	int expected;  /* points of the trace; 0: not known */
+	int expected;  /* points of the trace, or marks; 0: not known */
 	const struct hawser_rom *rom; /* of the trace */
 	const struct hawser__draft *chosen; /* of a draft: the basis before it, whose response follows if
 	                                     * the two agree; functions 0: none */
-	int n;         /* coordinates of the model whose response follows */
+	int n;         /* coordinates of the model whose response follows; of marks: functions of theirs */
 	int drafts;    /* 1: it is a draft, which may be given up */
 	int afforded;  /* 1: it was ended where the rest of the range is more than can be borne, */
 	int vain;      /* or, 1, where the curve comes no farther */

@@ -334,6 +334,8 @@ void hawser__estimate_auto(struct hawser_plan_row *row, const struct hawser_surv
 		double last = plan->modes.mode[plan->modes.n - 1].omega;
 		double among = plan->modes.n*hawser__accuracy_reach(fmax(plan->from, plan->to), asked)/last;
 
+		among = fmin(among, HAWSER__MANY);
+
 		row->omega_error = asked;
 		hawser__count_entries(row, survey, index,
 		                      first(index, plan, HAWSER__FIRST, HAWSER__NEXT*asked));

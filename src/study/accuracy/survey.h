@@ -23,8 +23,8 @@ struct hawser_survey {
 	double *u, *omega;              /* [motions][ROWS][modes], [motions] */
 	struct hawser_rom_inertia inertia; /* of the condensed modes of the scene's own model */
 	struct hawser_accuracy_fixed fixed; /* of the scene's own modes; NAN: not foreseen */
-	enum { HAWSER__MODES, HAWSER__INSTEAD, HAWSER__PARTLY, HAWSER__TOO_LONG } instead; /* whether the
-	                                 * exact energy takes their place, over a part of the range */
+	/* whether the exact energy takes their place, over a part of the range */
+	enum { HAWSER__MODES, HAWSER__INSTEAD, HAWSER__PARTLY, HAWSER__TOO_LONG, HAWSER__NO_BASIS } instead;
 	char range[160];                /* of its coordinates (law.h); "" if not sought */
 	char forces[240];               /* what its forces are evaluated from; "" without modes */
 	double slowness;                /* of this machine, relative to that of the constants of cost.c */

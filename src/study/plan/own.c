@@ -62,11 +62,9 @@ static void exceed(struct hawser_plan_row *row, struct hawser_survey *survey)
 		return;
 	drafted = hawser__draft_of(&full, survey, asked.most_functions, accuracy);
 	work = HAWSER__SEARCHED*drafted;
-	if (full.n == 0)
-		return;
-	survey->instead = work <= asked.bearable ? HAWSER__INSTEAD
+	survey->instead = full.n == 0 ? HAWSER__NO_BASIS : work <= asked.bearable ? HAWSER__INSTEAD
 	                  : asked.partial ? HAWSER__PARTLY : HAWSER__TOO_LONG;
-	if (survey->instead == HAWSER__TOO_LONG) {
+	if (survey->instead == HAWSER__TOO_LONG || survey->instead == HAWSER__NO_BASIS) {
 		hawser__estimate_work(row, survey, GIVEN_UP*drafted, 0.0);
 		return;
 	}
