@@ -337,7 +337,8 @@ enum hawser_status hawser__start_reversed(double *size, const double *y, struct 
                                           struct hawser_report *report)
 {
 	int n = orbit->n, count = orbit->size - 1, known = 0;
-	double *linear = calloc(2*(size_t)orbit->size, sizeof *linear), *dy = hawser__behind(linear, (size_t)orbit->size);
+	double *linear = calloc(2*(size_t)orbit->size, sizeof *linear);
+	double *dy = hawser__behind(linear, (size_t)orbit->size);
 	double all = cblas_dnrm2(count, y, 1);
 	enum hawser_status status = linear ? linear_response(linear, orbit, omega, report)
 	                                   : hawser__no_memory(report, "frf");

@@ -271,8 +271,8 @@ static void decide_response(struct hawser_plan *plan, const struct hawser_survey
 	    survey->instead == HAWSER__PARTLY ? ": hawser frf takes full-order models for as much of the "
 	                                        "range as they cover in a bearable time" :
 	    survey->instead == HAWSER__TOO_LONG ? "; full-order models take more time than is spent unasked"
-	    : survey->instead == HAWSER__NO_BASIS ? "; the range reaches modes that need a larger basis than "
-	                                            "is tried unasked" : "");
+	    : survey->instead == HAWSER__NO_BASIS ? "; the range reaches modes that need a larger "
+	                                            "basis than is tried unasked" : "");
 }
 
 enum hawser_status hawser__decide(struct hawser_plan *plan, const struct hawser_survey *survey,
