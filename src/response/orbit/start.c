@@ -15,6 +15,7 @@
 
 #include "core/hold.h"
 #include "core/report.h"
+#include "response/orbit/balance.h"
 #include "response/orbit/load.h"
 #include "response/orbit/shooting.h"
 #include "response/orbit/start.h"
@@ -332,13 +333,37 @@ static enum hawser_status unload(double *dy, const double *y, struct hawser__orb
 	return status;
 }
 
+/* Whether coordinate j of the orbit y, by balance, is opposite to its linear response beside the motion
+ * of the others, which may drive it against the load. beside [size]: scratch. */
+static int opposed(double *beside, const double *y, struct hawser__orbit *orbit, int j, double omega,
+                   double least)
+{
+	struct hawser__balance *balance = (struct hawser__balance *)orbit;
+	int n = orbit->n, count = orbit->size - 1;
+
+	memcpy(beside, y, (size_t)orbit->size*sizeof *y);
+	for (int i = j; i < count; i += n)
+		beside[i] = 0.0;
+	(void)orbit->ops->defects(orbit, beside, 1);
+	for (int h = 0; h <= balance->order; h++) {
+		double answer[2] = {0.0, 0.0};
+
+		(void)hawser__balance_missing(balance, answer, h, j, omega);
+		beside[hawser__cos(n, h, j)] = answer[0];
+		if (h > 0)
+			beside[hawser__sin(n, h, j)] = answer[1];
+	}
+	return hawser__orbit_reversed(y, count, beside, count, n, j, least);
+}
+
 enum hawser_status hawser__start_reversed(double *size, const double *y, struct hawser__orbit *orbit,
                                           double omega, double from, double to,
                                           struct hawser_report *report)
 {
 	int n = orbit->n, count = orbit->size - 1, known = 0;
-	double *linear = calloc(2*(size_t)orbit->size, sizeof *linear);
+	double *linear = calloc(3*(size_t)orbit->size, sizeof *linear);
 	double *dy = hawser__behind(linear, (size_t)orbit->size);
+	double *beside = hawser__behind(dy, (size_t)orbit->size);
 	double all = cblas_dnrm2(count, y, 1);
 	enum hawser_status status = linear ? linear_response(linear, orbit, omega, report)
 	                                   : hawser__no_memory(report, "frf");
@@ -353,7 +378,8 @@ enum hawser_status hawser__start_reversed(double *size, const double *y, struct 
 		if (!known)
 			status = unload(dy, y, orbit, report);
 		known = 1;
-		if (cblas_dnrm2(count/n, dy + j, n) < STEEP*own)
+		if (!status && cblas_dnrm2(count/n, dy + j, n) < STEEP*own &&
+		    opposed(beside, y, orbit, j, omega, from*all))
 			*size = own/all;
 	}
 	free(linear);

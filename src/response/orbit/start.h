@@ -92,9 +92,10 @@ enum hawser_status hawser__start(double *y, struct hawser__orbit *orbit,
                                  double omega, double tolerance, struct hawser__raised *raised,
                                  struct hawser_report *report);
 
-/* *size: the smallest coordinate of the last corrected orbit y, relative to it, between `from` and
- * `to`, that is opposite to the linear response although it does not change fast with the load there:
- * it may have passed folds of its own. 0: there is none. */
+/* *size: the smallest coordinate of the last corrected orbit y, by balance, relative to it,
+ * between `from` and `to`, that is opposite to the linear response, at rest and beside the motion
+ * of the others, although it does not change fast with the load there: it may have passed folds of
+ * its own. 0: there is none. The orbit's defects are then not those of y. */
 enum hawser_status hawser__start_reversed(double *size, const double *y, struct hawser__orbit *orbit,
                                       double omega, double from, double to,
                                       struct hawser_report *report);

@@ -88,10 +88,10 @@ enum hawser_status hawser__accuracy_candidates(struct hawser_modes *modes,
 
 	if (status)
 		return status;
-	if (modes->mode[fewest - 1].omega < top && fewest < HAWSER__MANY) {
+	if (modes->mode[fewest - 1].omega < top && fewest < HAWSER__AMONG) {
 		double wanted = ceil(fewest*top/modes->mode[fewest - 1].omega);
 
-		options.n = (int)fmin(wanted, HAWSER__MANY);
+		options.n = (int)fmin(wanted, HAWSER__AMONG);
 		hawser_modes_clear(modes);
 		status = hawser_modes_solve(modes, statics, &options, report);
 	}
@@ -248,7 +248,7 @@ static int kept(const struct hawser_choice *choice)
 static enum hawser_status widen(struct hawser_accuracy *a, const struct hawser__marks *marks,
                                 const struct hawser_scene *scene, struct hawser_report *report)
 {
-	struct hawser_modes_options options = settings(scene, (int)fmin(WIDER*a->modes.n, HAWSER__MANY));
+	struct hawser_modes_options options = settings(scene, (int)fmin(WIDER*a->modes.n, HAWSER__AMONG));
 	struct hawser_modes before = a->modes;
 	struct hawser_choice old = a->choice;
 	enum hawser_status status = hawser_modes_solve(&a->modes, &before.statics, &options, report);
@@ -279,7 +279,7 @@ static enum hawser_status judge(struct hawser_accuracy *a, const struct hawser__
 	enum hawser_status status = hawser__weigh_response(&a->choice, &a->rom, &a->frf, marks,
 	                                                   HAWSER__BETWEEN, report);
 
-	while (!status && hawser_choice_beyond(&a->choice) > BEYOND*a->asked && a->modes.n < HAWSER__MANY)
+	while (!status && hawser_choice_beyond(&a->choice) > BEYOND*a->asked && a->modes.n < HAWSER__AMONG)
 		status = widen(a, marks, scene, report);
 	this->rest = hawser_choice_rest(&a->choice) + hawser_choice_beyond(&a->choice);
 	this->truncation = a->choice.truncation;

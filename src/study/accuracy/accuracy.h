@@ -42,7 +42,7 @@ int hawser__accuracy_largest(int asked, const struct hawser_statics *st);
 /* Where the error of a response is wanted, which is mostly far below the accuracy: the bases that are
  * compared have more functions per component than these, */
 int hawser__accuracy_fewest(const struct hawser_statics *st);
-#define HAWSER__MANY 48 /* largest number of candidate modes, which limits the cost of their tensors */
+#define HAWSER__AMONG 48 /* largest number of candidate modes, limits the cost of their tensors */
 #define HAWSER__BASIS_PART 0.1 /* and an error of this part of the accuracy; chosen */
 
 /* Trace the next response and compute its distance from the previous one, which *marks describes;

@@ -334,7 +334,7 @@ void hawser__estimate_auto(struct hawser_plan_row *row, const struct hawser_surv
 		double last = plan->modes.mode[plan->modes.n - 1].omega;
 		double among = plan->modes.n*hawser__accuracy_reach(fmax(plan->from, plan->to), asked)/last;
 
-		among = fmin(among, HAWSER__MANY);
+		among = fmin(among, HAWSER__AMONG);
 
 		row->omega_error = asked;
 		hawser__count_entries(row, survey, index,
