@@ -26,6 +26,7 @@
                          * of hawser__folds_steps */
 #define SIMPLE 1e-4 /* steps at which another orientation is that of a curve through a branch point of
                      * the equations, not of a neighbouring curve; chosen */
+#define DOUBTED 1e-4 /* when a shorter step is rejected, the last point is corrected again; chosen */
 #define SURE_STEP 1e-6 /* a shorter step is accepted in any case; chosen */
 #define SORTING_STEP 1e-6 /* in a shorter step, events are not separated further; chosen */
 
@@ -280,10 +281,33 @@ static enum hawser_status finish(void *owner, double ds, double *angle)
 	return HAWSER_OK;
 }
 
+/* The last point again, with the pairs of harmonic and coordinate that the next one takes: between two
+ * curves that nearly meet these change the tangent, and no step is short enough then. */
+static enum hawser_status settle(struct hawser__fold_walk *walk)
+{
+	struct hawser__fold_station *next = &walk->next, *here = &walk->here;
+	size_t bytes = (size_t)walk->fold->size*sizeof(double);
+	enum hawser_status status;
+	int failed;
+
+	walk->settled = walk->known;
+	memcpy(next->z, here->z, bytes);
+	hawser__walk_orient(walk, here);
+	status = hawser__walk_correct(walk, next, here->t, &failed);
+	if (status || failed)
+		return status;
+	hawser__walk_finish(walk, next, here->t);
+	next->arc = here->arc;
+	if ((next->test[HAWSER_FOLD_CUSP] < 0.0) == (here->test[HAWSER_FOLD_CUSP] < 0.0) &&
+	    (next->test[HAWSER_FOLD_STATIONARY] < 0.0) == (here->test[HAWSER_FOLD_STATIONARY] < 0.0))
+		hawser__fold_swap(here, next);
+	return HAWSER_OK;
+}
+
 /* If a step has two kinds of events, it is shortened. */
 static enum hawser_status judge(void *owner, double ds, double angle, enum hawser__verdict *verdict)
 {
-	const struct hawser__fold_walk *walk = owner;
+	struct hawser__fold_walk *walk = owner;
 	int changed = 0, elsewhere = walk->next.orientation != walk->here.orientation;
 
 	for (int k = 0; k < HAWSER_FOLD_TESTS; k++)
@@ -291,6 +315,8 @@ static enum hawser_status judge(void *owner, double ds, double angle, enum hawse
 	*verdict = (elsewhere && ds > SIMPLE) || angle > WORST_ANGLE ||
 	           walk->next.correction.first > WORST_DISTANCE*ds ||
 	           (changed > 1 && ds > SORTING_STEP) ? HAWSER__SHORTEN : HAWSER__KEEP;
+	if (*verdict == HAWSER__SHORTEN && ds < DOUBTED && walk->settled != walk->known)
+		return settle(walk);
 	return HAWSER_OK;
 }
 

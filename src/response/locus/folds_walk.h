@@ -65,6 +65,7 @@ struct hawser__fold_walk {
 	double window_lo, window_hi;   /* the range with margins (folds_end.c) */
 	double ceiling;                /* load at which the curve left the window: above it, the curve
 	                                * ends */
+	int settled;               /* number of points known when the last one was corrected again */
 	int known;                 /* number of stations before here, and here itself */
 	int stopped;
 	double work;               /* of the responses so far, s, as counted (hawser_orbit_work) */
