@@ -71,7 +71,7 @@ void cli_exact_costly(const struct cli_model *model, int costly)
 	snprintf(text, sizeof text, "time: the search takes more than is done unasked, and ends there: %sa "
 	         "narrower range takes less, --max-points N lifts the limit",
 	         model->has_scene || model->made ? "a model of fewer modes (-n) or " : "");
-	cli_warn(text);
+	cli_caution("search ended at its limit of work", text);
 }
 
 /* The model is now what the scene would be with these keys. */
